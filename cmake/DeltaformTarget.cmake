@@ -1,0 +1,21 @@
+# deltaform_setup(<target>): deal.II, Boost, Eigen, warnings as errors, sanitizers.
+function(deltaform_setup target)
+  deal_ii_setup_target(${target})
+  # deal.II's and Trilinos' headers are not ours to warn about.
+  get_target_property(_dirs ${target} INCLUDE_DIRECTORIES)
+  if(_dirs)
+    set_target_properties(${target} PROPERTIES INCLUDE_DIRECTORIES "")
+    target_include_directories(${target} SYSTEM PRIVATE ${_dirs})
+  endif()
+  target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/include)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_compile_definitions(${target} PRIVATE DELTAFORM_VERSION="${PROJECT_VERSION}"
+                                               DELTAFORM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+                                           -Wconversion -Wno-sign-conversion -Werror)
+  target_link_libraries(${target} PUBLIC Boost::program_options Boost::serialization Eigen3::Eigen)
+  if(DELTAFORM_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()

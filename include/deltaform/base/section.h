@@ -1,0 +1,147 @@
+#pragma once
+
+#include <deltaform/base/time_function.h>
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  class ParameterTree;
+
+  /// Allowed values of a number. Infinite bounds are no bounds; an exclusive bound is not itself allowed.
+  struct Range
+  {
+    double lower         = -std::numeric_limits<double>::infinity();
+    double upper         = std::numeric_limits<double>::infinity();
+    bool lower_exclusive = false;
+    bool upper_exclusive = false;
+
+    static Range any()
+    {
+      return {};
+    }
+    static Range positive()
+    {
+      return {0., std::numeric_limits<double>::infinity(), true, false};
+    }
+    static Range not_negative()
+    {
+      return {0., std::numeric_limits<double>::infinity(), false, false};
+    }
+    static Range between(const double a, const double b)
+    {
+      return {a, b, false, false};
+    }
+    static Range inside(const double a, const double b)
+    {
+      return {a, b, true, true};
+    }
+    static Range from_to_below(const double a, const double b)
+    {
+      return {a, b, false, true};
+    }
+    static Range above_to(const double a, const double b)
+    {
+      return {a, b, true, false};
+    }
+
+    bool contains(double value) const;
+    std::string to_string() const; ///< for example "(0, 0.5)"
+  };
+
+  /// Default of an entry, or the statement that there is none (`required`), with an example for the documentation and
+  /// tests.
+  template <typename T>
+  struct Default
+  {
+    T value;
+    bool required = false;
+    Default(T v) : value(std::move(v))
+    {
+    }
+    Default(T v, const bool is_required) : value(std::move(v)), required(is_required)
+    {
+    }
+  };
+
+  inline Default<double> required(const double example)
+  {
+    return {example, true};
+  }
+  inline Default<std::string> required(const std::string &example)
+  {
+    return {example, true};
+  }
+
+  /**
+   * One subsection of a scene. Each call declares an entry (name, default, range, unit, sentence) and returns its
+   * value, so that a parameter is stated once. A required entry has no default, only an example. Values come from the
+   * scene file and from --set; an error names file, line, entry and what is allowed (SceneError, exit status 1). Units
+   * are written as dimensions: "length", "stress", "force", "time", "1" ... and shown as such.
+   */
+  class Section
+  {
+  public:
+    Section(ParameterTree &tree, std::vector<std::string> path);
+
+    /// A section inside this one.
+    Section sub(const std::string &name) const;
+
+    double number(const std::string &name,
+                  const Default<double> &value,
+                  const Range &range,
+                  const std::string &unit,
+                  const std::string &sentence);
+    int integer(const std::string &name, int value, int smallest, int largest, const std::string &sentence);
+    bool flag(const std::string &name, bool value, const std::string &sentence);
+    std::string text(const std::string &name, const Default<std::string> &value, const std::string &sentence);
+    std::string choice(const std::string &name,
+                       const std::string &value,
+                       const std::vector<std::string> &choices,
+                       const std::string &sentence);
+
+    /// Names separated by commas.
+    std::vector<std::string> names(const std::string &name, const std::string &value, const std::string &sentence);
+
+    /// Numbers separated by commas.
+    std::vector<double>
+    numbers(const std::string &name, const std::string &value, const std::string &unit, const std::string &sentence);
+
+    /// Points "a b; c d; ...": rows of @p columns numbers separated by semicolons.
+    std::vector<std::vector<double>> rows(const std::string &name,
+                                          const Default<std::string> &value,
+                                          unsigned int columns,
+                                          const std::string &unit,
+                                          const std::string &sentence);
+
+    /// A function of time: a muParser expression in t (and @p constants), or a table "0: 0, 1: 1.2" with linear
+    /// interpolation.
+    TimeFunction function(const std::string &name,
+                          const Default<std::string> &value,
+                          const std::string &unit,
+                          const std::string &sentence,
+                          const std::map<std::string, double> &constants = {});
+
+    /// Does the scene (file or --set) state this entry itself?
+    bool given(const std::string &name) const;
+
+    /// Is this the documentation tree, in which required entries take their examples?
+    bool documentation() const;
+
+    /// Throw a SceneError about the entry @p name, with file and line where it was set.
+    [[noreturn]] void fail(const std::string &name, const std::string &message) const;
+
+    /// The last element of the path, for messages: the tool's name in Tools/<name>.
+    const std::string &title() const;
+
+    /// "Tools/punch".
+    std::string path() const;
+
+  private:
+    ParameterTree *tree_;
+    std::vector<std::string> path_;
+  };
+} // namespace deltaform

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <deltaform/base/status.h>
+
+#include <array>
+
+namespace deltaform
+{
+  /**
+   * Components of a symmetric 3x3 tensor whose third axis is principal, in Mandel order (11, 22, 33, sqrt(2) 12).
+   * Shell: 1 meridional, 2 hoop, 3 normal. Solid: 1 r, 2 z, 3 hoop.
+   */
+  using Mandel = std::array<double, 4>;
+
+  /// What is asked of the third direction.
+  enum class ThirdDirection : unsigned char
+  {
+    strain_given, ///< strain[p][2] is input: solid, plane strain or axisymmetric
+    stress_given  ///< third_stress[p] is input, strain[p][2] is output: shells (plane stress)
+  };
+
+  /**
+   * All points of one cell. Arrays have n_points entries; history has n_points * Material::history_size() values,
+   * point by point. Stress is the Kirchhoff stress, strain the total logarithmic strain.
+   */
+  struct MaterialBatch
+  {
+    unsigned int n_points          = 0;
+    ThirdDirection third_direction = ThirdDirection::strain_given;
+    Mandel *strain                 = nullptr; ///< in; [2] out for stress_given
+    const double *third_stress     = nullptr; ///< in for stress_given: Kirchhoff stress along direction 3
+    const double *committed        = nullptr; ///< in: history at the last accepted increment
+    double *trial   = nullptr; ///< in: a starting guess from the last iteration; out: history at this strain
+    Mandel *stress  = nullptr; ///< out
+    double *tangent = nullptr; ///< out if not null: n_points x 4 x 4 row-major, d stress / d strain. For
+                               ///< stress_given it is condensed: row and column [2] are zero.
+  };
+
+  /// Energies per reference volume at one point.
+  struct PointEnergy
+  {
+    double elastic;   ///< stored, recoverable
+    double hardening; ///< stored otherwise (0 for J2 with isotropic hardening: all plastic work counts as dissipation)
+  };
+
+  /**
+   * A stress-strain law in logarithmic strain and Kirchhoff stress, evaluated for all points of a cell at once. It has
+   * no mutable state: the history lives with the blank, as two flat arrays (committed, trial).
+   */
+  class Material
+  {
+  public:
+    virtual ~Material() = default;
+
+    /// Values of history per point; they start at zero. 0: the law is elastic.
+    virtual unsigned int history_size() const = 0;
+
+    /// Stress, tangent and trial history of all points.
+    virtual Status update(const MaterialBatch &batch) const = 0;
+
+    /// Elastic energy per reference volume of a state with Kirchhoff stress @p stress.
+    virtual double elastic_energy(const Mandel &stress) const = 0;
+
+    /// Plastic strain (3x3, Mandel) of one point's history; zero for elastic laws.
+    virtual Mandel plastic_strain(const double *history) const = 0;
+
+    /// Equivalent plastic strain of one point's history; zero for elastic laws.
+    virtual double equivalent_plastic_strain(const double *history) const = 0;
+
+    /// Shear modulus for transverse shear and stiffness estimates; Young's modulus; Poisson's ratio.
+    virtual double shear_modulus() const = 0;
+    virtual double young_modulus() const = 0;
+    virtual double poisson_ratio() const = 0;
+  };
+} // namespace deltaform
