@@ -1,3 +1,9 @@
+# deltaform_link(<target> <library>...): deal.II's macro fixes the plain or the keyword signature of
+# target_link_libraries, depending on its version; setting the property goes with both.
+function(deltaform_link target)
+  set_property(TARGET ${target} APPEND PROPERTY LINK_LIBRARIES ${ARGN})
+endfunction()
+
 # deltaform_setup(<target>): deal.II, Boost, Eigen, warnings as errors, sanitizers.
 function(deltaform_setup target)
   deal_ii_setup_target(${target})
@@ -12,8 +18,8 @@ function(deltaform_setup target)
   target_compile_definitions(${target} PRIVATE DELTAFORM_VERSION="${PROJECT_VERSION}"
                                                DELTAFORM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
-                                           -Wconversion -Wno-sign-conversion -Werror)
-  target_link_libraries(${target} PUBLIC Boost::program_options Boost::serialization Eigen3::Eigen)
+                                           -Wfloat-conversion -Werror)
+  deltaform_link(${target} Boost::program_options Boost::serialization Eigen3::Eigen)
   if(DELTAFORM_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)

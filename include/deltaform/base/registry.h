@@ -14,7 +14,7 @@ namespace deltaform
   /**
    * Name -> maker of the laws of one kind. A law registers itself by the last line of its own .cc file:
    *
-   *     static const Registry<Hardening>::Entry entry("swift", "K (e0 + e)^n", make<Swift>);
+   *     static const Registry<Hardening>::Entry entry("swift", "K (e0 + e)^n", make_as<Swift, Hardening>);
    *
    * The registry feeds the choices in the scene, `--list`, the generated parameter page and the conformance tests. Its
    * makers read the law's parameters from the section of the scene in which the law was named.

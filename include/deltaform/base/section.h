@@ -65,6 +65,11 @@ namespace deltaform
     Default(T v, const bool is_required) : value(std::move(v)), required(is_required)
     {
     }
+    /// So that a literal is a default, without the detour by std::string.
+    template <std::size_t n>
+    Default(const char (&literal)[n]) : value(literal)
+    {
+    }
   };
 
   inline Default<double> required(const double example)
@@ -86,6 +91,12 @@ namespace deltaform
   {
   public:
     Section(ParameterTree &tree, std::vector<std::string> path);
+
+    /// The whole scene.
+    Section root() const
+    {
+      return Section(*tree_, {});
+    }
 
     /// A section inside this one.
     Section sub(const std::string &name) const;

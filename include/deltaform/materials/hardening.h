@@ -11,7 +11,7 @@ namespace deltaform
 
   /**
    * Isotropic hardening: flow stress s(e) >= 0 (Kirchhoff stress) against the equivalent (logarithmic) plastic strain
-   * e >= 0. Must be continuous; the slope may be unbounded at e = 0.
+   * e >= 0. Must be continuous and never fall under s(0); the slope may be unbounded at e = 0.
    */
   class Hardening
   {

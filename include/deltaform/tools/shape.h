@@ -2,6 +2,7 @@
 
 #include <deltaform/base/types.h>
 
+#include <utility>
 #include <vector>
 
 namespace deltaform
@@ -13,48 +14,61 @@ namespace deltaform
     Tensor1 normal;  ///< unit, gradient of the distance: points out of the tool, to the blank
     Tensor1 tangent; ///< unit, along growing arc length
     double turning; ///< d(angle of the normal)/d(displacement along the tangent) = k/(1 + k distance), k the curvature,
-                    ///< convex positive
+                    ///< convex positive: d(normal)/dx = turning tangent (x) tangent
     double slip_rate;  ///< d(arc length of the foot point)/d(displacement along the tangent) = 1/(1 + k distance); 0 at
                        ///< a corner
     double arc_length; ///< of the foot point along the profile
     unsigned int segment; ///< warm start of the next projection
   };
 
-  /// A straight line or a circular arc of a profile; a corner is an arc of radius zero.
-  struct Segment
-  {
-    enum class Kind : unsigned char
-    {
-      line,
-      arc
-    };
-
-    Kind kind = Kind::line;
-    Point2 start, end;         ///< ends (equal for a corner)
-    double length    = 0;      ///< arc length
-    double arc_start = 0;      ///< arc length of the profile at the start
-    Tensor1 tangent;           ///< line: direction
-    Point2 center;             ///< arc
-    double radius      = 0;    ///< arc: >= 0
-    bool convex        = true; ///< arc: center on the tool's side
-    double angle_start = 0;    ///< arc: polar angle of (start - center), or of the normal for a corner
-    double sweep       = 0;    ///< arc: signed angle from start to end
-  };
-
   /**
    * The profile of a rigid tool in its own frame: lines and arcs, traversed so that the blank lies to the left, that
    * is, the outward normal is the tangent turned by +90 degrees. The closest point and its normal are exact. Corners
-   * without fillet that are convex turn the normal about the corner point; past the free ends of the profile there is
-   * no contact.
+   * without fillet turn the normal about the corner point.
    */
   class Shape
   {
   public:
+    /// A straight line or a circular arc of a profile; a corner is an arc of radius zero.
+    struct Segment
+    {
+      enum class Kind : unsigned char
+      {
+        line,
+        arc
+      };
+
+      Kind kind   = Kind::line;
+      bool convex = true;   ///< arc: center on the tool's side
+      Point2 start, end;    ///< ends (equal for a corner)
+      Point2 lower, upper;  ///< smallest box that holds the segment
+      double length    = 0; ///< arc length (of an endless line: as drawn)
+      double arc_start = 0; ///< arc length of the profile at the start
+      Tensor1 tangent;      ///< line: direction
+      double first = 0,
+             last  = 0;       ///< line: foot points have a distance from the start, along the tangent, in [first, last]
+      Point2 center;          ///< arc
+      double radius = 0;      ///< arc: >= 0
+      Tensor1 from, to;       ///< arc: unit vectors from the center to start and end (of a corner: +- the normals)
+      double angle_start = 0; ///< arc: polar angle of `from`
+      double sweep       = 0; ///< arc: signed angle from start to end, negative if convex, |sweep| < pi
+    };
+
+    /// What is at an end of the profile.
+    enum class End
+    {
+      free,    ///< nothing: past it there is no contact
+      endless, ///< the line goes on for ever
+      axis     ///< it lies on r = 0 and goes on as its mirror image, so that a node on the axis is an ordinary node
+    };
+
     virtual ~Shape() = default;
 
-    /// Closest point among all segments; @p hint is the segment of the last projection of the same node (invalid_index:
-    /// none).
-    /// @return distance = +infinity if the closest point is a free end of the profile.
+    /**
+     * Closest point among all segments; the result does not depend on @p hint, the segment of the last projection of
+     * the same node (invalid_index: none), but for points that have two closest points.
+     * @return distance = +infinity if the closest point is a free end of the profile.
+     */
     Projection project(const Point2 &x, unsigned int hint = invalid_index) const;
 
     const std::vector<Segment> &segments() const
@@ -62,22 +76,69 @@ namespace deltaform
       return segments_;
     }
 
-    /// Points along the profile for output, arcs divided into chords of at most @p angle radians.
-    std::vector<Point2> polyline(double angle = .02) const;
+    /// Are the points of the profile given in the scene's frame (no mirror image if the tool touches the blank's top)?
+    virtual bool in_scene_frame() const
+    {
+      return false;
+    }
 
-    /// Smallest box that holds the profile: lower left, upper right.
+    /// The arc length from foot point @p a to foot point @p b, the short way round if the profile is closed.
+    double slip(double a, double b) const;
+
+    /// Length of the profile (endless lines as drawn).
+    double length() const;
+
+    /**
+     * Points along the profile for output.
+     * @param angle arcs are divided into chords of at most this angle (radians).
+     * @param reach endless lines are drawn at least this long.
+     * @param both_sides draw also the mirror image of a profile that has an end on the axis.
+     */
+    std::vector<Point2> polyline(double angle = .02, double reach = 0., bool both_sides = false) const;
+
+    /// Smallest box that holds the profile and its mirror image: lower left, upper right; infinite along endless lines.
     std::pair<Point2, Point2> bounding_box() const;
+
+    /// Radius of the hole through which a blank that ends inside it would fall; 0: none.
+    virtual double opening() const
+    {
+      return 0.;
+    }
 
     /// Smallest radius of the profile's arcs that is not zero (infinity without arcs).
     double smallest_radius() const;
 
   protected:
+    /// Where an entry of a shape has this value, its line goes on for ever.
+    static constexpr double endless_radius = 1e30;
+
     /**
      * Build the segments from corner points with fillet radii (radii.size() == points.size(); first and last are
-     * ignored; 0 is a sharp corner). @throws std::invalid_argument if a fillet does not fit.
+     * ignored; 0 is a sharp corner). @throws std::invalid_argument, naming the corner, if a fillet does not fit, or if
+     * two neighbouring points coincide.
      */
-    void build(const std::vector<Point2> &points, const std::vector<double> &radii, bool closed = false);
+    void build(const std::vector<Point2> &points,
+               const std::vector<double> &radii,
+               End start = End::free,
+               End end   = End::free);
+
+    /// The same for a closed profile: the last point is joined to the first, and all radii count.
+    void build_closed(const std::vector<Point2> &points, const std::vector<double> &radii);
+
+  private:
+    void assemble(const std::vector<Point2> &points, const std::vector<double> &radii);
+    void add_line(const Point2 &start, const Point2 &end, const Tensor1 &tangent);
+    void add_arc(const Point2 &start,
+                 const Point2 &end,
+                 const Tensor1 &tangent_before,
+                 const Tensor1 &tangent_after,
+                 double radius);
+
+    Projection project_one_side(const Point2 &x, unsigned int hint) const;
 
     std::vector<Segment> segments_;
+    std::vector<Point2> free_ends_;
+    bool closed_ = false;
+    End start_ = End::free, end_ = End::free;
   };
 } // namespace deltaform

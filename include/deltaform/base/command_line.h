@@ -1,0 +1,62 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// The command line is wrong: exit status 64. The message is a sentence for the user.
+  class UsageError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /// The exit statuses of the program; part of its interface.
+  namespace exit_status
+  {
+    constexpr int done           = 0;
+    constexpr int wrong_scene    = 1;
+    constexpr int not_converged  = 2;
+    constexpr int promise_broken = 3;
+    constexpr int wrong_usage    = 64;
+  } // namespace exit_status
+
+  /// What the user asks for.
+  struct CommandLine
+  {
+    enum class Command
+    {
+      run,
+      check,            ///< build the scene and say what is wrong with it, compute nothing
+      sweep,            ///< one run per combination of the varied values
+      list,             ///< what can be chosen
+      print_parameters, ///< of the scene, or of everything if no scene is named
+      version,
+      help
+    };
+
+    /// "Contact/Allowed penetration=1e-3,1e-5".
+    struct Variation
+    {
+      std::string entry;
+      std::vector<std::string> values;
+    };
+
+    Command command = Command::run;
+    std::string scene;             ///< file name; may be empty for the commands that need none
+    std::vector<std::string> sets; ///< "Section/Entry=value", in order
+    std::string output;            ///< folder; empty: what the scene says
+    bool quiet        = false;
+    bool resume       = false;
+    unsigned int jobs = 1;             ///< runs of a sweep at a time
+    std::vector<Variation> variations; ///< of a sweep
+
+    /// @param argv as in main, with the program's name first. @throws UsageError
+    static CommandLine parse(int argc, const char *const *argv);
+
+    /// What --help prints.
+    static std::string help();
+  };
+} // namespace deltaform

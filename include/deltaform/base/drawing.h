@@ -1,0 +1,28 @@
+#pragma once
+
+#include <deltaform/base/types.h>
+
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// One field of a drawing.
+  struct DrawnField
+  {
+    std::string name;
+    std::string unit;
+    bool per_point            = true; ///< else per cell
+    unsigned int n_components = 1;    ///< 1 or 2; values are stored component by component of each point
+    std::vector<double> values;
+  };
+
+  /// What results write for ParaView: lines (2 points per cell) or quadrilaterals (4) in the (r, z) plane, with fields.
+  struct Drawing
+  {
+    unsigned int points_per_cell = 4;
+    std::vector<Point2> points;
+    std::vector<unsigned int> cells; ///< points_per_cell numbers per cell, counterclockwise
+    std::vector<DrawnField> fields;
+  };
+} // namespace deltaform

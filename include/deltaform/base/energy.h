@@ -1,0 +1,30 @@
+#pragma once
+
+namespace deltaform
+{
+  /// Energies of the blank since the start of the run (full circumference or per unit width).
+  struct BlankEnergy
+  {
+    double elastic = 0; ///< stored now
+    double plastic = 0; ///< dissipated so far, integrated along the path by the trapezoidal rule
+    double normal  = 0; ///< work of the transverse normal stress so far; part of the above, but not of the virtual work
+  };
+
+  /// Energies of contact since the start of the run, summed over the pairs.
+  struct ContactEnergy
+  {
+    double stored    = 0; ///< now in the penalty springs: eps p^2 / 2, and t^2 / (2 eps_t) of sticking friction
+    double friction  = 0; ///< dissipated so far
+    double epsilon   = 0; ///< work done on the pairs by changing eps at fixed penetration, so far
+    double thickness = 0; ///< work done on the pairs by the thickness that is updated between increments, so far
+
+    ContactEnergy &operator+=(const ContactEnergy &other)
+    {
+      stored += other.stored;
+      friction += other.friction;
+      epsilon += other.epsilon;
+      thickness += other.thickness;
+      return *this;
+    }
+  };
+} // namespace deltaform

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// Small operations on the text of scenes and messages.
+  namespace text
+  {
+    /// @p text without white space at its ends.
+    std::string trim(const std::string &text);
+
+    /// The trimmed pieces of @p text between separators that stand outside of parentheses; of blank text, none.
+    std::vector<std::string> split(const std::string &text, char separator);
+
+    /// "a, b, c".
+    std::string join(const std::vector<std::string> &pieces, const std::string &separator);
+
+    /// The shortest decimal number that reads back as exactly @p value.
+    std::string format(double value);
+
+    /// Number of insertions, deletions, replacements and swaps of neighbours that turn a into b; capitals do not count.
+    unsigned int edit_distance(const std::string &a, const std::string &b);
+
+    /// The one of @p candidates closest to @p name in edit distance; empty if there is none.
+    std::string nearest(const std::string &name, const std::vector<std::string> &candidates);
+
+    /// Are the two close enough for one to be a misspelling of the other?
+    bool similar(const std::string &a, const std::string &b);
+
+    /// @p text as a JSON string, with quotes.
+    std::string json_quote(const std::string &text);
+  } // namespace text
+} // namespace deltaform

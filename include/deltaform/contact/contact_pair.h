@@ -1,0 +1,224 @@
+#pragma once
+
+#include <deltaform/base/assembly_target.h>
+#include <deltaform/base/energy.h>
+#include <deltaform/base/section.h>
+#include <deltaform/base/stiffness_view.h>
+#include <deltaform/contact/enforcement.h>
+#include <deltaform/contact/friction_law.h>
+#include <deltaform/contact/penalty_rule.h>
+#include <deltaform/kinematics/contact_surface.h>
+#include <deltaform/tools/tool.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// Entries of the Contact section that all pairs share.
+  struct ContactSettings
+  {
+    explicit ContactSettings(Section &section, const std::map<std::string, double> &constants);
+
+    std::unique_ptr<Enforcement> enforcement;
+    std::unique_ptr<PenaltyRule> rule;
+    TimeFunction                 allowed_penetration;
+    TimeFunction                 allowed_slip;
+    double                       tangential_factor;
+    double                       tangential_floor;
+  };
+
+  /**
+   * One side of the blank against one tool: the loop over the nodes, with trial and committed state. Forces on the blank
+   * are lambda N - t s tau with N the normal, tau the tangent of the tool and s = d(foot point)/d(node): derivation of
+   * residual and tangent in doc/theory/contact.md.
+   */
+  class ContactPair
+  {
+  public:
+    ContactPair(const ContactSurface &surface, Tool &tool, const ContactSettings &settings, Section tool_section);
+
+    const Tool &
+    tool() const
+    {
+      return tool_;
+    }
+
+    DofIndex
+    travel_dof() const
+    {
+      return travel_dof_;
+    }
+
+    unsigned int
+    n_nodes() const
+    {
+      return committed_.size();
+    }
+
+    /// Number the unknowns of this pair: the travel of a force-driven tool, and one multiplier per node if the enforcement has them.
+    void
+    set_dofs(DofIndex travel, DofIndex first_multiplier);
+
+    /// Start an increment that ends at @p time: trial state from the committed one, allowed penetrations.
+    void
+    begin_increment(double time);
+
+    /// Store the blank's nodal stiffness blocks for the rule; contact has not yet been added to @p stiffness.
+    void
+    read_stiffness(const Vector &q, const StiffnessView &stiffness);
+
+    /// Add C (p - delta) of the touching pairs, for the rule's coupling.
+    void
+    add_mismatch(const Vector &q, Vector &direction) const;
+
+    /// Give every touching pair its factor: @p coupling = K C (p - delta), or null if no rule needs it.
+    void
+    predict_factors(const Vector &q, const Vector *coupling);
+
+    /// Residual and tangent of all pairs at @p q.
+    void
+    assemble(const Vector &q, AssemblyTarget &target);
+
+    /**
+     * After convergence: let the rule correct the factors. @return the number of pairs whose factor has changed.
+     */
+    unsigned int
+    correct_factors();
+
+    /// The pair that breaks the promise most: node and p/delta - 1 beyond round-off (invalid_index: none does).
+    std::pair<unsigned int, double>
+    broken_promise() const;
+
+    void
+    commit(const Vector &q);
+
+    /// After the blank's thickness was updated: new gaps at the same positions.
+    void
+    refresh(const Vector &q);
+
+    /// Where the tool is: travel at the trial state.
+    double
+    travel(const Vector &q) const;
+
+    /// Force of the blank on the tool in the trial state (full circumference or per unit width).
+    const Tensor1 &
+    tool_force() const
+    {
+      return tool_force_;
+    }
+
+    /// Trial and committed state of every node, and the nodes' description.
+    const std::vector<PairState> &
+    trial() const
+    {
+      return trial_;
+    }
+
+    const std::vector<PairState> &
+    committed() const
+    {
+      return committed_;
+    }
+
+    ContactEnergy
+    energy() const;
+
+    /// Largest penetration anywhere along the edges, not only at the nodes.
+    double
+    penetration_between_nodes(const Vector &q) const;
+
+    /// Contact pressure of every node (committed force over current tributary area).
+    std::vector<double>
+    pressure(const Vector &q) const;
+
+    unsigned int
+    n_touching() const;
+
+    /// Is the floor larger than what delta asks for at this node?
+    bool
+    governed_by_floor(unsigned int node) const;
+
+    ContactNode
+    node(const Vector &q, unsigned int i) const;
+
+    /// Node with the smallest gap in the initial configuration, and that gap.
+    std::pair<unsigned int, double>
+    deepest_at_start() const;
+
+    /// A tool that is absent in a stage has no pairs: forget all contact.
+    void
+    clear();
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, unsigned int)
+    {
+      archive &committed_ &energy_.friction &energy_.epsilon &energy_.thickness &committed_x_;
+    }
+
+  private:
+    /// Is the contact point certainly clear of the tool? The distance changes at most as fast as the point moves.
+    bool
+    certainly_clear(unsigned int i, const Point2 &relative, double offset) const;
+
+    /// K_nn (or K_tt) = (J^T n)^T K (J^T n) with the nodal block of the blank's tangent.
+    double
+    nodal_stiffness(unsigned int i, const ContactNode &node, const Tensor1 &direction) const;
+
+    double
+    neighbour_factor(unsigned int i) const;
+
+    PenaltyInput
+    input(unsigned int i, const PairState &state, double coupling) const;
+
+    /// Tangential factor from the allowed elastic slip.
+    double
+    tangential_factor(const PairState &state, double stiffness) const;
+
+    /// First touch of a pair within this increment: factors, and where its slip starts.
+    void
+    touch(unsigned int i, const ContactNode &node, const Projection &projection);
+
+    /// By how much a penetration may exceed delta before the promise is broken: 1e-6 delta or round-off.
+    double
+    tolerance(unsigned int i) const;
+
+    void
+    update_stored_energy();
+
+    void
+    add_pair(unsigned int            i,
+             const ContactNode &     node,
+             const Projection &      projection,
+             const NormalResponse &  normal,
+             const FrictionResponse &friction,
+             double                  multiplier_value,
+             AssemblyTarget &        target);
+
+    const ContactSurface &       surface_;
+    Tool &                       tool_;
+    const ContactSettings &      settings_;
+    std::unique_ptr<FrictionLaw> friction_;
+    ContactThickness             thickness_;
+
+    DofIndex travel_dof_       = dealii::numbers::invalid_dof_index;
+    DofIndex first_multiplier_ = dealii::numbers::invalid_dof_index;
+    double   time_             = 0;
+
+    std::vector<PairState>             committed_, trial_;
+    std::vector<double>                area_;            ///< of the last assembled configuration
+    std::vector<std::array<double, 9>> stiffness_;       ///< nodal blocks of the blank's tangent
+    std::vector<Point2>                committed_x_;     ///< contact point relative to the tool at the last commit
+    std::vector<Point2>                projected_x_;     ///< the same at the last projection
+    std::vector<double>                projected_gap_;   ///< distance then; -1: none known
+    std::vector<unsigned int>          hint_;            ///< segment of the last projection
+    double                             median_factor_ = 0;
+    double                             slip_limit_    = 0; ///< allowed elastic slip at the end of the increment
+    std::vector<double>                factor_at_start_; ///< after the prediction, before corrections
+    double                             energy_of_changes_ = 0; ///< of the corrections within this increment
+    Tensor1                            tool_force_;
+    ContactEnergy                      energy_;
+  };
+} // namespace deltaform

@@ -1,0 +1,54 @@
+#pragma once
+
+namespace deltaform
+{
+  /// What a rule may know of a pair; all of it is in the rows of contact_*.csv or can be derived from them.
+  struct PenaltyInput
+  {
+    double force            = 0; ///< lambda: reaction of the pair (last increment, or converged iterate)
+    double penetration      = 0; ///< p
+    double previous_epsilon = 0; ///< 0 if the pair had none
+    double stiffness        = 0; ///< K_nn = n^T K n of the blank without contact
+    double coupling         = 0; ///< [C^T K C (p - delta)]_i, if the rule needs it
+    double area             = 0; ///< tributary area
+    double delta            = 0; ///< allowed penetration
+    double neighbour        = 0; ///< larger of the neighbouring pairs' and the tool's median factor; for a first touch
+  };
+
+  /// The penalty factor of a pair: a pure function of its input.
+  class PenaltyRule
+  {
+  public:
+    virtual ~PenaltyRule() = default;
+
+    /// Factor at the start of an increment, or (force and previous_epsilon zero) when the pair touches for the first time.
+    virtual double
+    predict(const PenaltyInput &input) const = 0;
+
+    /// Factor after a converged solve. Returning previous_epsilon accepts the pair as it is.
+    virtual double
+    correct(const PenaltyInput &input) const = 0;
+
+    /// Lower bound of the factor that does not come from delta (for the reported share of the floor); 0: none.
+    virtual double
+    floor(const PenaltyInput &input) const = 0;
+
+    /// Does the rule promise p <= delta? If so, a violation ends the run with exit status 3.
+    virtual bool
+    promises() const = 0;
+
+    /// Is predict() called in every Newton iteration with the current force, penetration and coupling?
+    virtual bool
+    in_every_iteration() const
+    {
+      return false;
+    }
+
+    /// Does it need the coupling?
+    virtual bool
+    needs_coupling() const
+    {
+      return false;
+    }
+  };
+} // namespace deltaform

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <deltaform/base/journal.h>
+#include <deltaform/base/parameter_tree.h>
+#include <deltaform/scene/forming_problem.h>
+#include <deltaform/scene/output_settings.h>
+#include <deltaform/solver/newton.h>
+#include <deltaform/solver/step_control.h>
+
+#include <memory>
+#include <string>
+
+namespace deltaform
+{
+  /**
+   * The composition root: builds exactly what the file names, in dependency order, checks it whole, and knows the
+   * settings of the run. An absent feature is an absent object. @throws SceneError
+   */
+  class Scene
+  {
+  public:
+    explicit Scene(ParameterTree &tree);
+
+    ParameterTree &tree;
+    std::string    title, units, linear_solver;
+    Actors         actors;
+
+    std::unique_ptr<NewtonSettings> newton;
+    std::unique_ptr<StepSettings>   steps;
+    std::unique_ptr<OutputSettings> output;
+
+  private:
+    void
+    build_tools(Section root);
+
+    /// Things that are wrong although every entry is allowed: overlaps, stages in which nothing changes, ...
+    void
+    check(Section root) const;
+    void
+    check_tools(Section root) const;
+    void
+    check_stages(Section root) const;
+    void
+    check_delta(Section root) const;
+  };
+
+  /// Make every registered object once, so that the tree knows all parameters there are.
+  void
+  declare_everything(ParameterTree &tree);
+} // namespace deltaform

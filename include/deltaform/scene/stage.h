@@ -1,0 +1,21 @@
+#pragma once
+
+#include <deltaform/base/section.h>
+
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// A part of the process: from the end of the one before to its own end.
+  struct Stage
+  {
+    std::string name;
+    double      begin = 0, end = 1;
+    double      first_increment, smallest_increment, largest_increment;
+  };
+
+  /// Read the stages, in their order, from section Steps.
+  std::vector<Stage>
+  read_stages(Section &section);
+} // namespace deltaform

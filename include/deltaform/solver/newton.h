@@ -1,0 +1,101 @@
+#pragma once
+
+#include <deltaform/base/section.h>
+#include <deltaform/base/status.h>
+#include <deltaform/solver/system.h>
+
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// What the Newton iteration needs to know of the problem: numbers, no physics.
+  class NonlinearProblem
+  {
+  public:
+    virtual ~NonlinearProblem() = default;
+
+    /// Residual, and tangent if wanted, at @p q into the system.
+    virtual Status
+    assemble(const Vector &q, bool tangent) = 0;
+
+    /// Largest factor in (0, 1] of the step @p d that is admissible from @p q.
+    virtual double
+    admissible_step(const Vector &q, const Vector &d) const = 0;
+
+    /// After convergence: @return how many parameters (penalty factors) were changed, so that the solve must go on.
+    virtual unsigned int
+    correct() = 0;
+  };
+
+  /// Tolerances and limits of the Newton iteration.
+  struct NewtonSettings
+  {
+    explicit NewtonSettings(Section &section);
+
+    unsigned int max_iterations;
+    unsigned int max_rounds;
+    double       force_tolerance, displacement_tolerance;
+    bool         line_search;
+  };
+
+  /// What a Newton solve did.
+  struct NewtonResult
+  {
+    enum class Outcome : unsigned char
+    {
+      converged,
+      diverged,
+      singular,
+      inadmissible, ///< a status of the laws
+      not_corrected ///< converged, but the corrections did not end
+    };
+
+    Outcome             outcome    = Outcome::diverged;
+    unsigned int        iterations = 0, rounds = 0, line_searches = 0;
+    Status              status;
+    unsigned int        worst_dof = invalid_index; ///< largest share of the residual
+    std::vector<double> residuals;                 ///< relative, of every iteration since the last correction
+
+    bool
+    converged() const
+    {
+      return outcome == Outcome::converged;
+    }
+  };
+
+  /**
+   * Newton's method with a line search on the work of the residual along the step, and rounds of corrections after
+   * convergence. Converged: |R| <= tolerance * sum of absolute contributions, and the last step small against the
+   * increment; rotations are scaled by the problem's length, so that both norms have one unit.
+   */
+  class Newton
+  {
+  public:
+    Newton(NonlinearProblem &problem, System &system, const NewtonSettings &settings, const std::vector<double> &scale);
+
+    /**
+     * @param q          in: start; out: solution
+     * @param prescribed values that prescribed unknowns must reach
+     * @param is_prescribed which they are
+     * @param q_committed start of the increment, for the scale of the displacements
+     * @param force_floor forces below this are round-off
+     */
+    NewtonResult
+    solve(Vector &                 q,
+          const Vector &           prescribed,
+          const std::vector<bool> &is_prescribed,
+          const Vector &           q_committed,
+          double                   force_floor);
+
+  private:
+    /// Relative residual; remembers the worst unknown.
+    double
+    measure(const std::vector<bool> &is_prescribed, double force_floor, NewtonResult &result) const;
+
+    NonlinearProblem &         problem_;
+    System &                   system_;
+    const NewtonSettings &     settings_;
+    const std::vector<double> &scale_;
+  };
+} // namespace deltaform

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <deltaform/base/section.h>
+#include <deltaform/base/side.h>
+#include <deltaform/tools/shape.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * A rigid tool: a shape at a position, mirrored if it touches the top of the blank, that travels along a direction.
+   * The travel is a function of time; or a force is, and the travel is an unknown of the step.
+   */
+  class Tool
+  {
+  public:
+    /**
+     * Read the tool from its section.
+     * @param name of the section, by which results and messages call the tool
+     * @param constants what the expressions of the section may use beside t: "thickness"
+     */
+    Tool(const std::string &name, Section section, const std::map<std::string, double> &constants);
+
+    const std::string &name() const
+    {
+      return name_;
+    }
+
+    /// The face of the blank that the tool touches.
+    Side side() const
+    {
+      return side_;
+    }
+
+    /// In the tool's own frame.
+    const Shape &shape() const
+    {
+      return *shape_;
+    }
+
+    double friction_coefficient() const
+    {
+      return friction_coefficient_;
+    }
+
+    /// Unit vector of the travel in the scene.
+    const Tensor1 &direction() const
+    {
+      return direction_;
+    }
+
+    bool force_driven() const
+    {
+      return force_.has_value();
+    }
+
+    /// Travel along the direction: of the motion at @p time; of a force-driven tool the one set last.
+    double travel(double time) const;
+
+    /// First time in [begin, end] at which the motion reaches a travel; NaN if it does not.
+    double time_of_travel(const double travel, const double begin, const double end) const
+    {
+      return motion_.inverse(travel, begin, end);
+    }
+
+    /// Set the travel of a force-driven tool.
+    void set_travel(double travel);
+
+    /// Force along the direction, pressed against the blank, of a force-driven tool.
+    double force(double time) const;
+
+    /// Smallest and largest travel between two times, sampled at equal distances including both ends.
+    std::pair<double, double> travel_range(double begin, double end) const;
+
+    /// The tool's own allowed penetration at @p time, if it has one.
+    std::optional<double> allowed_penetration(double time) const;
+
+    /// Does the tool take part in this stage?
+    bool exists_in(const std::string &stage) const;
+
+    /// Stages in which the tool takes part; none stands for all.
+    const std::vector<std::string> &stages() const
+    {
+      return stages_;
+    }
+
+    /**
+     * Closest point to @p x, both in the scene's frame. The normal is the gradient of the distance, the tangent points
+     * to growing arc length, d(normal)/dx = turning tangent (x) tangent. The normal is the tangent turned by +90
+     * degrees, or by -90 degrees where the shape is mirrored.
+     */
+    Projection project(const Point2 &x, double travel, unsigned int hint = invalid_index) const;
+
+    /// The profile for output, see Shape::polyline().
+    std::vector<Point2> polyline(double travel, double reach = 0., bool both_sides = false) const;
+
+    /// Smallest box that holds the tool: lower left, upper right; may be infinite.
+    std::pair<Point2, Point2> bounding_box(double travel) const;
+
+  private:
+    Point2 to_scene(const Point2 &own, double travel) const;
+
+    std::string name_;
+    Side side_;
+    std::unique_ptr<Shape> shape_;
+    Point2 position_;
+    Tensor1 direction_;
+    double mirror_ = 1; ///< of z from the tool's own frame to the scene's: 1 or -1
+    TimeFunction motion_;
+    std::optional<TimeFunction> force_;
+    double travel_ = 0;
+    double friction_coefficient_;
+    std::optional<TimeFunction> allowed_penetration_;
+    std::vector<std::string> stages_;
+  };
+} // namespace deltaform

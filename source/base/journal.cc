@@ -1,0 +1,121 @@
+#include <deltaform/base/journal.h>
+#include <deltaform/base/scene_error.h>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <iostream>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// A longer line would wrap, and only its last part be rewritten.
+    std::string fit_to_terminal(const std::string &line)
+    {
+      winsize size      = {};
+      const bool known  = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+      std::size_t space = known ? size.ws_col - 1u : 79u;
+      std::size_t bytes = 0;
+      while (bytes < line.size())
+      {
+        const bool begins_character = (static_cast<unsigned char>(line[bytes]) & 0xc0u) != 0x80u;
+        if (begins_character && space-- == 0)
+          break;
+        ++bytes;
+      }
+      return line.substr(0, bytes);
+    }
+  } // namespace
+
+  Journal::Journal(const Console console) : Journal(console, std::cout, std::cerr)
+  {
+    if (console == Console::automatic && isatty(STDOUT_FILENO) != 0)
+      console_ = Console::terminal;
+  }
+
+  Journal::Journal(const Console console, std::ostream &out, std::ostream &warnings)
+    : console_(console == Console::automatic ? Console::plain : console), out_(out), warnings_(warnings)
+  {
+  }
+
+  Journal::~Journal()
+  {
+    finish_progress();
+  }
+
+  void Journal::open_log(const std::string &path)
+  {
+    log_.open(path);
+    if (!log_)
+      throw SceneError("Cannot write '" + path + "': " + std::strerror(errno) + ".");
+    for (const auto &line : before_log_)
+      log_ << line << '\n';
+    before_log_.clear();
+    log_.flush();
+  }
+
+  void Journal::progress(const std::string &line)
+  {
+    if (console_ == Console::terminal)
+    {
+      out_ << "\r\033[K" << fit_to_terminal(line) << std::flush;
+      progress_shown_ = true;
+    }
+    else if (console_ == Console::plain)
+      out_ << line << std::endl;
+  }
+
+  void Journal::note(const std::string &text)
+  {
+    log(text);
+    if (console_ == Console::quiet || console_ == Console::silent)
+      return;
+    erase_progress();
+    out_ << text << std::endl;
+  }
+
+  void Journal::warning(const std::string &text)
+  {
+    ++n_warnings_;
+    log("warning: " + text);
+    if (console_ == Console::silent)
+      return;
+    erase_progress();
+    warnings_ << "warning: " << text << std::endl;
+  }
+
+  void Journal::detail(const std::string &text)
+  {
+    log(text);
+  }
+
+  void Journal::finish_progress()
+  {
+    if (progress_shown_)
+      out_ << std::endl;
+    progress_shown_ = false;
+  }
+
+  unsigned int Journal::n_warnings() const
+  {
+    return n_warnings_;
+  }
+
+  void Journal::log(const std::string &line)
+  {
+    if (log_.is_open())
+      log_ << line << std::endl;
+    else
+      before_log_.push_back(line);
+  }
+
+  void Journal::erase_progress()
+  {
+    if (progress_shown_)
+      out_ << "\r\033[K" << std::flush;
+    progress_shown_ = false;
+  }
+} // namespace deltaform

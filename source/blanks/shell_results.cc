@@ -1,0 +1,192 @@
+// Accepting an increment of the shell, its energies, its fields.
+#include "shell_point.h"
+
+#include <deltaform/blanks/shell.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/vector.hpp>
+
+namespace deltaform
+{
+  double
+  Shell::largest_strain_increment() const
+  {
+    double largest = 0.;
+    for (unsigned int i = 0; i < strain_.size(); ++i)
+      for (unsigned int k = 0; k < 2; ++k)
+        largest = std::max(largest, std::abs(strain_[i][k] - committed_strain_[i][k]));
+    return largest;
+  }
+
+
+
+  double
+  Shell::largest_rotation(const Vector &dq) const
+  {
+    double largest = 0.;
+    for (const auto &dofs : node_dofs_)
+      largest = std::max(largest, std::abs(dq[dofs[2]]));
+    return largest;
+  }
+
+
+
+  double
+  Shell::shear_strain_squared(const Vector &q, const unsigned int cell, const unsigned int point) const
+  {
+    if (membrane_)
+      return 0.;
+    const auto &            nodes = mesh_.cells()[cell].nodes;
+    std::array<DofIndex, 9> dofs{};
+    for (unsigned int a = 0; a <= degree_; ++a)
+      std::copy(node_dofs_[nodes[a]].begin(), node_dofs_[nodes[a]].end(), dofs.begin() + 3 * a);
+    const auto strain =
+      degree_ == 1 ?
+        shell_strain<2, false>(points_[point], mesh_.cells()[cell], mesh_.nodes(), q, dofs.data(), axisymmetric_) :
+        shell_strain<3, false>(points_[point], mesh_.cells()[cell], mesh_.nodes(), q, dofs.data(), axisymmetric_);
+    return (strain.gamma - points_[point].gamma) * (strain.gamma - points_[point].gamma);
+  }
+
+
+
+  double
+  Shell::membrane_angle(const Vector &q, const unsigned int node) const
+  {
+    const unsigned int before = node > 0 ? node - 1 : node, after = std::min<unsigned int>(node + 1, node_dofs_.size() - 1);
+    const Tensor1      chord  = position(q, after) - position(q, before);
+    return std::atan2(chord[1], chord[0]);
+  }
+
+
+
+  void
+  Shell::commit(const Vector &q)
+  {
+    const double shear = membrane_ ? 0. : shear_factor_ * material_->shear_modulus() * thickness_;
+    energy_.elastic    = 0.;
+    for (unsigned int c = 0, i = 0; c < mesh_.cells().size(); ++c)
+      for (unsigned int p = 0; p < n_points_per_cell_; ++p)
+        {
+          const unsigned int place = c * n_points_per_cell_ + p;
+          const ShellPoint & point = points_[place];
+          double             thickness = 0.;
+          for (unsigned int l = 0; l < n_layers_; ++l, ++i)
+            {
+              const double a1_zero = point.lambda - layer_position_[l] * point.angle_prime;
+              const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * std::sin(point.angle) : 1.;
+              const double volume  = point.weight * layer_weight_[l] * a1_zero * a2_zero;
+              const Mandel before  = material_->plastic_strain(history_.committed(i));
+              const Mandel after   = material_->plastic_strain(history_.trial(i));
+              for (unsigned int k = 0; k < 4; ++k)
+                energy_.plastic += .5 * volume * (stress_[i][k] + committed_stress_[i][k]) * (after[k] - before[k]);
+              energy_.normal += .5 * volume * (stress_[i][2] + committed_stress_[i][2]) * (strain_[i][2] - committed_strain_[i][2]);
+              energy_.elastic += volume * material_->elastic_energy(stress_[i]);
+              thickness += layer_weight_[l] * std::exp(strain_[i][2]);
+            }
+          thickness_ratio_[place] = thickness / thickness_;
+          energy_.elastic += .5 * shear * point.weight * point.radius * shear_strain_squared(q, c, place);
+        }
+    history_.commit();
+    committed_strain_ = strain_;
+    committed_stress_ = stress_;
+
+    std::vector<double> thickness(thickness_ratio_);
+    for (auto &value : thickness)
+      value *= thickness_;
+    node_thickness_ = to_nodes(thickness);
+    update_areas(q);
+  }
+
+
+
+  std::vector<double>
+  Shell::to_nodes(const std::vector<double> &point_values) const
+  {
+    std::vector<double> result(node_dofs_.size(), 0.);
+    for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
+      for (unsigned int p = 0; p < n_points_per_cell_; ++p)
+        {
+          const ShellPoint &point = points_[c * n_points_per_cell_ + p];
+          for (unsigned int a = 0; a <= degree_; ++a)
+            result[mesh_.cells()[c].nodes[a]] +=
+              std::abs(point.shape[a]) * point.weight * point.radius * point_values[c * n_points_per_cell_ + p];
+        }
+    for (unsigned int i = 0; i < result.size(); ++i)
+      result[i] /= node_weight_[i];
+    return result;
+  }
+
+
+
+  void
+  Shell::set_contact_pressure(const Side side, const std::vector<double> &pressure)
+  {
+    contact_pressure_[static_cast<unsigned int>(side)] = pressure;
+    if (!transverse_normal_stress_)
+      return;
+    for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
+      for (unsigned int p = 0; p < n_points_per_cell_; ++p)
+        {
+          const unsigned int place = c * n_points_per_cell_ + p;
+          double             sum   = 0.;
+          for (unsigned int a = 0; a <= degree_; ++a)
+            {
+              const unsigned int node = mesh_.cells()[c].nodes[a];
+              sum += points_[place].shape[a] * (contact_pressure_[0][node] + contact_pressure_[1][node]);
+            }
+          for (unsigned int l = 0; l < n_layers_; ++l)
+            third_stress_[place * n_layers_ + l] = -.5 * sum;
+        }
+  }
+
+
+
+  BlankEnergy
+  Shell::energy() const
+  {
+    return energy_;
+  }
+
+
+
+  double
+  Shell::smallest_thickness() const
+  {
+    return thickness_ * *std::min_element(thickness_ratio_.begin(), thickness_ratio_.end());
+  }
+
+
+
+  std::vector<Point2>
+  Shell::positions(const Vector &q) const
+  {
+    std::vector<Point2> result;
+    for (unsigned int i = 0; i < node_dofs_.size(); ++i)
+      result.push_back(position(q, i));
+    return result;
+  }
+
+
+
+  void
+  Shell::save(std::ostream &stream) const
+  {
+    boost::archive::binary_oarchive archive(stream);
+    archive << history_ << committed_strain_ << committed_stress_ << thickness_ratio_ << node_thickness_ << node_area_
+            << contact_pressure_ << third_stress_ << energy_.elastic << energy_.plastic << energy_.normal;
+  }
+
+
+
+  void
+  Shell::load(std::istream &stream)
+  {
+    boost::archive::binary_iarchive archive(stream);
+    archive >> history_ >> committed_strain_ >> committed_stress_ >> thickness_ratio_ >> node_thickness_ >> node_area_ >>
+      contact_pressure_ >> third_stress_ >> energy_.elastic >> energy_.plastic >> energy_.normal;
+    strain_ = committed_strain_;
+    stress_ = committed_stress_;
+  }
+} // namespace deltaform

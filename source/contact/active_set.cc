@@ -1,0 +1,42 @@
+// Active set: gap = 0 where lambda > 0. The force of every pair is an unknown; the semi-smooth Newton method chooses the
+// set by the sign of lambda - c gap with c > 0 (Hintermueller, Ito, Kunisch 2003). c = K_nn only weighs the two.
+#include <deltaform/base/registry.h>
+#include <deltaform/contact/enforcement.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    class ActiveSet : public Enforcement
+    {
+    public:
+      explicit ActiveSet(Section &)
+      {}
+
+      NormalResponse
+      respond(const PairState &state, const double gap, const double multiplier) const override
+      {
+        NormalResponse response;
+        response.tied     = multiplier - state.stiffness * gap >= 0;
+        response.touching = response.tied;
+        response.force    = response.tied ? multiplier : 0.;
+        return response;
+      }
+
+      bool
+      has_multiplier() const override
+      {
+        return true;
+      }
+
+      bool
+      uses_penalty() const override
+      {
+        return false;
+      }
+    };
+
+    const Registry<Enforcement>::Entry
+      entry("active set", "gap = 0 exactly where the reaction is compressive; no penalty factor", &make_as<ActiveSet, Enforcement>);
+  } // namespace
+} // namespace deltaform

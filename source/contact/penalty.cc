@@ -1,0 +1,39 @@
+// Penalty: lambda = eps p, p = max(0, -gap)                                      (Bednarek, Kowalczyk, eqn (3))
+#include <deltaform/base/registry.h>
+#include <deltaform/contact/enforcement.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    class Penalty : public Enforcement
+    {
+    public:
+      explicit Penalty(Section &)
+      {}
+
+      NormalResponse
+      respond(const PairState &state, const double gap, const double) const override
+      {
+        // gap = 0 counts as touching: a blank that just rests on a tool is held by it.
+        if (gap > 0)
+          return {};
+        return {true, -state.epsilon * gap, -state.epsilon, false};
+      }
+
+      bool
+      has_multiplier() const override
+      {
+        return false;
+      }
+
+      bool
+      uses_penalty() const override
+      {
+        return true;
+      }
+    };
+
+    const Registry<Enforcement>::Entry entry("penalty", "lambda = eps p with eps from the penalty rule", &make_as<Penalty, Enforcement>);
+  } // namespace
+} // namespace deltaform

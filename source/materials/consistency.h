@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace deltaform
+{
+  /// By how much the yield condition is violated after plastic flow u, relative to the stress, and d value / d u.
+  struct Excess
+  {
+    double value;
+    double slope;
+  };
+
+  /// Amount of plastic flow at which the yield condition is met; 0 if it is not violated in the first place.
+  struct PlasticFlow
+  {
+    double amount = 0.;
+    bool found    = false; ///< false: not a number, or no convergence
+    bool resolved = true;  ///< false: met as closely as neighbouring floating-point numbers allow, but not more
+  };
+
+  /**
+   * Solve f(u) = 0, u >= 0, for a continuous f(u) that goes from f(0) > 0 to f(@p upper) <= 0 (@p upper may be
+   * infinite) to |f| <= 2e-15. @p guess is where the root is believed to be (anything else than a number in (0, upper)
+   * means no idea), @p start a finite number in (0, upper] to begin with if the slope at 0 is unbounded.
+   *
+   * Newton's iteration inside a bracket. Where it leaves the bracket or converges slowly, f(0) - f(u) is taken for a
+   * power of u and extrapolated as such (Newton in log-log coordinates; exact for power laws, whose slope is
+   * unbounded at u = 0, however small the root); where that leaves the bracket, the bracket is cut at its geometric
+   * mean. After any return other than 0, the last call of @p excess was at the amount returned.
+   */
+  template <typename Function>
+  PlasticFlow solve_consistency(const Function &excess, const double guess, const double start, double upper)
+  {
+    constexpr double tolerance      = 2e-15;
+    constexpr double not_a_number   = std::numeric_limits<double>::quiet_NaN();
+    constexpr unsigned int max_iter = 200;
+
+    double lower = 0., at_zero = not_a_number, u = guess;
+    if (!(guess > 0. && guess < upper))
+    {
+      const Excess zero = excess(0.);
+      at_zero           = zero.value;
+      if (!(at_zero > tolerance))
+        return {0., at_zero <= tolerance, true};
+      u = at_zero / -zero.slope;
+      if (!(u > 0. && u < upper))
+        u = start;
+    }
+
+    double previous   = std::numeric_limits<double>::infinity();
+    unsigned int slow = 0;
+    for (unsigned int iteration = 0; iteration < max_iter; ++iteration)
+    {
+      const Excess here   = excess(u);
+      const double f      = here.value;
+      const double size_f = std::abs(f);
+      if (size_f <= tolerance)
+        return {u, true, true};
+      if (f > 0.)
+        lower = u;
+      else if (f < 0.)
+        upper = u;
+      else
+        return {};
+
+      const auto inside = [&](const double v) { return v > lower && v < upper; };
+      double next       = u - f / here.slope;
+      if (!inside(next) || size_f > .25 * previous)
+      {
+        if (std::abs(next - u) <= std::numeric_limits<double>::epsilon() * u)
+          return {u, true, size_f <= 100. * tolerance};
+        if (std::isnan(at_zero))
+        {
+          at_zero = excess(0.).value;
+          if (!(at_zero > tolerance))
+            return {0., at_zero <= tolerance, true};
+        }
+        const double flow = at_zero - f;
+        next              = u * std::pow(at_zero / flow, -flow / (here.slope * u));
+        if (slow < 2 && inside(next))
+          ++slow;
+        else
+        {
+          next = upper < std::numeric_limits<double>::infinity()
+                   ? std::sqrt(lower > 1e-8 * upper ? lower : 1e-8 * upper) * std::sqrt(upper)
+                   : 1e3 * u;
+          slow = 0;
+        }
+        if (!inside(next)) // no floating-point number is left inside the bracket
+        {
+          excess(u);
+          return {u, true, size_f <= 100. * tolerance};
+        }
+      }
+      previous = size_f;
+      u        = next;
+    }
+    return {};
+  }
+} // namespace deltaform

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <deltaform/base/section.h>
+#include <deltaform/materials/material.h>
+
+#include <cmath>
+
+namespace deltaform
+{
+  /**
+   * Isotropic elasticity in the logarithmic strain (Hencky's law):
+   *
+   *     tau = K tr(e) 1 + 2 G dev(e),   K = E / (3 (1 - 2 nu)),   G = E / (2 (1 + nu)),
+   *
+   * tau the Kirchhoff stress, e the elastic logarithmic strain, E and K and G stresses. For metals, whose elastic
+   * strains stay small, it differs from other hyperelastic laws by terms of second order.
+   * L. Anand, On H. Hencky's approximate strain-energy function for moderate deformations, J. Appl. Mech. 46 (1979) 78.
+   */
+  struct Elasticity
+  {
+    double young, poisson;
+    double shear, bulk;
+    double plane_stress; ///< E / (1 - nu^2)
+    double biaxial;      ///< E / (1 - nu): in-plane stress of an equal in-plane strain at third stress 0
+    double shift;        ///< (1 - 2 nu) / E: strain of a unit pressure
+
+    explicit Elasticity(Section &section)
+      : Elasticity(section.number("Young's modulus", required(69004.), Range::positive(), "stress", "Young's modulus."),
+                   section.number("Poisson's ratio", required(.3), Range::inside(-1., .5), "1", "Poisson's ratio."))
+    {
+    }
+
+    Elasticity(const double E, const double nu)
+      : young(E), poisson(nu), shear(E / (2. * (1. + nu))), bulk(E / (3. * (1. - 2. * nu))),
+        plane_stress(E / ((1. - nu) * (1. + nu))), biaxial(E / (1. - nu)), shift((1. - 2. * nu) / E)
+    {
+    }
+
+    /// Stress of the elastic strain @p e.
+    Mandel stress(const Mandel &e) const
+    {
+      const double trace  = e[0] + e[1] + e[2];
+      const double common = (bulk - 2. / 3. * shear) * trace;
+      return {{common + 2. * shear * e[0], common + 2. * shear * e[1], common + 2. * shear * e[2], 2. * shear * e[3]}};
+    }
+
+    /// The elastic strain along direction 3 of a state of stress.
+    double third_strain(const Mandel &tau) const
+    {
+      return (tau[2] - poisson * (tau[0] + tau[1])) / young;
+    }
+
+    /// 4 x 4, row-major.
+    void tangent(double *C) const
+    {
+      const double common = bulk - 2. / 3. * shear, direct = common + 2. * shear;
+      const double values[16] = {
+        direct, common, common, 0., common, direct, common, 0., common, common, direct, 0., 0., 0., 0., 2. * shear};
+      for (unsigned int i = 0; i < 16; ++i)
+        C[i] = values[i];
+    }
+
+    /// 4 x 4, row-major, at given third stress: row and column [2] are zero.
+    void condensed_tangent(double *C) const
+    {
+      const double mixed      = poisson * plane_stress;
+      const double values[16] = {
+        plane_stress, mixed, 0., 0., mixed, plane_stress, 0., 0., 0., 0., 0., 0., 0., 0., 0., 2. * shear};
+      for (unsigned int i = 0; i < 16; ++i)
+        C[i] = values[i];
+    }
+
+    /// Per reference volume.
+    double energy(const Mandel &tau) const
+    {
+      const double trace  = tau[0] + tau[1] + tau[2];
+      const double square = tau[0] * tau[0] + tau[1] * tau[1] + tau[2] * tau[2] + tau[3] * tau[3];
+      return ((1. + poisson) * square - poisson * trace * trace) / (2. * young);
+    }
+  };
+} // namespace deltaform

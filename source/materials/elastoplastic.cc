@@ -1,0 +1,94 @@
+#include "return_map.h"
+
+#include <deltaform/base/registry.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    /**
+     * Metal plasticity at large strain: J2 (von Mises) yield condition in the Kirchhoff stress, associated flow,
+     * isotropic hardening of any registered law, additive in the logarithmic strain:
+     *
+     *     tau = C : (e - e_p),   q = sqrt(3/2) |dev tau| <= flow(x),   d e_p = dx (3/2) dev tau / q,   dx >= 0.
+     *
+     * Integrated by backward Euler (first order in the increment; exact where the direction of flow is constant), with
+     * the consistent tangent. C. Miehe, N. Apel, M. Lambrecht, Anisotropic additive plasticity in the logarithmic
+     * strain space, Comput. Methods Appl. Mech. Eng. 191 (2002) 5383.
+     */
+    class Elastoplastic : public Material
+    {
+    public:
+      explicit Elastoplastic(Section &section) : elastic_(section)
+      {
+        Section hardening_section = section.sub("Hardening");
+        hardening_                = Registry<Hardening>::choose(
+          hardening_section, "Law", "swift", "Flow stress against the equivalent plastic strain.");
+        initial_flow_stress_ = hardening_->evaluate(0.).value;
+      }
+
+      unsigned int history_size() const override
+      {
+        return J2::n_history;
+      }
+
+      Status update(const MaterialBatch &batch) const override
+      {
+        const J2 j2{elastic_, *hardening_, initial_flow_stress_};
+        const bool strain_given = batch.third_direction == ThirdDirection::strain_given;
+        for (unsigned int p = 0; p < batch.n_points; ++p)
+        {
+          const double *committed = batch.committed + p * J2::n_history;
+          double *trial           = batch.trial + p * J2::n_history;
+          double *tangent         = batch.tangent != nullptr ? batch.tangent + p * 16 : nullptr;
+          const auto outcome =
+            strain_given ? radial_return(j2, batch.strain[p], committed, trial, batch.stress[p], tangent)
+                         : plane_stress_return(
+                             j2, batch.strain[p], batch.third_stress[p], committed, trial, batch.stress[p], tangent);
+          if (outcome == PointOutcome::not_finite)
+            return Status::shorten("the strain at a material point is not finite", p);
+          if (outcome == PointOutcome::not_converged)
+            return Status::shorten("the yield condition at a material point could not be met", p);
+        }
+        return {};
+      }
+
+      double elastic_energy(const Mandel &stress) const override
+      {
+        return elastic_.energy(stress);
+      }
+
+      Mandel plastic_strain(const double *history) const override
+      {
+        return {{history[0], history[1], history[2], history[3]}};
+      }
+
+      double equivalent_plastic_strain(const double *history) const override
+      {
+        return history[4];
+      }
+
+      double shear_modulus() const override
+      {
+        return elastic_.shear;
+      }
+      double young_modulus() const override
+      {
+        return elastic_.young;
+      }
+      double poisson_ratio() const override
+      {
+        return elastic_.poisson;
+      }
+
+    private:
+      Elasticity elastic_;
+      std::unique_ptr<Hardening> hardening_;
+      double initial_flow_stress_ = 0.;
+    };
+
+    const Registry<Material>::Entry entry("elastoplastic",
+                                          "J2 plasticity with isotropic hardening, Hencky elasticity",
+                                          make_as<Elastoplastic, Material>);
+  } // namespace
+} // namespace deltaform

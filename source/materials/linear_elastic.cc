@@ -1,0 +1,84 @@
+#include "elasticity.h"
+
+#include <deltaform/base/registry.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Isotropic elasticity, linear in the logarithmic strain: see Elasticity. No history.
+    class LinearElastic : public Material
+    {
+    public:
+      explicit LinearElastic(Section &section) : elastic_(section)
+      {
+      }
+
+      unsigned int history_size() const override
+      {
+        return 0;
+      }
+
+      Status update(const MaterialBatch &batch) const override
+      {
+        const bool strain_given = batch.third_direction == ThirdDirection::strain_given;
+        for (unsigned int p = 0; p < batch.n_points; ++p)
+        {
+          Mandel &strain = batch.strain[p], &stress = batch.stress[p];
+          if (!strain_given)
+            // t3 = (K - 2/3 G) tr + 2 G e3, solved for e3
+            strain[2] = (batch.third_stress[p] * elastic_.shift * (1. + elastic_.poisson) -
+                         elastic_.poisson * (strain[0] + strain[1])) /
+                        (1. - elastic_.poisson);
+          stress = elastic_.stress(strain);
+          if (!strain_given)
+            stress[2] = batch.third_stress[p];
+          if (!std::isfinite(stress[0] + stress[1] + stress[2] + stress[3]))
+            return Status::shorten("the strain at a material point is not finite", p);
+          if (batch.tangent != nullptr)
+          {
+            if (strain_given)
+              elastic_.tangent(batch.tangent + p * 16);
+            else
+              elastic_.condensed_tangent(batch.tangent + p * 16);
+          }
+        }
+        return {};
+      }
+
+      double elastic_energy(const Mandel &stress) const override
+      {
+        return elastic_.energy(stress);
+      }
+
+      Mandel plastic_strain(const double *) const override
+      {
+        return {};
+      }
+
+      double equivalent_plastic_strain(const double *) const override
+      {
+        return 0.;
+      }
+
+      double shear_modulus() const override
+      {
+        return elastic_.shear;
+      }
+      double young_modulus() const override
+      {
+        return elastic_.young;
+      }
+      double poisson_ratio() const override
+      {
+        return elastic_.poisson;
+      }
+
+    private:
+      Elasticity elastic_;
+    };
+
+    const Registry<Material>::Entry
+      entry("linear elastic", "Isotropic, linear in the logarithmic strain", make_as<LinearElastic, Material>);
+  } // namespace
+} // namespace deltaform

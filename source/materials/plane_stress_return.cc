@@ -1,0 +1,163 @@
+#include "consistency.h"
+#include "return_map.h"
+
+#include <limits>
+
+namespace deltaform
+{
+  /*
+   * The stress (t1, t2, t3, t12) with t3 given has the deviator of (t1 - t3, t2 - t3, 0, t12), a state of plane stress
+   * whose elastic in-plane strains are those of the former less t3 (1 - 2 nu) / E. In its components along the common
+   * eigenvectors of the plane-stress elasticity and of the projection on the deviator,
+   *
+   *     A = (t1 + t2 - 2 t3) / sqrt 2,   B = (t1 - t2) / sqrt 2,   T = sqrt 2 t12,   q^2 = A^2/2 + 3/2 (B^2 + T^2),
+   *
+   * backward Euler with the multiplier l = (3/2) x / q, x the increment of the equivalent plastic strain, gives
+   *
+   *     A = A_trial / (1 + a l),   (B, T) = (B, T)_trial / (1 + b l),   a = E / (3 (1 - nu)),   b = 2 G,
+   *     flow(e_n + 2/3 l q(l)) = q(l),   d e_p = l (A/3, B, T),
+   *
+   * with l the one unknown. It is solved as 1 - flow / q = 0, which for a = b and a constant flow stress is linear in
+   * l. J.C. Simo, R.L. Taylor, A return mapping algorithm for plane stress elastoplasticity, Int. J. Numer. Meth. Eng.
+   * 22 (1986) 649; J.C. Simo, T.J.R. Hughes, Computational Inelasticity, Springer 1998, box 3.3.
+   */
+  namespace
+  {
+    constexpr double half_root = 0.70710678118654752440; // 1 / sqrt 2
+
+    /// q(l) and what else depends on the multiplier alone.
+    struct Returned
+    {
+      double scale_a, scale_b; ///< 1 / (1 + a l), 1 / (1 + b l)
+      double q, q_slope;       ///< q, dq/dl
+      double x, x_slope;       ///< 2/3 l q, its derivative
+    };
+
+    struct TrialStress
+    {
+      double a_square, b_square; ///< A^2 / 2 and 3/2 (B^2 + T^2) of the trial stress
+      double a, b;
+
+      Returned at(const double l) const
+      {
+        Returned r;
+        r.scale_a        = 1. / (1. + a * l);
+        r.scale_b        = 1. / (1. + b * l);
+        const double a_q = a_square * r.scale_a * r.scale_a;
+        const double b_q = b_square * r.scale_b * r.scale_b;
+        r.q              = std::sqrt(a_q + b_q);
+        r.q_slope        = -(a * r.scale_a * a_q + b * r.scale_b * b_q) / r.q;
+        r.x              = 2. / 3. * l * r.q;
+        r.x_slope        = 2. / 3. * (r.q + l * r.q_slope);
+        return r;
+      }
+
+      /// The multiplier at which the equivalent plastic strain grows by about @p x; not positive if there is none.
+      double multiplier(const double x) const
+      {
+        if (!(x > 0.))
+          return 0.;
+        // q = q_trial / (1 + c l) with the mean c of a and b, then Newton
+        const double q_square = a_square + b_square;
+        const double c        = (a * a_square + b * b_square) / q_square;
+        double l              = x / (2. / 3. * std::sqrt(q_square) - c * x);
+        for (unsigned int i = 0; i < 2 && l > 0.; ++i)
+        {
+          const Returned r = at(l);
+          l -= (r.x - x) / r.x_slope;
+        }
+        return l;
+      }
+    };
+  } // namespace
+
+  PointOutcome plane_stress_return(const J2 &j2,
+                                   Mandel &strain,
+                                   const double third_stress,
+                                   const double *committed,
+                                   double *trial,
+                                   Mandel &stress,
+                                   double *tangent)
+  {
+    const Elasticity &elastic = j2.elastic;
+    const double shift        = third_stress * elastic.shift;
+    const double e1           = strain[0] - committed[0] - shift;
+    const double e2           = strain[1] - committed[1] - shift;
+    const double A            = elastic.biaxial * half_root * (e1 + e2);
+    const double B            = 2. * elastic.shear * half_root * (e1 - e2);
+    const double T            = 2. * elastic.shear * (strain[3] - committed[3]);
+
+    const auto set_stress = [&](const double at_a, const double at_b)
+    {
+      stress    = {{half_root * (at_a * A + at_b * B) + third_stress,
+                    half_root * (at_a * A - at_b * B) + third_stress,
+                    third_stress,
+                    at_b * T}};
+      strain[2] = elastic.third_strain(stress) + trial[2];
+    };
+    const auto stay_elastic = [&]()
+    {
+      keep_history(committed, trial);
+      set_stress(1., 1.);
+      if (tangent != nullptr)
+        elastic.condensed_tangent(tangent);
+      return PointOutcome::good;
+    };
+
+    const TrialStress stress_at{A * A / 2., 1.5 * (B * B + T * T), elastic.biaxial / 3., 2. * elastic.shear};
+    const double q_square = stress_at.a_square + stress_at.b_square;
+    if (q_square <= j2.initial_flow_stress * j2.initial_flow_stress)
+      return stay_elastic();
+    if (!std::isfinite(q_square))
+      return PointOutcome::not_finite;
+
+    FlowStress flow{};
+    Returned r{};
+    const auto excess = [&](const double l) -> Excess
+    {
+      r    = stress_at.at(l);
+      flow = j2.hardening.evaluate(committed[4] + r.x);
+      return {1. - flow.value / r.q, -(flow.slope * r.x_slope - flow.value / r.q * r.q_slope) / r.q};
+    };
+    // q <= q_trial / (1 + a l), because a < b, and the flow stress does not fall under its initial value.
+    const double upper       = (std::sqrt(q_square) / j2.initial_flow_stress - 1.) / stress_at.a;
+    const double start       = std::fmin(upper, 1. / stress_at.b);
+    const double guess       = stress_at.multiplier(expected_increment(committed, trial));
+    const PlasticFlow solved = solve_consistency(excess, guess, start, upper);
+    if (!solved.found)
+      return PointOutcome::not_converged;
+    const double l = solved.amount;
+    if (l == 0.)
+      return stay_elastic();
+
+    const double a_now = r.scale_a * A, b_now = r.scale_b * B, t_now = r.scale_b * T;
+    const double flow_a = half_root * l * a_now / 3., flow_b = half_root * l * b_now;
+    trial[0] = committed[0] + flow_a + flow_b;
+    trial[1] = committed[1] + flow_a - flow_b;
+    trial[2] = -(trial[0] + trial[1]);
+    trial[3] = committed[3] + l * t_now;
+    trial[4] = committed[4] + r.x;
+    set_stress(r.scale_a, r.scale_b);
+
+    if (tangent != nullptr)
+    {
+      // Xi = (C^-1 + l P)^-1 and m = Xi P t in the components (A, B, T):
+      // d t = (Xi - m x m / (P t . m + (4/9) q^2 / (1/H - 2/3 l))) d e. Infinite terms, from H = 0 or H infinite, do
+      // what they should.
+      const double xi_a = elastic.biaxial * r.scale_a, xi_b = 2. * elastic.shear * r.scale_b;
+      const double m_a = xi_a * a_now / 3., m_b = xi_b * b_now, m_t = xi_b * t_now;
+      const double inverse =
+        1. / (m_a * a_now / 3. + m_b * b_now + m_t * t_now + 4. / 9. * r.q * r.q / (1. / flow.slope - 2. / 3. * l));
+      const double aa = xi_a - inverse * m_a * m_a, bb = xi_b - inverse * m_b * m_b, ab = -inverse * m_a * m_b;
+      const double at = -inverse * m_a * m_t * half_root, bt = -inverse * m_b * m_t * half_root;
+      tangent[0] = (aa + bb) / 2. + ab;
+      tangent[1] = tangent[4] = (aa - bb) / 2.;
+      tangent[5]              = (aa + bb) / 2. - ab;
+      tangent[3] = tangent[12] = at + bt;
+      tangent[7] = tangent[13] = at - bt;
+      tangent[15]              = xi_b - inverse * m_t * m_t;
+      tangent[2] = tangent[6] = tangent[8] = tangent[9] = tangent[10] = tangent[11] = tangent[14] = 0.;
+    }
+    return PointOutcome::good;
+  }
+} // namespace deltaform

@@ -1,0 +1,66 @@
+#include <deltaform/base/registry.h>
+#include <deltaform/base/scene_error.h>
+#include <deltaform/scene/scene.h>
+
+namespace deltaform
+{
+  Scene::Scene(ParameterTree &parameters)
+    : tree(parameters)
+  {
+    Section root = tree.root();
+    title        = root.text("Title", Default<std::string>("a deltaform scene"), "What this scene is.");
+    units        = root.text("Units", Default<std::string>("consistent"), "Label of the units, for example 'mm, N, MPa'.");
+
+    Section blank = root.sub("Blank");
+    actors.blank  = Registry<Blank>::choose(blank, "Kind", "shell", "How the blank is modelled.");
+    build_tools(root);
+
+    const auto named = [&](const std::string &what, const std::string &sentence) {
+      Section section = root.sub(what);
+      return section.names("Names", "", sentence);
+    };
+    for (const auto &name : named("Supports", "Prescribed displacements, one subsection each."))
+      actors.supports.emplace_back(name, root.sub("Supports").sub(name), *actors.blank);
+    for (const auto &name : named("Loads", "Loads, one subsection each."))
+      actors.loads.emplace_back(name, root.sub("Loads").sub(name), *actors.blank);
+
+    Section steps_section = root.sub("Steps");
+    actors.stages         = read_stages(steps_section);
+
+    Section solver = root.sub("Solver");
+    newton         = std::make_unique<NewtonSettings>(solver);
+    steps          = std::make_unique<StepSettings>(solver);
+    linear_solver  = solver.choice("Linear solver", "klu", {"klu", "mumps"}, "Direct solver of Amesos; klu for thin strips.");
+
+    Section output_section = root.sub("Output");
+    output                 = std::make_unique<OutputSettings>(output_section, actors.tools, actors.stages);
+
+    tree.check_unused();
+    check(root);
+  }
+
+
+
+  void
+  Scene::build_tools(Section root)
+  {
+    Section    section = root.sub("Tools");
+    const auto names   = section.names("Names", "", "Names of the tools, one subsection each.");
+    if (names.empty())
+      {
+        for (const auto *const entry : {"Penalty rule", "Enforcement", "Allowed penetration", "Penalty factor"})
+          if (root.sub("Contact").given(entry))
+            root.sub("Contact").fail(entry, "there is no tool to touch: name one in Tools/Names, or drop the section Contact");
+        return;
+      }
+    const std::map<std::string, double> constants{{"thickness", actors.blank->initial_thickness()}};
+    Section                             contact = root.sub("Contact");
+    actors.contact                              = std::make_unique<ContactSettings>(contact, constants);
+    for (const auto &name : names)
+      {
+        Section own = section.sub(name);
+        actors.tools.push_back(std::make_unique<Tool>(name, own, constants));
+        actors.pairs.push_back(std::make_unique<ContactPair>(*actors.blank, *actors.tools.back(), *actors.contact, own));
+      }
+  }
+} // namespace deltaform

@@ -1,0 +1,183 @@
+#include <deltaform/solver/newton.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace deltaform
+{
+  NewtonSettings::NewtonSettings(Section &section)
+    : max_iterations(section.integer("Maximal iterations", 20, 2, 1000, "Newton iterations between two corrections."))
+    , max_rounds(section.integer("Maximal corrections", 20, 0, 1000, "Corrections of the penalty factors per increment."))
+    , force_tolerance(section.number("Force tolerance",
+                                     1e-8,
+                                     Range::inside(0, 1),
+                                     "1",
+                                     "Residual over the sum of absolute nodal forces at which equilibrium is accepted."))
+    , displacement_tolerance(section.number("Displacement tolerance",
+                                            1e-4,
+                                            Range::positive(),
+                                            "1",
+                                            "Last Newton step over the increment of displacement."))
+    , line_search(section.flag("Line search", true, "Search along the Newton step where the residual grows."))
+  {}
+
+
+
+  Newton::Newton(NonlinearProblem &         problem,
+                 System &                   system,
+                 const NewtonSettings &     settings,
+                 const std::vector<double> &scale)
+    : problem_(problem)
+    , system_(system)
+    , settings_(settings)
+    , scale_(scale)
+  {}
+
+
+
+  double
+  Newton::measure(const std::vector<bool> &is_prescribed, const double force_floor, NewtonResult &result) const
+  {
+    double square = 0., magnitude = 0., worst = -1.;
+    for (unsigned int i = 0; i < scale_.size(); ++i)
+      {
+        const double m = system_.magnitude()[i] / scale_[i];
+        magnitude += m * m;
+        if (is_prescribed[i])
+          continue;
+        const double r = system_.residual()[i] / scale_[i];
+        square += r * r;
+        if (std::abs(r) > worst)
+          {
+            worst            = std::abs(r);
+            result.worst_dof = i;
+          }
+      }
+    return std::sqrt(square) / std::max(std::sqrt(magnitude), force_floor);
+  }
+
+
+
+  NewtonResult
+  Newton::solve(Vector &                 q,
+                const Vector &           prescribed,
+                const std::vector<bool> &is_prescribed,
+                const Vector &           q_committed,
+                const double             force_floor)
+  {
+    NewtonResult       result;
+    const unsigned int n = q.size();
+    Vector             increments(n), d(n), start(n);
+    system_.set_prescribed(is_prescribed);
+
+    result.status = problem_.assemble(q, true);
+    if (!result.status.good())
+      {
+        result.outcome = NewtonResult::Outcome::inadmissible;
+        return result;
+      }
+    double residual  = measure(is_prescribed, force_floor, result);
+    double last_step = std::numeric_limits<double>::infinity();
+    result.residuals.push_back(residual);
+
+    for (unsigned int iteration = 0;; ++iteration)
+      {
+        // Converged? Then the corrections have their say.
+        double pending = 0., travelled = 0.;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            if (is_prescribed[i])
+              pending = std::max(pending, std::abs(prescribed[i] - q[i]) * scale_[i]);
+            travelled = std::max(travelled, std::abs(q[i] - q_committed[i]) * scale_[i]);
+          }
+        const bool moved = last_step <= settings_.displacement_tolerance * travelled || last_step <= 1e-14;
+        if (pending == 0. && residual <= settings_.force_tolerance && (moved || residual <= 1e-3 * settings_.force_tolerance))
+          {
+            if (problem_.correct() == 0)
+              {
+                result.outcome = NewtonResult::Outcome::converged;
+                return result;
+              }
+            if (++result.rounds > settings_.max_rounds)
+              {
+                result.outcome = NewtonResult::Outcome::not_corrected;
+                return result;
+              }
+            iteration = 0;
+            result.residuals.clear();
+            result.status = problem_.assemble(q, true);
+            residual      = measure(is_prescribed, force_floor, result);
+          }
+        if (iteration >= settings_.max_iterations || !std::isfinite(residual))
+          {
+            result.outcome = NewtonResult::Outcome::diverged;
+            return result;
+          }
+
+        for (unsigned int i = 0; i < n; ++i)
+          increments[i] = is_prescribed[i] ? prescribed[i] - q[i] : 0.;
+        ++result.iterations;
+        if (!(system_.factorize() && system_.solve(increments, d)))
+          {
+            // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
+            problem_.assemble(q, true);
+            if (!(system_.factorize(1e-6) && system_.solve(increments, d)))
+              {
+                result.outcome = NewtonResult::Outcome::singular;
+                return result;
+              }
+          }
+
+        double factor = problem_.admissible_step(q, d);
+        start         = q;
+        double work_start = 0.;
+        for (unsigned int i = 0; i < n; ++i)
+          if (!is_prescribed[i])
+            work_start += d[i] * system_.residual()[i];
+
+        double best = std::numeric_limits<double>::infinity();
+        for (unsigned int search = 0;; ++search)
+          {
+            for (unsigned int i = 0; i < n; ++i)
+              q[i] = factor == 1. && is_prescribed[i] ? prescribed[i] : start[i] + factor * d[i];
+            result.status = problem_.assemble(q, true);
+            if (!result.status.good())
+              {
+                if (search >= 6)
+                  {
+                    result.outcome = NewtonResult::Outcome::inadmissible;
+                    return result;
+                  }
+                factor *= .25;
+                ++result.line_searches;
+                continue;
+              }
+            const double now = measure(is_prescribed, force_floor, result);
+            if (!settings_.line_search || now <= residual || pending > 0 || search >= 4)
+              {
+                residual = now;
+                break;
+              }
+            // Regula falsi on the work of the residual along the step.
+            double work = 0.;
+            for (unsigned int i = 0; i < n; ++i)
+              if (!is_prescribed[i])
+                work += d[i] * system_.residual()[i];
+            if (std::abs(work) <= .8 * std::abs(work_start))
+              {
+                residual = now;
+                break;
+              }
+            best = std::min(best, now);
+            ++result.line_searches;
+            const double ratio = work_start / (work_start - work);
+            factor *= std::clamp(std::isfinite(ratio) && ratio > 0 ? ratio : .5, .1, .7);
+          }
+        last_step = 0.;
+        for (unsigned int i = 0; i < n; ++i)
+          last_step = std::max(last_step, factor * std::abs(d[i]) * scale_[i]);
+        result.residuals.push_back(residual);
+      }
+  }
+} // namespace deltaform

@@ -1,0 +1,112 @@
+#include <deltaform/base/command_line.h>
+
+#include "messages.h"
+
+using namespace deltaform;
+
+namespace
+{
+  using Command = CommandLine::Command;
+
+  CommandLine parse(std::vector<const char *> words)
+  {
+    words.insert(words.begin(), "deltaform");
+    return CommandLine::parse(static_cast<int>(words.size()), words.data());
+  }
+
+  std::string complaint(const std::vector<const char *> &words)
+  {
+    return message_of<UsageError>([&words]() { parse(words); });
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(command_line)
+
+BOOST_AUTO_TEST_CASE(run)
+{
+  const auto line = parse({"cup.prm",
+                           "--set",
+                           "Contact/Allowed penetration=1e-4",
+                           "--output",
+                           "here",
+                           "--set",
+                           "Blank/Elements=-1",
+                           "--quiet",
+                           "--resume"});
+  BOOST_CHECK(line.command == Command::run);
+  BOOST_TEST(line.scene == "cup.prm");
+  BOOST_TEST(line.sets == (std::vector<std::string>{"Contact/Allowed penetration=1e-4", "Blank/Elements=-1"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(line.output == "here");
+  BOOST_TEST(line.quiet);
+  BOOST_TEST(line.resume);
+  BOOST_TEST(!parse({"cup.prm"}).quiet);
+}
+
+BOOST_AUTO_TEST_CASE(other_commands)
+{
+  BOOST_CHECK(parse({"cup.prm", "--check"}).command == Command::check);
+  BOOST_CHECK(parse({"--list"}).command == Command::list);
+  BOOST_CHECK(parse({"--version"}).command == Command::version);
+  BOOST_CHECK(parse({"--help"}).command == Command::help);
+  BOOST_CHECK(parse({"-h", "cup.prm", "--list"}).command == Command::help);
+  BOOST_CHECK(parse({"--print-parameters"}).command == Command::print_parameters);
+  BOOST_TEST(parse({"--print-parameters"}).scene == "");
+  BOOST_TEST(parse({"--print-parameters", "cup.prm"}).scene == "cup.prm");
+  BOOST_TEST(parse({"./sweep"}).scene == "./sweep");
+}
+
+BOOST_AUTO_TEST_CASE(sweep)
+{
+  const auto line = parse({"sweep", "cup.prm", "--vary", "Contact/Allowed penetration=1e-3,1e-5, 1e-7", "--jobs", "2"});
+  BOOST_CHECK(line.command == Command::sweep);
+  BOOST_TEST(line.scene == "cup.prm");
+  BOOST_TEST(line.jobs == 2u);
+  BOOST_REQUIRE_EQUAL(line.variations.size(), 1u);
+  BOOST_TEST(line.variations[0].entry == "Contact/Allowed penetration");
+  BOOST_TEST(line.variations[0].values == (std::vector<std::string>{"1e-3", "1e-5", "1e-7"}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(wrong_usage)
+{
+  check_contains(complaint({}), {"No scene is named", "--help"});
+  check_contains(complaint({"--check"}), {"No scene is named"});
+  check_contains(complaint({"a.prm", "b.prm"}), {"'b.prm'", "too many"});
+  check_contains(complaint({"--list", "b.prm"}), {"'b.prm'"});
+  check_contains(complaint({"a.prm", "--quite"}), {"'--quite'", "'--quiet'"});
+  check_contains(complaint({"a.prm", "--out", "x"}), {"'--out'", "'--output'"});
+  check_contains(complaint({"a.prm", "--output"}), {"--output"});
+  check_contains(complaint({"a.prm", "--set", "Blank/Elements"}), {"Section/Entry=value"});
+  check_contains(complaint({"a.prm", "--check", "--list"}), {"--list", "--check", "exclude"});
+  check_contains(complaint({"a.prm", "--check", "--resume"}), {"--resume"});
+  check_contains(complaint({"a.prm", "--jobs", "2"}), {"sweep"});
+  check_contains(complaint({"sweep", "a.prm"}), {"--vary"});
+  check_contains(complaint({"sweep", "--vary", "A/b=1"}), {"No scene"});
+  check_contains(complaint({"sweep", "a.prm", "--vary", "A/b="}), {"A/b="});
+  check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=1,,2"}), {"value,value"});
+  check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=1", "--jobs", "0"}), {"at least 1"});
+  check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=1", "--jobs", "two"}), {"jobs"});
+}
+
+BOOST_AUTO_TEST_CASE(help_is_complete)
+{
+  check_contains(CommandLine::help(),
+                 {"SCENE.prm",
+                  "--set",
+                  "--output",
+                  "--check",
+                  "--resume",
+                  "--quiet",
+                  "--list",
+                  "--print-parameters",
+                  "--version",
+                  "--help",
+                  "sweep",
+                  "--vary",
+                  "--jobs",
+                  "Exit status",
+                  " 64 "});
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,64 @@
+#include <deltaform/base/journal.h>
+#include <deltaform/base/scene_error.h>
+
+#include "messages.h"
+
+using namespace deltaform;
+
+BOOST_AUTO_TEST_SUITE(journal)
+
+BOOST_AUTO_TEST_CASE(plain_lines_and_log)
+{
+  const TemporaryFolder folder;
+  const auto path = folder.file("run.log");
+  std::ostringstream out, warnings;
+  Journal journal(Journal::Console::plain, out, warnings);
+  journal.note("before");
+  journal.open_log(path);
+  journal.progress("10 %");
+  journal.note("cut back");
+  journal.warning("thin");
+  journal.detail("only logged");
+  // Read while the journal lives: every line is on disk at once.
+  BOOST_TEST(content_of(path) == "before\ncut back\nwarning: thin\nonly logged\n");
+  BOOST_TEST(out.str() == "before\n10 %\ncut back\n");
+  BOOST_TEST(warnings.str() == "warning: thin\n");
+  BOOST_TEST(journal.n_warnings() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(terminal_rewrites_one_line)
+{
+  std::ostringstream out, warnings;
+  {
+    Journal journal(Journal::Console::terminal, out, warnings);
+    journal.progress("10 %");
+    journal.progress("20 %");
+    journal.note("note");
+    journal.progress("30 %");
+  }
+  BOOST_TEST(out.str() == "\r\033[K10 %\r\033[K20 %\r\033[Knote\n\r\033[K30 %\n");
+}
+
+BOOST_AUTO_TEST_CASE(quiet_and_silent)
+{
+  for (const auto console : {Journal::Console::quiet, Journal::Console::silent})
+  {
+    std::ostringstream out, warnings;
+    Journal journal(console, out, warnings);
+    journal.progress("10 %");
+    journal.note("note");
+    journal.warning("thin");
+    BOOST_TEST(out.str() == "");
+    BOOST_TEST(warnings.str() == (console == Journal::Console::quiet ? "warning: thin\n" : ""));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(log_that_cannot_be_written)
+{
+  std::ostringstream out;
+  Journal journal(Journal::Console::plain, out, out);
+  check_contains(message_of<SceneError>([&journal]() { journal.open_log("/nonexistent/run.log"); }),
+                 {"/nonexistent/run.log", "No such file"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,79 @@
+#include <deltaform/base/atomic_file.h>
+#include <deltaform/base/csv_writer.h>
+#include <deltaform/base/scene_error.h>
+#include <deltaform/base/timers.h>
+
+#include "messages.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <boost/property_tree/json_parser.hpp>
+
+using namespace deltaform;
+
+BOOST_AUTO_TEST_SUITE(output_files)
+
+BOOST_AUTO_TEST_CASE(csv_is_on_disk_after_every_row)
+{
+  const TemporaryFolder folder;
+  const auto path = folder.file("history.csv");
+  CsvWriter csv(path, {"forces for the full circumference"}, {{"increment"}, {"punch_travel", "length"}});
+  const std::string head = "# forces for the full circumference\n# units: 1,length\nincrement,punch_travel\n";
+  BOOST_TEST(content_of(path) == head);
+  csv.row({1., 1. / 3.});
+  BOOST_TEST(content_of(path) == head + "1,0.3333333333\n");
+  csv.row_of_cells({std::string("a, \"b\""), -1e-9});
+  BOOST_TEST(content_of(path) == head + "1,0.3333333333\n\"a, \"\"b\"\"\",-1e-09\n");
+  BOOST_CHECK_THROW(csv.row({1.}), dealii::ExceptionBase);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_written_is_named)
+{
+  check_contains(message_of<SceneError>([]() { CsvWriter("/nonexistent/history.csv", {}, {{"x"}}); }),
+                 {"/nonexistent/history.csv", "No such file"});
+  check_contains(message_of<SceneError>([]() { write_file_atomically("/nonexistent/a", [](std::ostream &) {}); }),
+                 {"'/nonexistent/a'", "No such file"});
+}
+
+BOOST_AUTO_TEST_CASE(whole_files_are_replaced_or_kept)
+{
+  const TemporaryFolder folder;
+  const auto path = folder.file("summary.json", "old");
+  write_file_atomically(path, [](std::ostream &out) { out << "new"; });
+  BOOST_TEST(content_of(path) == "new");
+  BOOST_CHECK_THROW(write_file_atomically(path,
+                                          [](std::ostream &out)
+                                          {
+                                            out << "half";
+                                            throw std::runtime_error("stopped");
+                                          }),
+                    std::runtime_error);
+  BOOST_TEST(content_of(path) == "new");
+}
+
+BOOST_AUTO_TEST_CASE(timers_count_calls_and_seconds)
+{
+  Timers timers;
+  const auto solve = timers.section("11 solve");
+  const auto cells = timers.section("3 \"cells\"");
+  BOOST_TEST(timers.section("11 solve") == solve);
+  for (int i = 0; i < 3; ++i)
+    const Timers::Scope scope(timers, solve);
+  timers.add(cells, 2.5);
+  BOOST_TEST(timers.calls(solve) == 3u);
+  BOOST_TEST(timers.seconds(solve) >= 0.);
+  BOOST_TEST(timers.seconds(cells) == 2.5);
+
+  std::stringstream json;
+  timers.write_json(json);
+  boost::property_tree::ptree tree;
+  boost::property_tree::read_json(json, tree);
+  BOOST_TEST(tree.get<double>("total") >= 0.);
+  const auto &sections = tree.get_child("sections");
+  BOOST_REQUIRE_EQUAL(sections.size(), 2u);
+  BOOST_TEST(sections.back().second.get<std::string>("name") == "3 \"cells\"");
+  BOOST_TEST(sections.back().second.get<double>("seconds") == 2.5);
+  BOOST_TEST(sections.front().second.get<int>("calls") == 3);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

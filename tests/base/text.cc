@@ -1,0 +1,46 @@
+#include <deltaform/base/text.h>
+
+#include "messages.h"
+
+#include <cmath>
+
+using namespace deltaform;
+
+BOOST_AUTO_TEST_SUITE(text)
+
+BOOST_AUTO_TEST_CASE(splitting)
+{
+  const std::vector<std::string> expected = {"a", "min(1, 2)", ""};
+  BOOST_TEST(deltaform::text::split(" a ,min(1, 2), ", ',') == expected, boost::test_tools::per_element());
+  BOOST_TEST(deltaform::text::split("  ", ',').empty());
+  BOOST_TEST(deltaform::text::join({"a", "b"}, ", ") == "a, b");
+}
+
+BOOST_AUTO_TEST_CASE(numbers_are_short_and_exact)
+{
+  BOOST_TEST(deltaform::text::format(.1) == "0.1");
+  BOOST_TEST(deltaform::text::format(1e7) == "1e7");
+  BOOST_TEST(deltaform::text::format(-2.5e-12) == "-2.5e-12");
+  BOOST_TEST(deltaform::text::format(100000.) == "100000");
+  for (const double value : {1. / 3., -2e-300, 0., 6.02e23, 1e16 + 2.})
+    BOOST_TEST(std::stod(deltaform::text::format(value)) == value);
+}
+
+BOOST_AUTO_TEST_CASE(distances)
+{
+  BOOST_TEST(deltaform::text::edit_distance("", "abc") == 3u);
+  BOOST_TEST(deltaform::text::edit_distance("kitten", "sitting") == 3u);
+  BOOST_TEST(deltaform::text::edit_distance("Penalty Rule", "Penalty rule") == 0u);
+  BOOST_TEST(deltaform::text::edit_distance("Thikcness", "Thickness") == 1u);
+  BOOST_TEST(deltaform::text::nearest("Thiknes", {"Elements", "Thickness"}) == "Thickness");
+  BOOST_TEST(deltaform::text::nearest("x", {}) == "");
+  BOOST_TEST(deltaform::text::similar("Thicknes", "Thickness"));
+  BOOST_TEST(!deltaform::text::similar("Elements", "Thickness"));
+}
+
+BOOST_AUTO_TEST_CASE(json)
+{
+  BOOST_TEST(deltaform::text::json_quote("a \"b\" \\ \n") == "\"a \\\"b\\\" \\\\ \\u000a\"");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,262 @@
+#include <deltaform/base/parameter_tree.h>
+#include <deltaform/base/registry.h>
+#include <deltaform/tools/shape.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+// What every registered shape must do, whatever it looks like.
+
+using namespace deltaform;
+
+namespace
+{
+  // Two shapes without a right angle, of everything that may be in a profile, for the loops below.
+  struct Zigzag : Shape
+  {
+    explicit Zigzag(Section &)
+    {
+      build({{-1.7, -1.1}, {-1.1, .3}, {.2, .7}, {.6, -.6}, {1.3, -.4}, {1.9, .9}, {2.6, .2}, {2.9, -1.3}},
+            {0., .3, 0., .25, .2, 0., .4, 0.});
+    }
+  };
+
+  struct Rotor : Shape // nothing but arcs
+  {
+    explicit Rotor(Section &)
+    {
+      std::vector<Point2> corners;
+      for (unsigned int i = 0; i < 7; ++i)
+        corners.emplace_back(std::cos(.3 - i * 2 * 3.14159265358979 / 7), std::sin(.3 - i * 2 * 3.14159265358979 / 7));
+      build_closed(corners, std::vector<double>(7, std::cos(3.14159265358979 / 7) * (1 - 1e-14)));
+    }
+  };
+
+  const Registry<Shape>::Entry zigzag("zigzag (test)", "Lines, fillets, corners and dents", make_as<Zigzag, Shape>);
+  const Registry<Shape>::Entry rotor("rotor (test)", "Arcs only", make_as<Rotor, Shape>);
+
+  constexpr unsigned int n_points = 20000;
+
+  // Returns whether the point was fit for the check.
+  using Check = std::function<bool(const Shape &, const Point2 &, const Projection &)>;
+
+  // Calls the check for random points around every registered shape that have a closest point.
+  void for_all(const Check &check)
+  {
+    BOOST_TEST_REQUIRE(!Registry<Shape>::names().empty());
+    for (const std::string &name : Registry<Shape>::names())
+      BOOST_TEST_CONTEXT("shape '" << name << "'")
+      {
+        ParameterTree tree = ParameterTree::documentation();
+        Section section    = tree.root();
+        const auto shape   = Registry<Shape>::make(name, section);
+
+        Point2 lower(-1., -1.), upper(1., 1.);
+        for (const Point2 &point : shape->polyline())
+          for (unsigned int d = 0; d < 2; ++d)
+          {
+            lower[d] = std::min(lower[d], 1.5 * point[d]);
+            upper[d] = std::max(upper[d], 1.5 * point[d]);
+          }
+        std::mt19937 generator(20);
+        std::uniform_real_distribution<double> r(lower[0], upper[0]), z(lower[1], upper[1]);
+        unsigned int n_checked = 0;
+        for (unsigned int i = 0; i < n_points; ++i)
+        {
+          const Point2 x(r(generator), z(generator));
+          const Projection p = shape->project(x);
+          if (std::isfinite(p.distance) && check(*shape, x, p))
+            ++n_checked;
+        }
+        BOOST_TEST(n_checked > n_points / 10);
+      }
+  }
+
+  // Seen by the points of the polyline alone.
+  bool another_is_closer(const Shape &shape, const Point2 &x, const double distance)
+  {
+    for (const Point2 &point : shape.polyline(1e-3))
+      if (point.distance(x) < distance * (1 - 1e-6) - 1e-12)
+        return true;
+    return false;
+  }
+
+  // Not near an arc's center, a segment's end or the tool's skeleton, where derivatives do not exist or jump.
+  bool is_smooth(const Shape &shape, const Point2 &x, const Projection &p, const double step)
+  {
+    if (std::abs(p.turning) > 20.)
+      return false;
+    for (const double sign : {-1., 1.})
+      for (const Tensor1 &direction : {p.normal, p.tangent})
+      {
+        const Projection q = shape.project(x + 3. * sign * step * direction);
+        if (!std::isfinite(q.distance) || q.segment != p.segment || (q.normal - p.normal).norm() > 200. * step)
+          return false;
+      }
+    return true;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(shape_conformance)
+
+BOOST_AUTO_TEST_CASE(normal_and_tangent_are_a_frame)
+{
+  for_all(
+    [](const Shape &, const Point2 &, const Projection &p)
+    {
+      BOOST_TEST(std::abs(p.normal.norm() - 1) < 1e-14);
+      BOOST_TEST(std::abs(p.tangent.norm() - 1) < 1e-14);
+      BOOST_TEST(std::abs(p.normal[0] + p.tangent[1]) < 1e-15); // the tangent turned by +90 degrees
+      BOOST_TEST(std::abs(p.normal[1] - p.tangent[0]) < 1e-15);
+      return true;
+    });
+}
+
+BOOST_AUTO_TEST_CASE(foot_point_is_on_the_profile)
+{
+  for_all(
+    [](const Shape &shape, const Point2 &x, const Projection &p)
+    {
+      const Point2 foot  = x - p.distance * p.normal;
+      const Projection q = shape.project(foot);
+      BOOST_TEST(std::abs(q.distance) < 1e-13);
+      BOOST_TEST(std::abs(q.arc_length - p.arc_length) < 1e-12);
+      return true;
+    });
+}
+
+BOOST_AUTO_TEST_CASE(foot_point_is_the_closest_of_all)
+{
+  for_all(
+    [](const Shape &shape, const Point2 &x, const Projection &p)
+    {
+      if (x[0] < 0) // may be close to the mirror image
+        return false;
+      for (const Shape::Segment &segment : shape.segments())
+        for (const Point2 &end : {segment.start, segment.end})
+          BOOST_TEST(std::abs(p.distance) < end.distance(x) + 1e-14);
+      return true;
+    });
+}
+
+BOOST_AUTO_TEST_CASE(normal_is_the_gradient_of_the_distance)
+{
+  constexpr double h = 1e-6;
+  for_all(
+    [](const Shape &shape, const Point2 &x, const Projection &p)
+    {
+      if (!is_smooth(shape, x, p, h))
+        return false;
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        Tensor1 step;
+        step[d]            = h;
+        const double slope = (shape.project(x + step).distance - shape.project(x - step).distance) / (2 * h);
+        BOOST_TEST(std::abs(slope - p.normal[d]) < 1e-8);
+      }
+      return true;
+    });
+}
+
+BOOST_AUTO_TEST_CASE(turning_is_the_derivative_of_the_normal)
+{
+  constexpr double h = 1e-6;
+  for_all(
+    [](const Shape &shape, const Point2 &x, const Projection &p)
+    {
+      if (!is_smooth(shape, x, p, h))
+        return false;
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        Tensor1 step;
+        step[d]             = h;
+        const Tensor1 slope = (shape.project(x + step).normal - shape.project(x - step).normal) / (2 * h);
+        BOOST_TEST((slope - p.turning * p.tangent[d] * p.tangent).norm() < 1e-7);
+      }
+      return true;
+    });
+}
+
+BOOST_AUTO_TEST_CASE(slip_rate_is_the_derivative_of_the_arc_length)
+{
+  constexpr double h = 1e-6;
+  for_all(
+    [](const Shape &shape, const Point2 &x, const Projection &p)
+    {
+      if (!is_smooth(shape, x, p, h))
+        return false;
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        Tensor1 step;
+        step[d] = h;
+        const double slope =
+          shape.slip(shape.project(x - step).arc_length, shape.project(x + step).arc_length) / (2 * h);
+        BOOST_TEST(std::abs(slope - p.slip_rate * p.tangent[d]) < 1e-7);
+      }
+      return true;
+    });
+}
+
+BOOST_AUTO_TEST_CASE(warm_start_changes_nothing)
+{
+  for_all(
+    [](const Shape &shape, const Point2 &x, const Projection &p)
+    {
+      const unsigned int n = static_cast<unsigned int>(shape.segments().size());
+      for (unsigned int hint = 0; hint <= n; ++hint)
+      {
+        const Projection q = shape.project(x, hint);
+        BOOST_TEST(std::abs(q.distance - p.distance) <= 1e-15);
+        BOOST_TEST(q.segment == p.segment);
+        BOOST_TEST((q.normal - p.normal).norm() == 0.);
+        BOOST_TEST(q.arc_length == p.arc_length);
+      }
+      return true;
+    });
+}
+
+BOOST_AUTO_TEST_CASE(no_jump_and_no_gap_at_the_joints)
+{
+  unsigned int n_checked = 0;
+  for (const std::string &name : Registry<Shape>::names())
+    BOOST_TEST_CONTEXT("shape '" << name << "'")
+    {
+      ParameterTree tree = ParameterTree::documentation();
+      Section section    = tree.root();
+      const auto shape   = Registry<Shape>::make(name, section);
+      const auto &all    = shape->segments();
+      for (unsigned int i = 0; i < all.size(); ++i)
+      {
+        const Shape::Segment &s = all[i];
+        const double side       = s.convex ? 1. : -1.;
+        std::vector<std::pair<Point2, Tensor1>> rays; // along the normals at the ends of arcs and corners
+        if (s.kind == Shape::Segment::Kind::arc)
+          rays = {{s.start, side * s.from}, {s.end, side * s.to}};
+        for (const auto &[joint, normal] : rays)
+          for (const double distance : {1e-9, 1e-3, .1, .37, 3.}) // outside of a corner that is no dent
+          {
+            if (!s.convex && (s.radius == 0 || distance >= s.radius))
+              continue;
+            const Point2 x = joint + distance * normal;
+            if (another_is_closer(*shape, x, distance))
+              continue;
+            ++n_checked;
+            for (int a = -1; a <= 1; ++a)
+              for (int b = -1; b <= 1; ++b)
+              {
+                const double r = a == 0 ? x[0] : std::nextafter(x[0], a * 1e9);
+                const double z = b == 0 ? x[1] : std::nextafter(x[1], b * 1e9);
+                const auto p   = shape->project(Point2(r, z));
+                BOOST_TEST(std::abs(p.distance - distance) < 1e-14);
+                BOOST_TEST((p.normal - normal).norm() < 4e-15 / distance + 1e-13);
+              }
+          }
+      }
+    }
+  BOOST_TEST(n_checked > 100);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
