@@ -198,6 +198,10 @@ namespace deltaform
     node_area_.assign(n, 0.);
     contact_pressure_[0].assign(n, 0.);
     contact_pressure_[1].assign(n, 0.);
+    weightless_.assign(n, false);
+    update_areas(Vector(n_dofs()));
+    for (unsigned int i = 0; i < n; ++i)
+      weightless_[i] = node_area_[i] < 1e-9 * node_weight_[i];
     update_areas(Vector(n_dofs()));
   }
 
@@ -227,10 +231,10 @@ namespace deltaform
               node_area_[cell.nodes[a]] += shape[a] * dA;
           }
       }
-    // The weight of a node on the axis vanishes for degree 2; what is left is round-off.
-    for (auto &area : node_area_)
-      if (std::abs(area) < 1e-12 * thickness_ * thickness_)
-        area = 0.;
+    // The weight of a node on the axis vanishes for degree 2 in the initial configuration, and with it the pair.
+    for (unsigned int i = 0; i < node_area_.size(); ++i)
+      if (weightless_[i])
+        node_area_[i] = 0.;
   }
 
 

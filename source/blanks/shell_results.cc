@@ -33,20 +33,21 @@ namespace deltaform
 
 
 
-  double
-  Shell::shear_strain_squared(const Vector &q, const unsigned int cell, const unsigned int point) const
+  ShellStrain
+  Shell::strain_at(const Vector &q, const unsigned int cell, const unsigned int point) const
   {
-    if (membrane_)
-      return 0.;
     const auto &            nodes = mesh_.cells()[cell].nodes;
     std::array<DofIndex, 9> dofs{};
     for (unsigned int a = 0; a <= degree_; ++a)
       std::copy(node_dofs_[nodes[a]].begin(), node_dofs_[nodes[a]].end(), dofs.begin() + 3 * a);
-    const auto strain =
-      degree_ == 1 ?
-        shell_strain<2, false>(points_[point], mesh_.cells()[cell], mesh_.nodes(), q, dofs.data(), axisymmetric_) :
-        shell_strain<3, false>(points_[point], mesh_.cells()[cell], mesh_.nodes(), q, dofs.data(), axisymmetric_);
-    return (strain.gamma - points_[point].gamma) * (strain.gamma - points_[point].gamma);
+    const auto evaluate = [&](auto n_nodes, auto membrane) {
+      return shell_strain<n_nodes, membrane>(points_[point], mesh_.cells()[cell], mesh_.nodes(), q, dofs.data(), axisymmetric_);
+    };
+    using Two   = std::integral_constant<unsigned int, 2>;
+    using Three = std::integral_constant<unsigned int, 3>;
+    if (membrane_)
+      return degree_ == 1 ? evaluate(Two(), std::true_type()) : evaluate(Three(), std::true_type());
+    return degree_ == 1 ? evaluate(Two(), std::false_type()) : evaluate(Three(), std::false_type());
   }
 
 
@@ -57,6 +58,30 @@ namespace deltaform
     const unsigned int before = node > 0 ? node - 1 : node, after = std::min<unsigned int>(node + 1, node_dofs_.size() - 1);
     const Tensor1      chord  = position(q, after) - position(q, before);
     return std::atan2(chord[1], chord[0]);
+  }
+
+
+
+  double
+  Shell::thickness_strain_work(const Vector &q, const unsigned int cell, const unsigned int p, const double new_ratio) const
+  {
+    // Moving the layers of a curved shell to the new thickness strains them at fixed displacements.
+    const unsigned int place  = cell * n_points_per_cell_ + p;
+    const ShellPoint & point  = points_[place];
+    const ShellStrain  strain = strain_at(q, cell, place);
+    double             work   = 0.;
+    for (unsigned int l = 0; l < n_layers_; ++l)
+      {
+        const double a1_zero = point.lambda - layer_position_[l] * point.angle_prime;
+        const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * std::sin(point.angle) : 1.;
+        const double volume  = point.weight * layer_weight_[l] * a1_zero * a2_zero;
+        const double before  = thickness_ratio_[place] * layer_position_[l], after = new_ratio * layer_position_[l];
+        const auto & tau     = stress_[place * n_layers_ + l];
+        work += volume * tau[0] * std::log((strain.lambda - after * strain.theta_prime) / (strain.lambda - before * strain.theta_prime));
+        if (axisymmetric_)
+          work += volume * tau[1] * std::log((strain.r + after * strain.d_r()) / (strain.r + before * strain.d_r()));
+      }
+    return work;
   }
 
 
@@ -85,8 +110,13 @@ namespace deltaform
               energy_.elastic += volume * material_->elastic_energy(stress_[i]);
               thickness += layer_weight_[l] * std::exp(strain_[i][2]);
             }
+          energy_.normal += thickness_strain_work(q, c, p, thickness / thickness_);
           thickness_ratio_[place] = thickness / thickness_;
-          energy_.elastic += .5 * shear * point.weight * point.radius * shear_strain_squared(q, c, place);
+          if (!membrane_)
+            {
+              const double gamma = strain_at(q, c, place).gamma - point.gamma;
+              energy_.elastic += .5 * shear * point.weight * point.radius * gamma * gamma;
+            }
         }
     history_.commit();
     committed_strain_ = strain_;

@@ -154,6 +154,11 @@ namespace deltaform
   unsigned int
   ContactPair::correct_factors()
   {
+    if (softening_ < 1)
+      {
+        softening_ = softening_ < .05 ? 10. * softening_ : 1.;
+        return 1;
+      }
     if (!settings_.enforcement->uses_penalty())
       return 0;
     unsigned int changed = 0;

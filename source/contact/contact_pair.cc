@@ -95,9 +95,22 @@ namespace deltaform
 
 
   void
+  ContactPair::begin_stage(const Vector &q, const double time)
+  {
+    time_               = time;
+    const Tensor1 shift = travel(q) * tool_.direction();
+    for (unsigned int i = 0; i < committed_.size(); ++i)
+      committed_x_[i] = node(q, i).x - shift;
+    std::fill(projected_gap_.begin(), projected_gap_.end(), -1.);
+  }
+
+
+
+  void
   ContactPair::begin_increment(const double time)
   {
     time_              = time;
+    softening_         = 1.;
     slip_limit_        = settings_.allowed_slip(time);
     trial_             = committed_;
     energy_of_changes_ = 0.;
@@ -175,7 +188,14 @@ namespace deltaform
           touch(i, node, projection);
 
         const double         own    = multiplier ? q[first_multiplier_ + i] : 0.;
-        const NormalResponse normal = std::isfinite(gap) ? settings_.enforcement->respond(state, gap, own) : NormalResponse();
+        const bool           soft   = softening_ < 1 && !committed_[i].touching;
+        NormalResponse       normal = std::isfinite(gap) ? settings_.enforcement->respond(state, gap, own) : NormalResponse();
+        if (soft)
+          {
+            normal.force *= multiplier ? 1. : softening_;
+            normal.derivative *= softening_;
+            normal.compliance = multiplier ? 1. / (softening_ * state.stiffness) : 0.;
+          }
         FrictionResponse     friction;
         if (friction_ && normal.touching)
           {
@@ -238,7 +258,7 @@ namespace deltaform
     for (unsigned int k = 0; k < n_motion; ++k)
       residual[k] = -(force * jacobian[k]);
     if (multiplier)
-      residual[n_motion] = normal.tied ? -trial_[i].gap : multiplier_value;
+      residual[n_motion] = normal.tied ? -trial_[i].gap - normal.compliance * multiplier_value : multiplier_value;
 
     if (!target.wants_tangent())
       {
@@ -266,14 +286,13 @@ namespace deltaform
       {
         const unsigned int m      = n_motion;
         const Tensor1      dforce = N - friction.force_rate * s * tau;
+        matrix[m * n + m] = normal.tied ? -normal.compliance : 1.;
         if (normal.tied)
           for (unsigned int k = 0; k < n_motion; ++k)
             {
               matrix[k * n + m] = -(dforce * jacobian[k]);
               matrix[m * n + k] = -(N * jacobian[k]);
             }
-        else
-          matrix[m * n + m] = 1.;
       }
     target.add(dofs.data(), n, matrix.data(), residual.data());
   }

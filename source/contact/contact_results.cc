@@ -69,13 +69,14 @@ namespace deltaform
   ContactPair::refresh(const Vector &q)
   {
     // The thickness has changed at fixed positions; the forces stay those of the accepted equilibrium.
+    const Tensor1 shift = travel(q) * tool_.direction();
     for (unsigned int i = 0; i < committed_.size(); ++i)
       {
-        PairState &state = committed_[i];
+        const PairState &state = committed_[i];
         if (!state.touching)
           continue;
         const ContactNode description = node(q, i);
-        const double      gap         = tool_.project(committed_x_[i], 0., hint_[i]).distance - description.offset;
+        const double      gap = tool_.project(description.x - shift, 0., hint_[i]).distance - description.offset;
         // The force works on the face that moves towards the tool.
         energy_.thickness += state.force * (state.gap - gap);
       }

@@ -28,12 +28,14 @@ namespace deltaform
    * Newton's iteration inside a bracket. Where it leaves the bracket or converges slowly, f(0) - f(u) is taken for a
    * power of u and extrapolated as such (Newton in log-log coordinates; exact for power laws, whose slope is
    * unbounded at u = 0, however small the root); where that leaves the bracket, the bracket is cut at its geometric
-   * mean. After any return other than 0, the last call of @p excess was at the amount returned.
+   * mean (from 0 upwards: by factors that grow, so that a root of 1e-300 is found as well). After any return other than
+   * 0, the last call of @p excess was at the amount returned.
    */
   template <typename Function>
   PlasticFlow solve_consistency(const Function &excess, const double guess, const double start, double upper)
   {
     constexpr double tolerance      = 2e-15;
+    constexpr double infinity       = std::numeric_limits<double>::infinity();
     constexpr double not_a_number   = std::numeric_limits<double>::quiet_NaN();
     constexpr unsigned int max_iter = 200;
 
@@ -49,7 +51,8 @@ namespace deltaform
         u = start;
     }
 
-    double previous   = std::numeric_limits<double>::infinity();
+    double previous   = infinity;
+    double reach      = 1e-4; // how far down to cut while nothing is known but that the root is not 0
     unsigned int slow = 0;
     for (unsigned int iteration = 0; iteration < max_iter; ++iteration)
     {
@@ -69,7 +72,7 @@ namespace deltaform
       double next       = u - f / here.slope;
       if (!inside(next) || size_f > .25 * previous)
       {
-        if (std::abs(next - u) <= std::numeric_limits<double>::epsilon() * u)
+        if (std::isfinite(here.slope) && std::abs(next - u) <= std::numeric_limits<double>::epsilon() * u)
           return {u, true, size_f <= 100. * tolerance};
         if (std::isnan(at_zero))
         {
@@ -83,9 +86,13 @@ namespace deltaform
           ++slow;
         else
         {
-          next = upper < std::numeric_limits<double>::infinity()
-                   ? std::sqrt(lower > 1e-8 * upper ? lower : 1e-8 * upper) * std::sqrt(upper)
-                   : 1e3 * u;
+          if (lower > 0.)
+            next = upper < infinity ? std::sqrt(lower) * std::sqrt(upper) : 1e3 * lower;
+          else
+          {
+            next  = std::fmax(reach * upper, std::numeric_limits<double>::min());
+            reach = std::fmax(reach * reach, 1e-64);
+          }
           slow = 0;
         }
         if (!inside(next)) // no floating-point number is left inside the bracket

@@ -3,6 +3,8 @@
 #include <deltaform/base/section.h>
 #include <deltaform/materials/material.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace deltaform
@@ -20,9 +22,11 @@ namespace deltaform
   {
     double young, poisson;
     double shear, bulk;
-    double plane_stress; ///< E / (1 - nu^2)
-    double biaxial;      ///< E / (1 - nu): in-plane stress of an equal in-plane strain at third stress 0
-    double shift;        ///< (1 - 2 nu) / E: strain of a unit pressure
+    double plane_stress;            ///< E / (1 - nu^2)
+    double biaxial;                 ///< E / (1 - nu): in-plane stress of an equal in-plane strain at third stress 0
+    double shift;                   ///< (1 - 2 nu) / E: strain of a unit pressure
+    std::array<double, 16> tangent; ///< d stress / d strain, 4 x 4, row-major
+    std::array<double, 16> condensed_tangent; ///< the same at given third stress: row and column [2] are zero
 
     explicit Elasticity(Section &section)
       : Elasticity(section.number("Young's modulus", required(69004.), Range::positive(), "stress", "Young's modulus."),
@@ -34,6 +38,17 @@ namespace deltaform
       : young(E), poisson(nu), shear(E / (2. * (1. + nu))), bulk(E / (3. * (1. - 2. * nu))),
         plane_stress(E / ((1. - nu) * (1. + nu))), biaxial(E / (1. - nu)), shift((1. - 2. * nu) / E)
     {
+      const double common = bulk - 2. / 3. * shear, direct = common + 2. * shear, mixed = nu * plane_stress;
+      // clang-format off
+      tangent           = {{direct, common, common, 0.,
+                            common, direct, common, 0.,
+                            common, common, direct, 0.,
+                            0.,     0.,     0.,     2. * shear}};
+      condensed_tangent = {{plane_stress, mixed,        0., 0.,
+                            mixed,        plane_stress, 0., 0.,
+                            0.,           0.,           0., 0.,
+                            0.,           0.,           0., 2. * shear}};
+      // clang-format on
     }
 
     /// Stress of the elastic strain @p e.
@@ -48,26 +63,6 @@ namespace deltaform
     double third_strain(const Mandel &tau) const
     {
       return (tau[2] - poisson * (tau[0] + tau[1])) / young;
-    }
-
-    /// 4 x 4, row-major.
-    void tangent(double *C) const
-    {
-      const double common = bulk - 2. / 3. * shear, direct = common + 2. * shear;
-      const double values[16] = {
-        direct, common, common, 0., common, direct, common, 0., common, common, direct, 0., 0., 0., 0., 2. * shear};
-      for (unsigned int i = 0; i < 16; ++i)
-        C[i] = values[i];
-    }
-
-    /// 4 x 4, row-major, at given third stress: row and column [2] are zero.
-    void condensed_tangent(double *C) const
-    {
-      const double mixed      = poisson * plane_stress;
-      const double values[16] = {
-        plane_stress, mixed, 0., 0., mixed, plane_stress, 0., 0., 0., 0., 0., 0., 0., 0., 0., 2. * shear};
-      for (unsigned int i = 0; i < 16; ++i)
-        C[i] = values[i];
     }
 
     /// Per reference volume.

@@ -37,10 +37,8 @@ namespace deltaform
             return Status::shorten("the strain at a material point is not finite", p);
           if (batch.tangent != nullptr)
           {
-            if (strain_given)
-              elastic_.tangent(batch.tangent + p * 16);
-            else
-              elastic_.condensed_tangent(batch.tangent + p * 16);
+            const auto &C = strain_given ? elastic_.tangent : elastic_.condensed_tangent;
+            std::copy(C.begin(), C.end(), batch.tangent + p * 16);
           }
         }
         return {};

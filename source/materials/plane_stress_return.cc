@@ -1,7 +1,7 @@
 #include "consistency.h"
 #include "return_map.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace deltaform
 {
@@ -17,8 +17,8 @@ namespace deltaform
    *     A = A_trial / (1 + a l),   (B, T) = (B, T)_trial / (1 + b l),   a = E / (3 (1 - nu)),   b = 2 G,
    *     flow(e_n + 2/3 l q(l)) = q(l),   d e_p = l (A/3, B, T),
    *
-   * with l the one unknown. It is solved as 1 - flow / q = 0, which for a = b and a constant flow stress is linear in
-   * l. J.C. Simo, R.L. Taylor, A return mapping algorithm for plane stress elastoplasticity, Int. J. Numer. Meth. Eng.
+   * with l the one unknown. It is solved as 1 - flow / q = 0, which for a = b and a constant flow stress is linear.
+   * J.C. Simo, R.L. Taylor, A return mapping algorithm for plane stress elastoplasticity, Int. J. Numer. Meth. Eng.
    * 22 (1986) 649; J.C. Simo, T.J.R. Hughes, Computational Inelasticity, Springer 1998, box 3.3.
    */
   namespace
@@ -28,9 +28,9 @@ namespace deltaform
     /// q(l) and what else depends on the multiplier alone.
     struct Returned
     {
-      double scale_a, scale_b; ///< 1 / (1 + a l), 1 / (1 + b l)
-      double q, q_slope;       ///< q, dq/dl
-      double x, x_slope;       ///< 2/3 l q, its derivative
+      double scale_a, scale_b;    ///< 1 / (1 + a l), 1 / (1 + b l)
+      double q, inverse_q, slope; ///< q, 1/q, (dq/dl)/q
+      double x, x_slope;          ///< 2/3 l q, its derivative
     };
 
     struct TrialStress
@@ -41,14 +41,17 @@ namespace deltaform
       Returned at(const double l) const
       {
         Returned r;
-        r.scale_a        = 1. / (1. + a * l);
-        r.scale_b        = 1. / (1. + b * l);
-        const double a_q = a_square * r.scale_a * r.scale_a;
-        const double b_q = b_square * r.scale_b * r.scale_b;
-        r.q              = std::sqrt(a_q + b_q);
-        r.q_slope        = -(a * r.scale_a * a_q + b * r.scale_b * b_q) / r.q;
-        r.x              = 2. / 3. * l * r.q;
-        r.x_slope        = 2. / 3. * (r.q + l * r.q_slope);
+        const double both     = 1. / ((1. + a * l) * (1. + b * l));
+        r.scale_a             = (1. + b * l) * both;
+        r.scale_b             = (1. + a * l) * both;
+        const double a_q      = a_square * r.scale_a * r.scale_a;
+        const double b_q      = b_square * r.scale_b * r.scale_b;
+        const double q_square = a_q + b_q, inverse = 1. / q_square;
+        r.q         = std::sqrt(q_square);
+        r.inverse_q = r.q * inverse; // side by side with the root, not after it
+        r.slope     = -(a * r.scale_a * a_q + b * r.scale_b * b_q) * inverse;
+        r.x         = 2. / 3. * l * r.q;
+        r.x_slope   = 2. / 3. * r.q * (1. + l * r.slope);
         return r;
       }
 
@@ -57,11 +60,11 @@ namespace deltaform
       {
         if (!(x > 0.))
           return 0.;
-        // q = q_trial / (1 + c l) with the mean c of a and b, then Newton
+        // q = q_trial / (1 + c l) with the mean c of a and b, then one step of Newton
         const double q_square = a_square + b_square;
         const double c        = (a * a_square + b * b_square) / q_square;
         double l              = x / (2. / 3. * std::sqrt(q_square) - c * x);
-        for (unsigned int i = 0; i < 2 && l > 0.; ++i)
+        if (l > 0.)
         {
           const Returned r = at(l);
           l -= (r.x - x) / r.x_slope;
@@ -100,7 +103,7 @@ namespace deltaform
       keep_history(committed, trial);
       set_stress(1., 1.);
       if (tangent != nullptr)
-        elastic.condensed_tangent(tangent);
+        std::copy(elastic.condensed_tangent.begin(), elastic.condensed_tangent.end(), tangent);
       return PointOutcome::good;
     };
 
@@ -117,11 +120,12 @@ namespace deltaform
     {
       r    = stress_at.at(l);
       flow = j2.hardening.evaluate(committed[4] + r.x);
-      return {1. - flow.value / r.q, -(flow.slope * r.x_slope - flow.value / r.q * r.q_slope) / r.q};
+      return {1. - flow.value * r.inverse_q, (flow.value * r.slope - flow.slope * r.x_slope) * r.inverse_q};
     };
     // q <= q_trial / (1 + a l), because a < b, and the flow stress does not fall under its initial value.
-    const double upper       = (std::sqrt(q_square) / j2.initial_flow_stress - 1.) / stress_at.a;
-    const double start       = std::fmin(upper, 1. / stress_at.b);
+    const double ratio       = std::sqrt(q_square) / j2.initial_flow_stress;
+    const double upper       = ratio / stress_at.a;
+    const double start       = std::fmin(ratio - 1., 1.) / stress_at.b;
     const double guess       = stress_at.multiplier(expected_increment(committed, trial));
     const PlasticFlow solved = solve_consistency(excess, guess, start, upper);
     if (!solved.found)

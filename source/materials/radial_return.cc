@@ -1,6 +1,8 @@
 #include "consistency.h"
 #include "return_map.h"
 
+#include <algorithm>
+
 namespace deltaform
 {
   /*
@@ -23,22 +25,19 @@ namespace deltaform
     const Elasticity &elastic = j2.elastic;
     const double G            = elastic.shear;
 
-    Mandel s; // trial deviator
-    for (unsigned int i = 0; i < 4; ++i)
-      s[i] = strain[i] - committed[i];
-    const double trace = s[0] + s[1] + s[2];
-    for (unsigned int i = 0; i < 3; ++i)
-      s[i] = 2. * G * (s[i] - trace / 3.);
-    s[3] *= 2. * G;
-    const double pressure = elastic.bulk * trace;
-    const double q_square = 1.5 * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + s[3] * s[3]);
+    // Trial deviator
+    const double e0 = strain[0] - committed[0], e1 = strain[1] - committed[1], e2 = strain[2] - committed[2];
+    const double trace = e0 + e1 + e2, mean = trace / 3., pressure = elastic.bulk * trace;
+    const double s0 = 2. * G * (e0 - mean), s1 = 2. * G * (e1 - mean), s2 = 2. * G * (e2 - mean);
+    const double s3       = 2. * G * (strain[3] - committed[3]);
+    const double q_square = 1.5 * (s0 * s0 + s1 * s1 + s2 * s2 + s3 * s3);
 
     const auto stay_elastic = [&]()
     {
       keep_history(committed, trial);
-      stress = {{s[0] + pressure, s[1] + pressure, s[2] + pressure, s[3]}};
+      stress = {{s0 + pressure, s1 + pressure, s2 + pressure, s3}};
       if (tangent != nullptr)
-        elastic.tangent(tangent);
+        std::copy(elastic.tangent.begin(), elastic.tangent.end(), tangent);
       return PointOutcome::good;
     };
     if (q_square <= j2.initial_flow_stress * j2.initial_flow_stress)
@@ -46,15 +45,16 @@ namespace deltaform
     if (!std::isfinite(q_square))
       return PointOutcome::not_finite;
 
-    const double q = std::sqrt(q_square);
+    const double q         = std::sqrt(q_square);
+    const double inverse_q = 1. / q;
     FlowStress flow{};
     const auto excess = [&](const double x) -> Excess
     {
       flow = j2.hardening.evaluate(committed[4] + x);
-      return {1. - (3. * G * x + flow.value) / q, -(3. * G + flow.slope) / q};
+      return {1. - (3. * G * x + flow.value) * inverse_q, -(3. * G + flow.slope) * inverse_q};
     };
-    const double upper       = (q - j2.initial_flow_stress) / (3. * G);
-    const PlasticFlow solved = solve_consistency(excess, expected_increment(committed, trial), upper, upper);
+    const double start       = (q - j2.initial_flow_stress) / (3. * G);
+    const PlasticFlow solved = solve_consistency(excess, expected_increment(committed, trial), start, q / (3. * G));
     if (!solved.found)
       return PointOutcome::not_converged;
     const double x = solved.amount;
@@ -62,8 +62,9 @@ namespace deltaform
       return stay_elastic();
 
     // The flow stress has the digits that q - 3 G x loses after a large increment.
-    const double remaining = solved.resolved ? flow.value / q : 1. - 3. * G * x / q;
-    const double flow_of_s = 1.5 * x / q;
+    const double remaining = solved.resolved ? flow.value * inverse_q : 1. - 3. * G * x * inverse_q;
+    const Mandel s{{s0, s1, s2, s3}};
+    const double flow_of_s = 1.5 * x * inverse_q;
     for (unsigned int i = 0; i < 4; ++i)
     {
       trial[i]  = committed[i] + flow_of_s * s[i];
@@ -76,7 +77,7 @@ namespace deltaform
       const double deviatoric = 2. * G * remaining;
       const double common     = elastic.bulk - deviatoric / 3.;
       // n x n = (3/2) s x s / q^2
-      const double radial = 9. * G * G * (x / q - 1. / (3. * G + flow.slope)) / q_square;
+      const double radial = 9. * G * G * inverse_q * inverse_q * (x * inverse_q - 1. / (3. * G + flow.slope));
       for (unsigned int i = 0; i < 4; ++i)
         for (unsigned int j = 0; j < 4; ++j)
           tangent[4 * i + j] = radial * s[i] * s[j] + (i < 3 && j < 3 ? common : 0.) + (i == j ? deviatoric : 0.);

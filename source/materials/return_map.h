@@ -16,7 +16,7 @@ namespace deltaform
   {
     static constexpr unsigned int n_history = 5;
 
-    Elasticity elastic;
+    const Elasticity &elastic;
     const Hardening &hardening;
     double initial_flow_stress;
   };

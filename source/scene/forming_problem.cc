@@ -97,6 +97,13 @@ namespace deltaform
     for (const auto dof : actors_.blank->fixed_dofs())
       is_fixed_[dof] = true;
     is_prescribed_ = is_fixed_;
+    double extent = actors_.blank->initial_thickness();
+    for (const auto &x : actors_.blank->positions(zero))
+      extent = std::max(extent, x.norm());
+    size_.assign(n, extent);
+    for (unsigned int i = 0; i < n_blank; ++i)
+      if (actors_.blank->dof_scale(i) != 1.)
+        size_[i] = 1.; // an angle
     // A multiplier is a force: divided by a stiffness it compares with displacements, its row (a gap) times it with forces.
     scale_.assign(n, 1.);
     for (unsigned int i = 0; i < n_blank; ++i)
@@ -254,7 +261,10 @@ namespace deltaform
     active_pairs_.clear();
     for (auto &pair : actors_.pairs)
       if (pair->tool().exists_in(stage.name))
-        active_pairs_.push_back(pair.get());
+        {
+          active_pairs_.push_back(pair.get());
+          pair->begin_stage(committed_, stage.begin);
+        }
     is_prescribed_ = is_fixed_;
     for (const auto &support : actors_.supports)
       if (support.acts_in(stage.name))
@@ -283,6 +293,16 @@ namespace deltaform
     for (auto *pair : active_pairs_)
       pair->begin_increment(time);
     factors_due_ = !active_pairs_.empty();
+  }
+
+
+
+  bool
+  FormingProblem::soften(const double share)
+  {
+    for (auto *pair : active_pairs_)
+      pair->soften(share);
+    return !active_pairs_.empty();
   }
 
 

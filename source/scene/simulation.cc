@@ -12,7 +12,7 @@ namespace deltaform
     , journal_(journal)
     , timers_(timers)
     , problem_(scene.actors, scene.linear_solver, timers)
-    , newton_(problem_, problem_.system(), *scene.newton, problem_.scale())
+    , newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size())
   {}
 
 
@@ -94,6 +94,18 @@ namespace deltaform
       q.sadd(1. + (time - time_) / last_increment_, -(time - time_) / last_increment_, before_);
 
     result = newton_.solve(q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor());
+    if (!result.converged() && result.outcome != NewtonResult::Outcome::not_corrected)
+      {
+        // Once more, with first touches soft at first.
+        const unsigned int iterations = result.iterations;
+        problem_.begin_increment(time);
+        if (problem_.soften(1e-4))
+          {
+            q      = problem_.committed();
+            result = newton_.solve(q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor());
+            result.iterations += iterations;
+          }
+      }
     if (!result.converged())
       return explain(result);
 

@@ -27,11 +27,13 @@ namespace deltaform
   Newton::Newton(NonlinearProblem &         problem,
                  System &                   system,
                  const NewtonSettings &     settings,
-                 const std::vector<double> &scale)
+                 const std::vector<double> &scale,
+                 const std::vector<double> &size)
     : problem_(problem)
     , system_(system)
     , settings_(settings)
     , scale_(scale)
+    , size_(size)
   {}
 
 
@@ -39,13 +41,16 @@ namespace deltaform
   double
   Newton::measure(const std::vector<bool> &is_prescribed, const double force_floor, NewtonResult &result) const
   {
-    double square = 0., magnitude = 0., worst = -1.;
+    constexpr double epsilon = 8 * std::numeric_limits<double>::epsilon();
+    double           square = 0., magnitude = 0., noise = 0., worst = -1.;
     for (unsigned int i = 0; i < scale_.size(); ++i)
       {
         const double m = system_.magnitude()[i] / scale_[i];
         magnitude += m * m;
         if (is_prescribed[i])
           continue;
+        const double round_off = epsilon * system_.diagonal(i) * size_[i] / scale_[i];
+        noise += round_off * round_off;
         const double r = system_.residual()[i] / scale_[i];
         square += r * r;
         if (std::abs(r) > worst)
@@ -54,7 +59,7 @@ namespace deltaform
             result.worst_dof = i;
           }
       }
-    return std::sqrt(square) / std::max(std::sqrt(magnitude), force_floor);
+    return std::sqrt(square) / std::max({std::sqrt(magnitude), force_floor, std::sqrt(noise) / settings_.force_tolerance});
   }
 
 
@@ -136,48 +141,73 @@ namespace deltaform
           if (!is_prescribed[i])
             work_start += d[i] * system_.residual()[i];
 
-        double best = std::numeric_limits<double>::infinity();
-        for (unsigned int search = 0;; ++search)
+        const auto go = [&](const double alpha) {
+          for (unsigned int i = 0; i < n; ++i)
+            q[i] = alpha == 1. && is_prescribed[i] ? prescribed[i] : start[i] + alpha * d[i];
+          result.status = problem_.assemble(q, true);
+        };
+        const auto work_along_step = [&]() {
+          double work = 0.;
+          for (unsigned int i = 0; i < n; ++i)
+            if (!is_prescribed[i])
+              work += d[i] * system_.residual()[i];
+          return work;
+        };
+        // Inadmissible states first: go back until the laws can be evaluated.
+        go(factor);
+        for (unsigned int back = 0; !result.status.good() && back < 6; ++back)
           {
-            for (unsigned int i = 0; i < n; ++i)
-              q[i] = factor == 1. && is_prescribed[i] ? prescribed[i] : start[i] + factor * d[i];
-            result.status = problem_.assemble(q, true);
-            if (!result.status.good())
-              {
-                if (search >= 6)
-                  {
-                    result.outcome = NewtonResult::Outcome::inadmissible;
-                    return result;
-                  }
-                factor *= .25;
-                ++result.line_searches;
-                continue;
-              }
-            const double now = measure(is_prescribed, force_floor, result);
-            if (!settings_.line_search || now <= residual || pending > 0 || search >= 4)
-              {
-                residual = now;
-                break;
-              }
-            // Regula falsi on the work of the residual along the step.
-            double work = 0.;
-            for (unsigned int i = 0; i < n; ++i)
-              if (!is_prescribed[i])
-                work += d[i] * system_.residual()[i];
-            if (std::abs(work) <= .8 * std::abs(work_start))
-              {
-                residual = now;
-                break;
-              }
-            best = std::min(best, now);
+            factor *= .25;
             ++result.line_searches;
-            const double ratio = work_start / (work_start - work);
-            factor *= std::clamp(std::isfinite(ratio) && ratio > 0 ? ratio : .5, .1, .7);
+            go(factor);
           }
+        if (!result.status.good())
+          {
+            result.outcome = NewtonResult::Outcome::inadmissible;
+            return result;
+          }
+        double now = measure(is_prescribed, force_floor, result);
+        if (settings_.line_search && pending == 0. && now > residual)
+          {
+            // The energy falls as long as the work of the residual along the step is negative: look for its root.
+            const bool   strict = iteration >= 3;
+            const double wanted = (strict ? .2 : .8) * std::abs(work_start);
+            double       low = 0., high = factor, work_low = work_start, work = work_along_step(), work_high = work;
+            for (unsigned int search = 0; search < 6 && work > wanted; ++search)
+              {
+                ++result.line_searches;
+                const double ratio = work_low / (work_low - work_high);
+                factor             = low + std::clamp(ratio, .1, .9) * (high - low);
+                go(factor);
+                if (!result.status.good())
+                  {
+                    high = factor;
+                    continue;
+                  }
+                work = work_along_step();
+                if (work > 0)
+                  {
+                    high      = factor;
+                    work_high = work;
+                    work_low *= .5; // Illinois
+                  }
+                else
+                  {
+                    low      = factor;
+                    work_low = work;
+                    work_high *= .5;
+                    if (-work > wanted)
+                      work = 2 * wanted; // go on
+                  }
+              }
+            now = measure(is_prescribed, force_floor, result);
+          }
+        residual = now;
         last_step = 0.;
         for (unsigned int i = 0; i < n; ++i)
           last_step = std::max(last_step, factor * std::abs(d[i]) * scale_[i]);
         result.residuals.push_back(residual);
+        if (std::getenv("DELTAFORM_TRACE")) std::fprintf(stderr, "  it %u res %.3e step %.3e factor %.3e worst %u\n", iteration, residual, last_step, factor, result.worst_dof);
       }
   }
 } // namespace deltaform

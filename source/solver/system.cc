@@ -175,6 +175,14 @@ namespace deltaform
 
 
   double
+  System::diagonal(const DofIndex dof) const
+  {
+    return dof < n_sparse_ ? *entry(dof, dof) : 0.;
+  }
+
+
+
+  double
   System::largest_diagonal() const
   {
     double largest = 0.;

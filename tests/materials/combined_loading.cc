@@ -76,10 +76,10 @@ BOOST_AUTO_TEST_CASE(tension_then_torsion)
 }
 
 /*
- * Constant rate of deviatoric strain from a point of the yield surface, outwards. The angle w between the deviator, of constant
- * length R = sqrt(2/3) Y, and the strain rate (measured strain s) follows tan(w/2) = tan(w0/2) exp(-2 G s / R).
- * R.D. Krieg, D.B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Press.
- * Vess. Technol. 99 (1977) 510.
+ * Constant rate of deviatoric strain from a point of the yield surface, outwards. The angle w between the deviator, of
+ * constant length R = sqrt(2/3) Y, and the strain rate (measured strain s) follows tan(w/2) = tan(w0/2) exp(-2 G s /
+ * R). R.D. Krieg, D.B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J.
+ * Press. Vess. Technol. 99 (1977) 510.
  */
 BOOST_AUTO_TEST_CASE(constant_strain_rate)
 {

@@ -15,7 +15,7 @@ namespace
   {
     if (law.evaluate(0.).value >= stiffness * total)
       return stiffness * total;
-    const auto excess           = [&](const double t) { return t - law.evaluate(total - t / stiffness).value; };
+    const auto excess = [&](const double t) { return t - law.evaluate(std::max(0., total - t / stiffness)).value; };
     std::uintmax_t n_iterations = 200;
     const auto bracket          = boost::math::tools::toms748_solve(
       excess, 0., stiffness * total, boost::math::tools::eps_tolerance<double>(53), n_iterations);
@@ -28,10 +28,12 @@ namespace
     equibiaxial
   };
 
-  void stretch(const Material &material, const Hardening &law, const Stretch kind, const unsigned int n_steps)
+  /// Returns the largest relative error of stress and strain.
+  double stretch(const Material &material, const Hardening &law, const Stretch kind, const unsigned int n_steps)
   {
     const double E = material.young_modulus(), nu = material.poisson_ratio();
     MaterialPoint point(material);
+    double worst = 0.;
     for (unsigned int step = 1; step <= n_steps; ++step)
     {
       const double e1 = .8 * step / n_steps;
@@ -56,13 +58,15 @@ namespace
       }
       const Mandel stress = point.update(strain, ThirdDirection::stress_given);
       BOOST_TEST(point.status.good());
+      worst = std::max({worst, norm(difference(stress, expected)) / t, std::abs(strain[2] - thickness_strain) / e1});
       BOOST_TEST(norm(difference(stress, expected)) <= 1e-10 * t);
       BOOST_TEST(std::abs(strain[2] - thickness_strain) <= 1e-10 * e1);
       BOOST_TEST(std::abs(point.equivalent_plastic_strain() - plastic) <= 1e-10 * e1);
-      // The statement of the problem itself, without the solution above
-      BOOST_TEST(std::abs(stress[0] - law.evaluate(point.equivalent_plastic_strain()).value) <= 1e-10 * t);
+      if (plastic > 0.) // the statement of the problem itself, without the solution above
+        BOOST_TEST(std::abs(stress[0] - law.evaluate(point.equivalent_plastic_strain()).value) <= 1e-10 * t);
       point.commit();
     }
+    return worst;
   }
 } // namespace
 
@@ -70,6 +74,7 @@ BOOST_AUTO_TEST_SUITE(plane_stress_stretch)
 
 BOOST_AUTO_TEST_CASE(every_material_with_every_hardening_law)
 {
+  double worst = 0.;
   for (const auto &name : Registry<Hardening>::names())
     for (const double young : {2e3, 69004., 1e7})
       BOOST_TEST_CONTEXT(name << ", E = " << young)
@@ -79,8 +84,9 @@ BOOST_AUTO_TEST_CASE(every_material_with_every_hardening_law)
           "elastoplastic", name, {"Material/Young's modulus=" + std::to_string(young), "Material/Poisson's ratio=.3"});
         for (const auto kind : {Stretch::uniaxial, Stretch::equibiaxial})
           for (const unsigned int n_steps : {1, 80})
-            stretch(*material, *law, kind, n_steps);
+            worst = std::max(worst, stretch(*material, *law, kind, n_steps));
       }
+  BOOST_TEST_MESSAGE("largest relative error of stress and thickness strain: " << worst);
 }
 
 BOOST_AUTO_TEST_CASE(as_printed_on_either_side_of_its_jump)

@@ -2,6 +2,7 @@
 
 #include <deltaform/blanks/blank.h>
 #include <deltaform/blanks/shell_mesh.h>
+#include <deltaform/kinematics/shell_strain.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
 
@@ -92,8 +93,11 @@ namespace deltaform
     /// Angle of the deformed meridian at a node (the director of a membrane).
     double membrane_angle(const Vector &q, unsigned int node) const;
 
-    /// Square of the transverse shear strain at a quadrature point.
-    double shear_strain_squared(const Vector &q, unsigned int cell, unsigned int point) const;
+    /// Generalized strain at a quadrature point.
+    ShellStrain strain_at(const Vector &q, unsigned int cell, unsigned int point) const;
+
+    /// Work of the layers when the thickness is updated to @p new_ratio: no virtual work belongs to it.
+    double thickness_strain_work(const Vector &q, unsigned int cell, unsigned int p, double new_ratio) const;
 
     /// Tributary areas of the nodes at @p q.
     void update_areas(const Vector &q) const;
@@ -119,6 +123,7 @@ namespace deltaform
     std::vector<std::array<unsigned int, 3>> edges_;
     std::vector<double>                      node_angle_; ///< of the reference tangent, averaged at kinks
     std::vector<double>                      node_weight_;
+    std::vector<bool>                        weightless_; ///< nodes whose tributary area vanishes: no pair
     unsigned int                             n_points_per_cell_ = 1;
     std::vector<ShellPoint>                  points_; ///< cell by cell
     /// Point of the quadrature of loads: shape functions, their derivatives on the unit cell, weight.

@@ -61,9 +61,21 @@ namespace deltaform
     void
     set_dofs(DofIndex travel, DofIndex first_multiplier);
 
+    /// Begin a stage at @p q and @p time: remember where the nodes are, so that the slip of a first touch is known.
+    void
+    begin_stage(const Vector &q, double time);
+
     /// Start an increment that ends at @p time: trial state from the committed one, allowed penetrations.
     void
     begin_increment(double time);
+
+    /// Continuation: pairs that did not touch at the start of the increment begin with this share of their factor (active
+    /// set: of their nodal stiffness) and are stiffened to the full after each converged solve.
+    void
+    soften(const double share)
+    {
+      softening_ = share;
+    }
 
     /// Store the blank's nodal stiffness blocks for the rule; contact has not yet been added to @p stiffness.
     void
@@ -215,6 +227,7 @@ namespace deltaform
     std::vector<double>                projected_gap_;   ///< distance then; -1: none known
     std::vector<unsigned int>          hint_;            ///< segment of the last projection
     double                             median_factor_ = 0;
+    double                             softening_     = 1; ///< share of the factor of first touches, see soften()
     double                             slip_limit_    = 0; ///< allowed elastic slip at the end of the increment
     std::vector<double>                factor_at_start_; ///< after the prediction, before corrections
     double                             energy_of_changes_ = 0; ///< of the corrections within this increment

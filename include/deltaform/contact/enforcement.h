@@ -10,7 +10,8 @@ namespace deltaform
     bool   touching   = false;
     double force      = 0; ///< lambda >= 0
     double derivative = 0; ///< d lambda / d gap <= 0 (0 if the force is an unknown of its own)
-    bool   tied       = false; ///< multiplier: gap = 0 is demanded, else lambda = 0
+    bool   tied       = false; ///< multiplier: gap + compliance lambda = 0 is demanded, else lambda = 0
+    double compliance = 0; ///< not zero during the continuation of a first touch only
   };
 
   /// How the constraint gap >= 0, lambda >= 0, gap lambda = 0 is imposed on one pair.

@@ -59,6 +59,10 @@ namespace deltaform
     void
     begin_increment(double time);
 
+    /// Start the continuation of first touches. @return false if no pair exists
+    bool
+    soften(double share);
+
     /// Accept @p q as the state at the end of the increment.
     void
     commit(const Vector &q);
@@ -73,6 +77,13 @@ namespace deltaform
     scale() const
     {
       return scale_;
+    }
+
+    /// Of the numbers from which forces are computed, see Newton.
+    const std::vector<double> &
+    size() const
+    {
+      return size_;
     }
 
     const std::vector<bool> &
@@ -144,7 +155,7 @@ namespace deltaform
     Timers &                      timers_;
     Timers::Index                 timer_blank_, timer_contact_, timer_commit_;
     std::unique_ptr<System>       system_;
-    std::vector<double>           scale_;
+    std::vector<double>           scale_, size_;
     std::vector<bool>             is_fixed_, is_prescribed_;
     Vector                        committed_, prescribed_, hold_;
     Vector                        released_;

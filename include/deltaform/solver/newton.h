@@ -72,7 +72,16 @@ namespace deltaform
   class Newton
   {
   public:
-    Newton(NonlinearProblem &problem, System &system, const NewtonSettings &settings, const std::vector<double> &scale);
+    /**
+     * @param scale of every unknown: makes rotations comparable with displacements (scale * q) and moments with forces (R / scale)
+     * @param size  of the numbers from which the forces of an unknown are computed (coordinates, angles): its unit in the
+     *              last place times the stiffness is the round-off of the residual, below which nothing converges
+     */
+    Newton(NonlinearProblem &         problem,
+           System &                   system,
+           const NewtonSettings &     settings,
+           const std::vector<double> &scale,
+           const std::vector<double> &size);
 
     /**
      * @param q          in: start; out: solution
@@ -96,6 +105,6 @@ namespace deltaform
     NonlinearProblem &         problem_;
     System &                   system_;
     const NewtonSettings &     settings_;
-    const std::vector<double> &scale_;
+    const std::vector<double> &scale_, &size_;
   };
 } // namespace deltaform

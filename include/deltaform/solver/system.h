@@ -66,6 +66,10 @@ namespace deltaform
       return magnitude_;
     }
 
+    /// Diagonal entry of the tangent of a sparse unknown; 0 for the others.
+    double
+    diagonal(DofIndex dof) const;
+
     /// Largest diagonal entry of the tangent.
     double
     largest_diagonal() const;
