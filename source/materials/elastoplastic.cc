@@ -35,12 +35,13 @@ namespace deltaform
       Status update(const MaterialBatch &batch) const override
       {
         const J2 j2{elastic_, *hardening_, initial_flow_stress_};
+        constexpr std::size_t n = J2::n_history;
         const bool strain_given = batch.third_direction == ThirdDirection::strain_given;
         for (unsigned int p = 0; p < batch.n_points; ++p)
         {
-          const double *committed = batch.committed + p * J2::n_history;
-          double *trial           = batch.trial + p * J2::n_history;
-          double *tangent         = batch.tangent != nullptr ? batch.tangent + p * 16 : nullptr;
+          const double *committed = batch.committed + p * n;
+          double *trial           = batch.trial + p * n;
+          double *tangent         = batch.tangent != nullptr ? batch.tangent + p * std::size_t(16) : nullptr;
           const auto outcome =
             strain_given ? radial_return(j2, batch.strain[p], committed, trial, batch.stress[p], tangent)
                          : plane_stress_return(

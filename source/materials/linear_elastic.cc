@@ -38,7 +38,7 @@ namespace deltaform
           if (batch.tangent != nullptr)
           {
             const auto &C = strain_given ? elastic_.tangent : elastic_.condensed_tangent;
-            std::copy(C.begin(), C.end(), batch.tangent + p * 16);
+            std::copy(C.begin(), C.end(), batch.tangent + p * std::size_t(16));
           }
         }
         return {};

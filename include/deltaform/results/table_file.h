@@ -1,0 +1,19 @@
+#pragma once
+
+#include <deltaform/base/csv_writer.h>
+#include <deltaform/base/table.h>
+#include <deltaform/results/units.h>
+
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// "profile_0.6.csv": @p stem, the travel with at most six digits, and the ending.
+  std::string
+  table_name(const std::string &stem, double travel);
+
+  /// Write a table of numbers. @throws SceneError
+  void
+  write_table(const std::string &path, const std::vector<std::string> &comments, const Table &table, const Units &units);
+} // namespace deltaform

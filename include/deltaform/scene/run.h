@@ -1,0 +1,10 @@
+#pragma once
+
+#include <deltaform/base/command_line.h>
+
+namespace deltaform
+{
+  /// Do what the command line asks for. @return the exit status. @throws SceneError, UsageError
+  int
+  run_command(const CommandLine &command);
+} // namespace deltaform
