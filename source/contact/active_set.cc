@@ -1,5 +1,5 @@
 // Active set: gap = 0 where lambda > 0. The force of every pair is an unknown; the semi-smooth Newton method chooses the
-// set by the sign of lambda - c gap with c > 0 (Hintermueller, Ito, Kunisch 2003). c = K_nn only weighs the two.
+// set by the sign of lambda - c gap with c > 0.
 #include <deltaform/base/registry.h>
 #include <deltaform/contact/enforcement.h>
 
@@ -17,7 +17,7 @@ namespace deltaform
       respond(const PairState &state, const double gap, const double multiplier) const override
       {
         NormalResponse response;
-        response.tied     = multiplier - state.stiffness * gap >= 0;
+        response.tied     = multiplier - weight(state) * gap >= 0;
         response.touching = response.tied;
         response.force    = response.tied ? multiplier : 0.;
         return response;

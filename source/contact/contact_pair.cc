@@ -63,6 +63,10 @@ namespace deltaform
     projected_x_.resize(n);
     projected_gap_.assign(n, -1.);
     hint_.assign(n, invalid_index);
+    description_.resize(n);
+    normal_.resize(n);
+    base_multiplier_.assign(n, 0.);
+    step_multiplier_.assign(n, 0.);
   }
 
 
@@ -120,7 +124,10 @@ namespace deltaform
     const auto   own   = tool_.allowed_penetration(time);
     const double delta = own ? *own : settings_.allowed_penetration(time);
     for (auto &state : trial_)
-      state.delta = delta;
+      {
+        state.delta      = delta;
+        state.multiplier = state.touching ? state.force : 0.;
+      }
 
     std::vector<double> factors;
     for (const auto &state : committed_)
@@ -151,8 +158,8 @@ namespace deltaform
     tool_force_                   = Tensor1();
     const double       travel_now = travel(q);
     const Tensor1      shift      = travel_now * tool_.direction();
-    const bool         multiplier = settings_.enforcement->has_multiplier();
-    const unsigned int n          = trial_.size();
+    const bool         own_unknown = settings_.enforcement->has_multiplier();
+    const unsigned int n           = trial_.size();
 
     if (tool_.force_driven())
       {
@@ -166,7 +173,7 @@ namespace deltaform
         PairState &  state    = trial_[i];
         const Point2 relative = node.x - shift;
         area_[i]              = node.area;
-        if (!(node.area > 0) || (!multiplier && certainly_clear(i, relative, node.offset)))
+        if (!(node.area > 0) || (!own_unknown && !(state.multiplier > 0) && certainly_clear(i, relative, node.offset)))
           {
             state.touching = false;
             state.force = state.tangential_force = 0.;
@@ -184,35 +191,89 @@ namespace deltaform
           gap = 0.;
         state.gap                   = gap;
         state.arc_length            = projection.arc_length;
-        if ((gap <= 0 || multiplier) && !(state.stiffness > 0))
+        if ((gap <= 0 || own_unknown || state.multiplier > 0) && !(state.stiffness > 0))
           touch(i, node, projection);
 
-        const double         own    = multiplier ? q[first_multiplier_ + i] : 0.;
-        const bool           soft   = softening_ < 1 && !committed_[i].touching;
-        NormalResponse       normal = std::isfinite(gap) ? settings_.enforcement->respond(state, gap, own) : NormalResponse();
-        if (soft)
+        if (own_unknown)
+          state.multiplier = q[first_multiplier_ + i];
+        NormalResponse normal;
+        if (std::isfinite(gap))
+          normal = settings_.enforcement->respond(state, gap, state.multiplier);
+        if (softening_ < 1 && !committed_[i].touching)
           {
-            normal.force *= multiplier ? 1. : softening_;
+            normal.force *= own_unknown ? 1. : softening_;
             normal.derivative *= softening_;
-            normal.compliance = multiplier ? 1. / (softening_ * state.stiffness) : 0.;
+            normal.compliance = own_unknown ? 1. / (softening_ * state.stiffness) : 0.;
           }
         FrictionResponse     friction;
         if (friction_ && normal.touching)
           {
             const PairState &before = committed_[i];
             const double     start  = before.touching ? before.arc_length : state.slip_start;
-            friction                = friction_->update(normal.force,
+            // The cone belongs to the estimate of lambda; what the iterate's force differs from it enters linearly.
+            const double lambda = std::max(state.multiplier, 0.);
+            friction            = friction_->update(lambda,
                                          before.touching ? before.tangential_force : 0.,
                                          tool_.shape().slip(start, projection.arc_length),
                                          state.epsilon_tangential);
+            friction.force += friction.force_rate * (normal.force - lambda);
           }
         state.touching         = normal.touching;
         state.force            = normal.force;
         state.tangential_force = friction.force;
         state.sticking         = friction.sticking;
-        if (normal.touching || multiplier)
-          add_pair(i, node, projection, normal, friction, own, target);
+        if (normal.touching)
+          {
+            description_[i] = node;
+            normal_[i]      = projection.normal;
+          }
+        if (normal.touching || own_unknown)
+          add_pair(i, node, projection, normal, friction, target);
       }
+  }
+
+
+
+  void
+  ContactPair::prepare_step(const Vector &d)
+  {
+    if (settings_.enforcement->has_multiplier())
+      return;
+    const Tensor1 tool_step = tool_.force_driven() ? d[travel_dof_] * tool_.direction() : Tensor1();
+    for (unsigned int i = 0; i < trial_.size(); ++i)
+      {
+        PairState &state   = trial_[i];
+        base_multiplier_[i] = state.multiplier;
+        step_multiplier_[i] = -state.multiplier;
+        if (!state.touching)
+          continue;
+        Tensor1 dx = -tool_step;
+        for (unsigned int k = 0; k < description_[i].n_dofs; ++k)
+          dx += d[description_[i].dofs[k]] * description_[i].jacobian[k];
+        const double epsilon = softening_ < 1 && !committed_[i].touching ? softening_ * state.epsilon : state.epsilon;
+        step_multiplier_[i] += -epsilon * (state.gap + normal_[i] * dx);
+      }
+  }
+
+
+
+  void
+  ContactPair::advance(const double factor)
+  {
+    if (!settings_.enforcement->has_multiplier())
+      for (unsigned int i = 0; i < trial_.size(); ++i)
+        trial_[i].multiplier = base_multiplier_[i] + factor * step_multiplier_[i];
+  }
+
+
+
+  bool
+  ContactPair::consistent() const
+  {
+    for (unsigned int i = 0; i < trial_.size(); ++i)
+      if (trial_[i].touching && trial_[i].force < -Enforcement::weight(trial_[i]) * tolerance(i))
+        return false;
+    return true;
   }
 
 
@@ -223,7 +284,6 @@ namespace deltaform
                         const Projection &      projection,
                         const NormalResponse &  normal,
                         const FrictionResponse &friction,
-                        const double            multiplier_value,
                         AssemblyTarget &        target)
   {
     constexpr unsigned int            most = ContactNode::max_dofs + 2;
@@ -245,8 +305,8 @@ namespace deltaform
         jacobian[n++] = -tool_.direction();
       }
     const unsigned int n_motion   = n;
-    const bool         multiplier = settings_.enforcement->has_multiplier();
-    if (multiplier)
+    const bool         own_unknown = settings_.enforcement->has_multiplier();
+    if (own_unknown)
       dofs[n++] = first_multiplier_ + i;
 
     const auto &  N = projection.normal, &tau = projection.tangent;
@@ -257,8 +317,9 @@ namespace deltaform
 
     for (unsigned int k = 0; k < n_motion; ++k)
       residual[k] = -(force * jacobian[k]);
-    if (multiplier)
-      residual[n_motion] = normal.tied ? -trial_[i].gap - normal.compliance * multiplier_value : multiplier_value;
+    const double lambda = trial_[i].multiplier;
+    if (own_unknown)
+      residual[n_motion] = normal.tied ? -trial_[i].gap - normal.compliance * lambda : lambda;
 
     if (!target.wants_tangent())
       {
@@ -271,7 +332,7 @@ namespace deltaform
     Tensor2      dF;
     for (unsigned int a = 0; a < 2; ++a)
       for (unsigned int b = 0; b < 2; ++b)
-        dF[a][b] = normal.derivative * N[a] * N[b] + normal.force * turning * tau[a] * tau[b] -
+        dF[a][b] = normal.derivative * N[a] * N[b] + std::max(lambda, 0.) * turning * tau[a] * tau[b] -
                    s * tau[a] * (friction.slip_rate * s * tau[b] + friction.force_rate * normal.derivative * N[b]) +
                    t * turning * s * (tau[a] * N[b] + N[a] * tau[b]);
     matrix.fill(0.);
@@ -282,7 +343,7 @@ namespace deltaform
         if (k < node.n_dofs)
           matrix[k * n + k] -= force * node.second[k];
       }
-    if (multiplier)
+    if (own_unknown)
       {
         const unsigned int m      = n_motion;
         const Tensor1      dforce = N - friction.force_rate * s * tau;

@@ -13,10 +13,10 @@ namespace deltaform
       {}
 
       NormalResponse
-      respond(const PairState &state, const double gap, const double) const override
+      respond(const PairState &state, const double gap, const double multiplier) const override
       {
         // gap = 0 counts as touching: a blank that just rests on a tool is held by it.
-        if (gap > 0)
+        if (multiplier > 0 ? multiplier < weight(state) * gap : gap > 0)
           return {};
         return {true, -state.epsilon * gap, -state.epsilon, false};
       }

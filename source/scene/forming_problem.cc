@@ -207,6 +207,32 @@ namespace deltaform
 
 
 
+  void
+  FormingProblem::prepare_step(const Vector &d)
+  {
+    for (auto *pair : active_pairs_)
+      pair->prepare_step(d);
+  }
+
+
+
+  void
+  FormingProblem::advance(const double factor)
+  {
+    for (auto *pair : active_pairs_)
+      pair->advance(factor);
+  }
+
+
+
+  bool
+  FormingProblem::consistent() const
+  {
+    return std::all_of(active_pairs_.begin(), active_pairs_.end(), [](const ContactPair *pair) { return pair->consistent(); });
+  }
+
+
+
   unsigned int
   FormingProblem::correct()
   {

@@ -97,7 +97,8 @@ namespace deltaform
             travelled = std::max(travelled, std::abs(q[i] - q_committed[i]) * scale_[i]);
           }
         const bool moved = last_step <= settings_.displacement_tolerance * travelled || last_step <= 1e-14;
-        if (pending == 0. && residual <= settings_.force_tolerance && (moved || residual <= 1e-3 * settings_.force_tolerance))
+        const bool fresh = iteration == 0 && result.rounds == 0; // forces of the extrapolated start
+        if (!fresh && pending == 0. && residual <= settings_.force_tolerance && problem_.consistent() && (moved || residual <= 1e-3 * settings_.force_tolerance))
           {
             if (problem_.correct() == 0)
               {
@@ -134,6 +135,7 @@ namespace deltaform
               }
           }
 
+        problem_.prepare_step(d);
         double factor = problem_.admissible_step(q, d);
         start         = q;
         double work_start = 0.;
@@ -144,6 +146,7 @@ namespace deltaform
         const auto go = [&](const double alpha) {
           for (unsigned int i = 0; i < n; ++i)
             q[i] = alpha == 1. && is_prescribed[i] ? prescribed[i] : start[i] + alpha * d[i];
+          problem_.advance(alpha);
           result.status = problem_.assemble(q, true);
         };
         const auto work_along_step = [&]() {

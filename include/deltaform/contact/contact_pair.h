@@ -93,6 +93,18 @@ namespace deltaform
     void
     assemble(const Vector &q, AssemblyTarget &target);
 
+    /// A Newton step @p d was computed from the last assembled state: what it makes of the forces.
+    void
+    prepare_step(const Vector &d);
+
+    /// The step is taken by this factor; the next assembly is at the new place.
+    void
+    advance(double factor);
+
+    /// Is no force tensile? Otherwise the state is not a solution, however small the residual.
+    bool
+    consistent() const;
+
     /**
      * After convergence: let the rule correct the factors. @return the number of pairs whose factor has changed.
      */
@@ -206,7 +218,6 @@ namespace deltaform
              const Projection &      projection,
              const NormalResponse &  normal,
              const FrictionResponse &friction,
-             double                  multiplier_value,
              AssemblyTarget &        target);
 
     const ContactSurface &       surface_;
@@ -229,6 +240,9 @@ namespace deltaform
     double                             median_factor_ = 0;
     double                             softening_     = 1; ///< share of the factor of first touches, see soften()
     double                             slip_limit_    = 0; ///< allowed elastic slip at the end of the increment
+    std::vector<ContactNode>           description_;     ///< of touching nodes at the last assembly
+    std::vector<Tensor1>               normal_;          ///< the same
+    std::vector<double>                base_multiplier_, step_multiplier_; ///< estimates of lambda along a Newton step
     std::vector<double>                factor_at_start_; ///< after the prediction, before corrections
     double                             energy_of_changes_ = 0; ///< of the corrections within this increment
     Tensor1                            tool_force_;

@@ -8,13 +8,19 @@ namespace deltaform
   struct NormalResponse
   {
     bool   touching   = false;
-    double force      = 0; ///< lambda >= 0
+    double force      = 0; ///< lambda; negative only between iterations
     double derivative = 0; ///< d lambda / d gap <= 0 (0 if the force is an unknown of its own)
     bool   tied       = false; ///< multiplier: gap + compliance lambda = 0 is demanded, else lambda = 0
     double compliance = 0; ///< not zero during the continuation of a first touch only
   };
 
-  /// How the constraint gap >= 0, lambda >= 0, gap lambda = 0 is imposed on one pair.
+  /**
+   * How the constraint gap >= 0, lambda >= 0, gap lambda = 0 is imposed on one pair.
+   *
+   * Whether a pair is in contact is decided by the sign of multiplier - c gap, c > 0, not by the gap alone (semi-smooth Newton,
+   * Hintermueller, Ito, Kunisch 2003): a pair whose reaction is compressive does not lose contact because a step along the
+   * tangent of a curved tool has opened the gap by more than delta. c only weighs the two; at the solution both agree.
+   */
   class Enforcement
   {
   public:
@@ -23,8 +29,15 @@ namespace deltaform
     /**
      * @param state      with epsilon and stiffness set
      * @param gap        current gap
-     * @param multiplier current value of the pair's own unknown, if it has one
+     * @param multiplier current estimate of lambda: of the last linear solve, or the pair's own unknown
      */
+    /// c of a pair: its share of the nodal stiffness.
+    static double
+    weight(const PairState &state)
+    {
+      return 1e-2 * state.stiffness;
+    }
+
     virtual NormalResponse
     respond(const PairState &state, double gap, double multiplier) const = 0;
 

@@ -10,7 +10,8 @@ namespace deltaform
     bool   touching          = false; ///< lambda may be positive
     bool   sticking          = false;
     double gap               = 0;     ///< signed: distance of the contact point minus the offset
-    double force             = 0;     ///< lambda >= 0
+    double force             = 0;     ///< lambda; not negative once converged
+    double multiplier        = 0;     ///< estimate of lambda by the last linear solve: decides about the status
     double epsilon           = 0;     ///< penalty factor; 0: not set yet
     double delta             = 0;     ///< allowed penetration
     double stiffness         = 0;     ///< K_nn of the blank when epsilon was set

@@ -47,6 +47,12 @@ namespace deltaform
     assemble(const Vector &q, bool tangent) override;
     double
     admissible_step(const Vector &q, const Vector &d) const override;
+    void
+    prepare_step(const Vector &d) override;
+    void
+    advance(double factor) override;
+    bool
+    consistent() const override;
     unsigned int
     correct() override;
     ///@}

@@ -23,6 +23,18 @@ namespace deltaform
     virtual double
     admissible_step(const Vector &q, const Vector &d) const = 0;
 
+    /// A step @p d was computed from the state that was assembled last.
+    virtual void
+    prepare_step(const Vector &d) = 0;
+
+    /// It is taken by @p factor; the assembly at the new place follows.
+    virtual void
+    advance(double factor) = 0;
+
+    /// Is the assembled state admissible as a solution if its residual is small enough?
+    virtual bool
+    consistent() const = 0;
+
     /// After convergence: @return how many parameters (penalty factors) were changed, so that the solve must go on.
     virtual unsigned int
     correct() = 0;
