@@ -156,6 +156,7 @@ namespace deltaform
   ContactPair::assemble(const Vector &q, AssemblyTarget &target)
   {
     tool_force_                   = Tensor1();
+    status_changed_               = false;
     const double       travel_now = travel(q);
     const Tensor1      shift      = travel_now * tool_.direction();
     const bool         own_unknown = settings_.enforcement->has_multiplier();
@@ -175,6 +176,7 @@ namespace deltaform
         area_[i]              = node.area;
         if (!(node.area > 0) || (!own_unknown && !(state.multiplier > 0) && certainly_clear(i, relative, node.offset)))
           {
+            status_changed_ |= state.touching;
             state.touching = false;
             state.force = state.tangential_force = 0.;
             state.gap                            = projected_gap_[i] - node.offset;
@@ -218,6 +220,7 @@ namespace deltaform
                                          state.epsilon_tangential);
             friction.force += friction.force_rate * (normal.force - lambda);
           }
+        status_changed_ |= state.touching != normal.touching;
         state.touching         = normal.touching;
         state.force            = normal.force;
         state.tangential_force = friction.force;

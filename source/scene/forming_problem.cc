@@ -226,6 +226,24 @@ namespace deltaform
 
 
   bool
+  FormingProblem::status_changed() const
+  {
+    return std::any_of(active_pairs_.begin(), active_pairs_.end(), [](const ContactPair *pair) { return pair->status_changed(); });
+  }
+
+
+
+  unsigned int
+  FormingProblem::patience() const
+  {
+    // Measured on the cup: penalty needs the line search on fine meshes (400 elements: 5698 iterations with patience 2, 10388
+    // with 6), the active set is best left alone (925 iterations; 2564 with patience 2).
+    return actors_.contact && actors_.contact->enforcement->has_multiplier() ? 1000 : 2;
+  }
+
+
+
+  bool
   FormingProblem::consistent() const
   {
     return std::all_of(active_pairs_.begin(), active_pairs_.end(), [](const ContactPair *pair) { return pair->consistent(); });

@@ -6,6 +6,8 @@
 
 namespace deltaform
 {
+
+
   NewtonSettings::NewtonSettings(Section &section)
     : max_iterations(section.integer("Maximal iterations", 20, 2, 1000, "Newton iterations between two corrections."))
     , max_rounds(section.integer("Maximal corrections", 20, 0, 1000, "Corrections of the penalty factors per increment."))
@@ -170,7 +172,8 @@ namespace deltaform
             return result;
           }
         double now = measure(is_prescribed, force_floor, result);
-        if (settings_.line_search && pending == 0. && now > residual)
+        if (settings_.line_search && pending == 0. && now > residual &&
+            (!problem_.status_changed() || iteration >= problem_.patience()))
           {
             // The energy falls as long as the work of the residual along the step is negative: look for its root.
             const bool   strict = iteration >= 3;

@@ -101,6 +101,13 @@ namespace deltaform
     void
     advance(double factor);
 
+    /// Did a node gain or lose contact in the last assembly?
+    bool
+    status_changed() const
+    {
+      return status_changed_;
+    }
+
     /// Is no force tensile? Otherwise the state is not a solution, however small the residual.
     bool
     consistent() const;
@@ -237,6 +244,7 @@ namespace deltaform
     std::vector<Point2>                projected_x_;     ///< the same at the last projection
     std::vector<double>                projected_gap_;   ///< distance then; -1: none known
     std::vector<unsigned int>          hint_;            ///< segment of the last projection
+    bool                               status_changed_ = false;
     double                             median_factor_ = 0;
     double                             softening_     = 1; ///< share of the factor of first touches, see soften()
     double                             slip_limit_    = 0; ///< allowed elastic slip at the end of the increment

@@ -52,6 +52,10 @@ namespace deltaform
     void
     advance(double factor) override;
     bool
+    status_changed() const override;
+    unsigned int
+    patience() const override;
+    bool
     consistent() const override;
     unsigned int
     correct() override;

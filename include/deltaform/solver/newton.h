@@ -31,6 +31,14 @@ namespace deltaform
     virtual void
     advance(double factor) = 0;
 
+    /// Did the last assembly belong to another set of active constraints than the one before? Their residuals do not compare.
+    virtual bool
+    status_changed() const = 0;
+
+    /// For how many iterations a residual may grow with a changed set before the line search is used all the same.
+    virtual unsigned int
+    patience() const = 0;
+
     /// Is the assembled state admissible as a solution if its residual is small enough?
     virtual bool
     consistent() const = 0;

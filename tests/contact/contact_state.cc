@@ -1,0 +1,369 @@
+// The state of a contact pair from increment to increment: rollback, promise, corrections, energies, results.
+#include "fake_surface.h"
+
+using namespace deltaform;
+using namespace deltaform::testing;
+
+namespace
+{
+  constexpr double stiffness = 1e3;
+
+  bool
+  same(const PairState &a, const PairState &b)
+  {
+    return a.touching == b.touching && a.sticking == b.sticking && a.gap == b.gap && a.force == b.force &&
+           a.epsilon == b.epsilon && a.stiffness == b.stiffness && a.arc_length == b.arc_length &&
+           a.tangential_force == b.tangential_force && a.epsilon_tangential == b.epsilon_tangential && a.slip == b.slip;
+  }
+
+  /// Nodes side by side above a plate whose face is at z = 0.
+  FakeSurface
+  row(const unsigned int n)
+  {
+    FakeSurface surface(n);
+    for (unsigned int i = 0; i < n; ++i)
+      surface.X[i] = Point2(.2 * i, 0.);
+    return surface;
+  }
+
+  /// All nodes at a height, moved sideways.
+  Vector
+  place(const PairFixture &fixture, const double x, const double z)
+  {
+    Vector q(fixture.n);
+    for (unsigned int i = 0; i < fixture.pair.n_nodes(); ++i)
+      {
+        q[2 * i]     = x;
+        q[2 * i + 1] = z;
+      }
+    return q;
+  }
+
+  const Entries constant{"Enforcement=penalty", "Penalty rule=constant", "Penalty factor=50", "Continuation=false"};
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(contact_state)
+
+BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
+{
+  const FakeSurface surface = row(3);
+  PairFixture       fixture(surface, {"Enforcement=penalty"}, flat + Entries{"Friction coefficient=.2"});
+  fixture.pair.begin_stage(place(fixture, 0., .1), 0.);
+  fixture.begin_increment(place(fixture, 0., .1), 1., stiffness);
+  const Vector q = place(fixture, .01, -.01);
+  fixture.settle(q);
+  fixture.pair.commit(q);
+  const auto committed = fixture.pair.committed();
+  const auto energy    = fixture.pair.energy();
+  BOOST_TEST(fixture.pair.n_touching() == 3u);
+
+  fixture.begin_increment(q, 2., stiffness);
+  fixture.settle(place(fixture, .3, -.5));
+  fixture.pair.correct_factors();
+  fixture.settle(place(fixture, .3, .5));
+  for (unsigned int i = 0; i < 3; ++i)
+    BOOST_TEST(same(fixture.pair.committed()[i], committed[i]));
+  fixture.pair.begin_increment(1.5);
+  for (unsigned int i = 0; i < 3; ++i)
+    BOOST_TEST(same(fixture.pair.trial()[i], committed[i]));
+  BOOST_TEST(fixture.pair.energy().epsilon == energy.epsilon);
+  BOOST_TEST(fixture.pair.energy().friction == energy.friction);
+}
+
+BOOST_AUTO_TEST_CASE(what_happened_before_does_not_matter)
+{
+  // Warm starts and the skipping of distant nodes change no force: random walks against fresh pairs.
+  const Entries hemisphere{"Shape=hemispherical punch", "Radius=1", "Side=top", "Position z=0", "Motion=t"};
+  FakeSurface   surface(4, 0., .05);
+  for (unsigned int i = 0; i < 4; ++i)
+    surface.X[i] = Point2(.1 + .25 * i, 0.);
+  PairFixture                            walker(surface, constant, hemisphere);
+  std::mt19937                           generator(1);
+  std::uniform_real_distribution<double> uniform(-1., 1.);
+  Vector                                 q(walker.n);
+  walker.pair.begin_stage(q, 0.);
+  walker.begin_increment(q, .3, stiffness);
+  unsigned int touching = 0;
+  for (unsigned int k = 0; k < 500; ++k)
+    {
+      for (auto &value : q)
+        value = .9 * value + (k % 20 == 0 ? .5 : .03) * uniform(generator);
+      PairFixture fresh(surface, constant, hemisphere);
+      fresh.pair.begin_stage(q, 0.);
+      fresh.begin_increment(q, .3, stiffness);
+      const auto a = walker.assemble(q), b = fresh.assemble(q);
+      BOOST_TEST((a.residual - b.residual).norm() <= 1e-12);
+      touching += fresh.pair.n_touching();
+    }
+  BOOST_TEST((touching > 100u && touching < 1900u));
+}
+
+BOOST_AUTO_TEST_CASE(the_promise)
+{
+  const FakeSurface surface = row(3);
+  PairFixture       fixture(surface,
+                      {"Enforcement=penalty", "Penalty rule=adaptive", "Allowed penetration=1e-3", "Aim=.8", "Largest change=10"},
+                      flat);
+  const double      delta = 1e-3;
+  Vector            q     = place(fixture, 0., 0.);
+  fixture.pair.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., stiffness);
+  const auto push = [&](const double p0, const double p1, const double p2) {
+    q[1] = -p0;
+    q[3] = -p1;
+    q[5] = -p2;
+    fixture.settle(q);
+  };
+  push(.5 * delta, 2. * delta, 100. * delta);
+  std::vector<double> before;
+  for (const auto &state : fixture.pair.trial())
+    before.push_back(state.epsilon);
+  BOOST_TEST(fixture.pair.broken_promise().first == 2u);
+  BOOST_TEST(fixture.pair.correct_factors() == 2u);
+  BOOST_TEST(fixture.pair.trial()[0].epsilon == before[0]);
+  BOOST_TEST(std::abs(fixture.pair.trial()[1].epsilon / before[1] - 2.5) < 1e-12); // p / (.8 delta)
+  BOOST_TEST(std::abs(fixture.pair.trial()[2].epsilon / before[2] - 10.) < 1e-12);
+
+  // At delta and a trace above: kept. Clearly above: broken.
+  push(delta, delta * (1. + .9e-6), .3 * delta);
+  BOOST_TEST(fixture.pair.broken_promise().first == invalid_index);
+  BOOST_TEST(fixture.pair.correct_factors() == 0u);
+  push(delta * (1. + 1.1e-6), .1 * delta, -delta);
+  BOOST_TEST(fixture.pair.broken_promise().first == 0u);
+  BOOST_TEST(fixture.pair.correct_factors() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(round_off_breaks_no_promise)
+{
+  // delta = 1e-14 at coordinates of size 1: what the coordinates cannot resolve is not counted.
+  const FakeSurface surface = row(1);
+  PairFixture       fixture(surface, {"Enforcement=penalty", "Allowed penetration=1e-14"}, flat);
+  Vector            q = place(fixture, 1., 0.);
+  fixture.pair.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., stiffness);
+  fixture.settle(place(fixture, 1., -1.1e-14));
+  BOOST_TEST(fixture.pair.broken_promise().first == invalid_index);
+  fixture.settle(place(fixture, 1., -1.4e-14));
+  BOOST_TEST(fixture.pair.broken_promise().first == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(the_next_factor_comes_from_the_reaction)
+{
+  const FakeSurface surface = row(2);
+  PairFixture       fixture(surface, {"Enforcement=penalty", "Penalty rule=adaptive", "Allowed penetration=1e-3"}, flat);
+  Vector            q = place(fixture, 0., 0.);
+  fixture.pair.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., stiffness);
+  q = place(fixture, 0., -5e-4);
+  fixture.settle(q);
+  BOOST_TEST(std::abs(fixture.pair.trial()[0].epsilon - .01 * stiffness) < 1e-12); // the floor
+  fixture.pair.commit(q);
+  BOOST_TEST(fixture.pair.governed_by_floor(0));
+  const double force = fixture.pair.committed()[0].force;
+  fixture.begin_increment(q, 2., 10.); // a softer blank: the floor is far below
+  BOOST_TEST(std::abs(fixture.pair.trial()[0].epsilon - force / .8e-3) < 1e-12);
+  fixture.settle(q);
+  fixture.pair.commit(q);
+  BOOST_TEST(!fixture.pair.governed_by_floor(0));
+  // A node that lets go forgets its factor; one that comes takes the larger of its
+  // neighbour's and the tool's median.
+  fixture.begin_increment(q, 3., 10.);
+  q[1] = .1;
+  fixture.settle(q);
+  fixture.pair.commit(q);
+  BOOST_TEST(fixture.pair.committed()[0].epsilon == 0.);
+  fixture.begin_increment(q, 4., 10.);
+  q[1] = -1e-4;
+  fixture.assemble(q);
+  BOOST_TEST(fixture.pair.trial()[0].epsilon ==
+             std::max(fixture.pair.trial()[1].epsilon, fixture.pair.committed()[1].epsilon));
+}
+
+BOOST_AUTO_TEST_CASE(the_estimate_of_the_force)
+{
+  // On a plane the linear solve knows the force after the step; a part of the step leads to a part of the change.
+  const FakeSurface surface = row(2);
+  PairFixture       fixture(surface, constant, flat + Entries{"Force=1"});
+  Vector            q = place(fixture, 0., -.02), d(fixture.n);
+  fixture.pair.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., stiffness);
+  fixture.settle(q);
+  BOOST_TEST(std::abs(fixture.pair.trial()[0].multiplier - 1.) < 1e-13);
+  d[1]             = -.03;
+  d[3]             = .05;
+  d[fixture.n - 1] = .01; // the tool comes up
+  fixture.pair.prepare_step(d);
+  fixture.pair.advance(.5);
+  BOOST_TEST(std::abs(fixture.pair.trial()[0].multiplier - (1. + .5 * 50. * .04)) < 1e-12);
+  fixture.pair.advance(1.);
+  q += d;
+  fixture.assemble(q);
+  BOOST_TEST(std::abs(fixture.pair.trial()[0].multiplier - fixture.pair.trial()[0].force) < 1e-12);
+  // The second node is pulled off: tension is no contact.
+  BOOST_TEST(!fixture.pair.trial()[1].touching);
+  BOOST_TEST(fixture.pair.consistent());
+}
+
+BOOST_AUTO_TEST_CASE(tension_is_no_solution)
+{
+  // The estimate says compression, but the node is above the tool: iterate with a tensile force, not a solution.
+  const FakeSurface surface = row(1);
+  PairFixture       fixture(surface, constant, flat);
+  Vector            q = place(fixture, 0., -.02);
+  fixture.pair.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., stiffness);
+  fixture.settle(q);
+  fixture.assemble(place(fixture, 0., .01));
+  BOOST_TEST(fixture.pair.trial()[0].touching);
+  BOOST_TEST(fixture.pair.trial()[0].force < 0.);
+  BOOST_TEST(!fixture.pair.consistent());
+}
+
+BOOST_AUTO_TEST_CASE(continuation_of_a_first_touch)
+{
+  const FakeSurface surface = row(1);
+  PairFixture       fixture(surface, constant, flat);
+  const Vector      q = place(fixture, 0., -.02);
+  fixture.pair.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., stiffness);
+  fixture.pair.soften(1e-3);
+  unsigned int rounds = 0;
+  double       last   = 0.;
+  do
+    {
+      fixture.settle(q);
+      BOOST_TEST(fixture.pair.trial()[0].force > 5. * last);
+      last = fixture.pair.trial()[0].force;
+    }
+  while (fixture.pair.correct_factors() > 0 && ++rounds < 20);
+  BOOST_TEST(std::abs(last - 50. * .02) < 1e-13);
+  BOOST_TEST((rounds > 1u && rounds < 10u));
+}
+
+BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
+{
+  // Down, along, back and up again on a plane: the trapezoidal work of the forces is what the energies say, to the last
+  // digit, because everything is linear between the states. Factors change at the starts of increments and in corrections,
+  // at fixed positions: the normal force of the way in between is the one with the factor of the start.
+  const FakeSurface surface = row(2);
+  PairFixture       fixture(surface,
+                      {"Enforcement=penalty", "Allowed penetration=1e-3 + if(t > 5, 2e-3, 0)", "Allowed elastic slip=1e-3"},
+                      flat + Entries{"Friction coefficient=.2"});
+  Vector            q = place(fixture, 0., 0.);
+  fixture.pair.begin_stage(q, 0.);
+  Eigen::VectorXd committed = Eigen::VectorXd::Zero(fixture.n);
+  double          work = 0.;
+  unsigned int    k = 0, corrected = 0, sliding = 0;
+  const auto      go = [&](const double x, const double z) {
+    const Vector next = place(fixture, x, z);
+    fixture.begin_increment(q, ++k, stiffness);
+    const auto start = fixture.settle(q).residual, end = fixture.settle(next).residual;
+    for (unsigned int round = 0; round < 3 && fixture.pair.correct_factors() > 0; ++round)
+      {
+        fixture.settle(next);
+        ++corrected;
+      }
+    const auto now = fixture.settle(next).residual;
+    for (unsigned int i = 0; i < fixture.n; ++i)
+      work += .5 * (i % 2 == 0 ? now[i] + committed[i] : start[i] + end[i]) * (next[i] - q[i]);
+    committed = now;
+    q         = next;
+    fixture.pair.commit(q);
+    sliding += fixture.pair.committed()[0].touching && !fixture.pair.committed()[0].sticking;
+    const auto energy = fixture.pair.energy();
+    // The work done on the nodes, and by changing the factors, is in the springs or lost.
+    BOOST_TEST(std::abs(work + energy.epsilon - energy.stored - energy.friction) < 1e-13);
+  };
+  for (unsigned int i = 1; i <= 5; ++i)
+    go(0., -5e-4 * i);
+  for (unsigned int i = 1; i <= 20; ++i)
+    go(1e-3 * i, -2.5e-3);
+  for (unsigned int i = 1; i <= 20; ++i)
+    go(.02 - 2e-3 * i, -2.4e-3);
+  for (unsigned int i = 1; i <= 4; ++i)
+    go(-.02, -2.4e-3 + 5e-4 * i);
+  go(-.02, 0.);
+  go(-.02, .1);
+  BOOST_TEST(corrected > 0u);
+  BOOST_TEST(sliding > 10u);
+  const auto energy = fixture.pair.energy();
+  BOOST_TEST_MESSAGE("work " << work << ", friction " << energy.friction << ", factors " << energy.epsilon);
+  BOOST_TEST(energy.stored == 0.);
+  BOOST_TEST(energy.friction > 0.);
+  BOOST_TEST(energy.epsilon != 0.);
+}
+
+BOOST_AUTO_TEST_CASE(sticking_creeps_less_than_allowed)
+{
+  const FakeSurface surface = row(1);
+  PairFixture       fixture(surface, constant + Entries{"Allowed elastic slip=1e-4"}, flat + Entries{"Friction coefficient=.2"});
+  Vector            q = place(fixture, 0., -.1); // lambda = 5, limit 1
+  fixture.pair.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., stiffness);
+  fixture.settle(q);
+  fixture.pair.commit(q);
+  fixture.begin_increment(q, 2., stiffness);
+  BOOST_TEST(std::abs(fixture.pair.trial()[0].epsilon_tangential - 1. / 1e-4) < 1e-8);
+  fixture.settle(place(fixture, .99e-4, -.1));
+  BOOST_TEST(fixture.pair.trial()[0].sticking);
+  BOOST_TEST(fixture.pair.correct_factors() == 0u);
+  // With more normal force it would stick and creep further: the factor is raised.
+  fixture.settle(place(fixture, 3e-4, -.4));
+  BOOST_TEST(fixture.pair.trial()[0].sticking);
+  const double before = fixture.pair.trial()[0].epsilon_tangential;
+  BOOST_TEST(fixture.pair.correct_factors() == 1u);
+  BOOST_TEST(std::abs(fixture.pair.trial()[0].epsilon_tangential / before - 3. / .8) < 1e-8);
+}
+
+BOOST_AUTO_TEST_CASE(a_thicker_blank_pushes)
+{
+  FakeSurface surface(1, 0., .05);
+  PairFixture fixture(surface, constant, flat);
+  const Vector q = place(fixture, 0., .04);
+  fixture.pair.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., stiffness);
+  fixture.settle(q);
+  fixture.pair.commit(q);
+  surface.offset += 1e-4;
+  fixture.pair.refresh(q);
+  BOOST_TEST(std::abs(fixture.pair.energy().thickness - 50. * .01 * 1e-4) < 1e-15);
+  BOOST_TEST(std::abs(fixture.pair.committed()[0].force - .5) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(results_of_a_pair)
+{
+  // Two nodes on a circle and the chord between them, which cuts it by the sagitta.
+  FakeSurface surface(2);
+  surface.area    = 4.;
+  const double a  = .2;
+  const double p  = 1e-3;
+  surface.X       = {(1. - p) * Point2(std::sin(-a), std::cos(a)), (1. - p) * Point2(std::sin(a), std::cos(a))};
+  PairFixture  fixture(surface, constant, {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"});
+  const Vector q(fixture.n);
+  BOOST_TEST(std::abs(fixture.pair.deepest_at_start().second + p) < 1e-14);
+  fixture.pair.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., stiffness);
+  fixture.settle(q);
+  fixture.pair.commit(q);
+  BOOST_TEST(std::abs(fixture.pair.penetration_between_nodes(q) - (1. - (1. - p) * std::cos(a))) < 1e-9);
+  for (const double pressure : fixture.pair.pressure(q))
+    BOOST_TEST(std::abs(pressure - 50. * p / 4.) < 1e-13);
+  fixture.pair.clear();
+  BOOST_TEST(fixture.pair.n_touching() == 0u);
+  BOOST_TEST(fixture.pair.energy().stored == 0.);
+  for (const double pressure : fixture.pair.pressure(q))
+    BOOST_TEST(pressure == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(nodes_without_area_have_no_pair)
+{
+  FakeSurface surface = row(1);
+  surface.area        = 0.;
+  PairFixture fixture(surface, constant, flat);
+  fixture.pair.begin_stage(Vector(fixture.n), 0.);
+  fixture.begin_increment(Vector(fixture.n), 1., stiffness);
+  BOOST_TEST(fixture.settle(place(fixture, 0., -.1)).residual.norm() == 0.);
+  BOOST_TEST(fixture.pair.n_touching() == 0u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
