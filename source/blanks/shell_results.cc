@@ -153,9 +153,26 @@ namespace deltaform
   void
   Shell::set_contact_pressure(const Side side, const std::vector<double> &pressure)
   {
-    contact_pressure_[static_cast<unsigned int>(side)] = pressure;
     if (!transverse_normal_stress_)
       return;
+    // The mean stress across the thickness does not follow a pressure that varies over less than a thickness: average it over
+    // that length. On meshes coarser than the thickness this changes nothing; on finer ones the force of a single node is
+    // otherwise taken for a pressure far above the flow stress.
+    auto &       mean   = contact_pressure_[static_cast<unsigned int>(side)];
+    const auto & arc    = mesh_.arc_length();
+    const double window = .5 * thickness_ * (1 + 1e-9);
+    for (unsigned int i = 0, first = 0; i < mean.size(); ++i)
+      {
+        while (arc[i] - arc[first] > window)
+          ++first;
+        double force = 0., area = 0.;
+        for (unsigned int j = first; j < mean.size() && arc[j] - arc[i] <= window; ++j)
+          {
+            force += pressure[j] * node_area_[j];
+            area += node_area_[j];
+          }
+        mean[i] = area > 0 ? force / area : 0.;
+      }
     for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
       for (unsigned int p = 0; p < n_points_per_cell_; ++p)
         {

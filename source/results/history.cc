@@ -1,79 +1,99 @@
+#include "history_file.h"
+
 #include <deltaform/results/history.h>
 
 namespace deltaform
 {
+  namespace
+  {
+    /// A number of the row: what it is called, its dimension, and where it is found.
+    struct Number
+    {
+      const char *name;
+      const char *dimension;
+      double (*value)(const HistoryRow &row);
+    };
+
+    template <auto member>
+    double get(const HistoryRow &row)
+    {
+      return static_cast<double>(row.*member);
+    }
+
+    using Row = HistoryRow;
+
+    // The order of the columns after increment, stage, time and the tools.
+    const std::vector<Number> costs_and_contact = {
+      {"newton_iterations", "1", get<&Row::newton_iterations>},
+      {"penalty_rounds", "1", get<&Row::penalty_rounds>},
+      {"cutbacks", "1", get<&Row::cutbacks>},
+      {"max_penetration", "length", get<&Row::max_penetration>},
+      {"max_penetration_over_delta", "1", get<&Row::max_penetration_over_delta>},
+      {"max_penetration_between_nodes", "length", get<&Row::max_penetration_between_nodes>},
+      {"min_epsilon", "force/length", get<&Row::min_epsilon>},
+      {"max_epsilon", "force/length", get<&Row::max_epsilon>},
+      {"floor_share", "1", get<&Row::floor_share>},
+      {"contact_pairs", "1", get<&Row::contact_pairs>},
+      {"min_thickness", "length", get<&Row::min_thickness>}};
+
+    const std::vector<Number> conditions = {{"condition_raw", "1", get<&Row::condition_raw>},
+                                            {"condition_scaled", "1", get<&Row::condition_scaled>}};
+
+    const std::vector<Number> energies = {{"tool_work", "force*length", get<&Row::tool_work>},
+                                          {"elastic_energy", "force*length", get<&Row::elastic_energy>},
+                                          {"plastic_energy", "force*length", get<&Row::plastic_energy>},
+                                          {"friction_energy", "force*length", get<&Row::friction_energy>},
+                                          {"contact_energy", "force*length", get<&Row::contact_energy>},
+                                          {"epsilon_work", "force*length", get<&Row::epsilon_work>},
+                                          {"thickness_work", "force*length", get<&Row::thickness_work>},
+                                          {"load_work", "force*length", get<&Row::load_work>},
+                                          {"energy_error", "1", get<&Row::energy_error>}};
+
+    template <typename Action>
+    void for_each_number(const bool condition, const Action &action)
+    {
+      for (const auto *group : {&costs_and_contact, &conditions, &energies})
+        if (group != &conditions || condition)
+          for (const Number &number : *group)
+            action(number);
+    }
+  } // namespace
+
   std::vector<CsvWriter::Column>
-  History::columns(const std::vector<std::string> &tools, const Units &units)
+  History::columns(const std::vector<std::string> &tools, const Units &units, const bool condition)
   {
     std::vector<CsvWriter::Column> result{{"increment", "1"}, {"stage", "1"}, {"time", "time"}};
     for (const auto &tool : tools)
-      {
-        result.push_back({tool + "_travel", units.of("length")});
-        result.push_back({tool + "_force_z", units.of("force")});
-        result.push_back({tool + "_force_r", units.of("force")});
-      }
-    for (const auto &[name, dimension] : std::vector<std::pair<std::string, std::string>>{{"newton_iterations", "1"},
-                                                                                          {"penalty_rounds", "1"},
-                                                                                          {"cutbacks", "1"},
-                                                                                          {"max_penetration", "length"},
-                                                                                          {"max_penetration_over_delta", "1"},
-                                                                                          {"max_penetration_between_nodes", "length"},
-                                                                                          {"min_epsilon", "force/length"},
-                                                                                          {"max_epsilon", "force/length"},
-                                                                                          {"floor_share", "1"},
-                                                                                          {"contact_pairs", "1"},
-                                                                                          {"min_thickness", "length"},
-                                                                                          {"tool_work", "force*length"},
-                                                                                          {"load_work", "force*length"},
-                                                                                          {"elastic_energy", "force*length"},
-                                                                                          {"plastic_energy", "force*length"},
-                                                                                          {"friction_energy", "force*length"},
-                                                                                          {"contact_energy", "force*length"},
-                                                                                          {"epsilon_work", "force*length"},
-                                                                                          {"thickness_work", "force*length"},
-                                                                                          {"energy_error", "1"}})
-      result.push_back({name, units.of(dimension)});
+    {
+      result.push_back({tool + "_travel", units.of("length")});
+      result.push_back({tool + "_force_z", units.of("force")});
+      result.push_back({tool + "_force_r", units.of("force")});
+    }
+    for_each_number(condition,
+                    [&](const Number &number) {
+                      result.push_back({number.name, units.of(number.dimension)});
+                    });
     return result;
   }
 
-
-
-  History::History(const std::string &             path,
+  History::History(const std::string &path,
                    const std::vector<std::string> &comments,
                    const std::vector<std::string> &tools,
-                   const Units &                   units)
-    : file_(path, comments, columns(tools, units))
-  {}
+                   const Units &units,
+                   const HistoryOptions &options)
+    : condition_(options.condition),
+      file_(options.resume_after
+              ? reopen_history(path, comments, columns(tools, units, options.condition), *options.resume_after)
+              : CsvWriter(path, comments, columns(tools, units, options.condition)))
+  {
+  }
 
-
-
-  void
-  History::append(const HistoryRow &row)
+  void History::append(const HistoryRow &row)
   {
     std::vector<CsvWriter::Cell> cells{static_cast<double>(row.increment), row.stage, row.time};
     for (const auto &tool : row.tools)
       cells.insert(cells.end(), {tool.travel, tool.force_z, tool.force_r});
-    for (const double value : {static_cast<double>(row.newton_iterations),
-                               static_cast<double>(row.penalty_rounds),
-                               static_cast<double>(row.cutbacks),
-                               row.max_penetration,
-                               row.max_penetration_over_delta,
-                               row.max_penetration_between_nodes,
-                               row.min_epsilon,
-                               row.max_epsilon,
-                               row.floor_share,
-                               static_cast<double>(row.contact_pairs),
-                               row.min_thickness,
-                               row.tool_work,
-                               row.load_work,
-                               row.elastic_energy,
-                               row.plastic_energy,
-                               row.friction_energy,
-                               row.contact_energy,
-                               row.epsilon_work,
-                               row.thickness_work,
-                               row.energy_error})
-      cells.emplace_back(value);
+    for_each_number(condition_, [&](const Number &number) { cells.emplace_back(number.value(row)); });
     file_.row_of_cells(cells);
   }
 } // namespace deltaform

@@ -1,27 +1,72 @@
+#include <deltaform/base/scene_error.h>
 #include <deltaform/results/table_file.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 namespace deltaform
 {
-  std::string
-  table_name(const std::string &stem, const double travel)
+  namespace
+  {
+    /// The file gets its name when it is complete.
+    template <typename WriteRows>
+    void write_whole(const std::string &path,
+                     const std::vector<std::string> &comments,
+                     std::vector<CsvWriter::Column> columns,
+                     const Units &units,
+                     const WriteRows &write_rows)
+    {
+      for (auto &column : columns)
+        column.unit = units.of(column.unit);
+      const std::string draft = path + ".part";
+      {
+        CsvWriter file(draft, comments, columns);
+        write_rows(file);
+      }
+      if (std::rename(draft.c_str(), path.c_str()) != 0)
+        throw SceneError("Cannot write '" + path + "': " + std::strerror(errno) + ".");
+    }
+  } // namespace
+
+  std::string table_name(const std::string &stem, const double travel)
   {
     char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%g", travel);
+    std::snprintf(buffer, sizeof buffer, "%g", travel + 0.); // + 0. turns -0 into 0
     return stem + "_" + buffer + ".csv";
   }
-
-
 
   void
   write_table(const std::string &path, const std::vector<std::string> &comments, const Table &table, const Units &units)
   {
     std::vector<CsvWriter::Column> columns;
-    for (unsigned int i = 0; i < table.names.size(); ++i)
-      columns.push_back({table.names[i], units.of(table.units[i])});
-    CsvWriter file(path, comments, columns);
-    for (const auto &row : table.rows)
-      file.row(row);
+    for (std::size_t i = 0; i < table.names.size(); ++i)
+      columns.push_back({table.names[i], table.units[i]});
+    write_whole(path,
+                comments,
+                std::move(columns),
+                units,
+                [&table](CsvWriter &file)
+                {
+                  for (const auto &row : table.rows)
+                    file.row(row);
+                });
+  }
+
+  void write_table(const std::string &path,
+                   const std::vector<std::string> &comments,
+                   const std::vector<CsvWriter::Column> &columns,
+                   const std::vector<std::vector<CsvWriter::Cell>> &rows,
+                   const Units &units)
+  {
+    write_whole(path,
+                comments,
+                columns,
+                units,
+                [&rows](CsvWriter &file)
+                {
+                  for (const auto &row : rows)
+                    file.row_of_cells(row);
+                });
   }
 } // namespace deltaform

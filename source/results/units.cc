@@ -1,34 +1,38 @@
 #include <deltaform/base/text.h>
 #include <deltaform/results/units.h>
 
-#include <utility>
+#include <cctype>
 
 namespace deltaform
 {
-  Units::Units(const std::string &label)
-    : label_(label)
+  Units::Units(const std::string &label) : label_(label)
   {
     const auto pieces = text::split(label, ',');
-    if (pieces.size() == 3)
-      {
-        length_ = pieces[0];
-        force_  = pieces[1];
-        stress_ = pieces[2];
-      }
+    if (pieces.size() != 3)
+      return;
+    length_ = pieces[0];
+    force_  = pieces[1];
+    stress_ = pieces[2];
   }
 
-
-
-  std::string
-  Units::of(const std::string &dimension) const
+  std::string Units::of(const std::string &dimension) const
   {
-    std::string result = dimension;
-    for (const auto &[name, unit] : {std::pair<std::string, std::string>("length", length_), {"force", force_}, {"stress", stress_}})
+    // Word by word, so that a label which contains another dimension's name is left alone.
+    std::string result, word;
+    const auto finish_word = [&]()
+    {
+      result += word == "length" ? length_ : word == "force" ? force_ : word == "stress" ? stress_ : word;
+      word.clear();
+    };
+    for (const char c : dimension)
+      if (std::isalnum(static_cast<unsigned char>(c)) || c == '_')
+        word += c;
+      else
       {
-        const auto place = result.find(name);
-        if (place != std::string::npos)
-          result.replace(place, name.size(), unit);
+        finish_word();
+        result += c;
       }
+    finish_word();
     return result;
   }
 } // namespace deltaform

@@ -3,13 +3,14 @@
 #include <deltaform/base/csv_writer.h>
 #include <deltaform/results/units.h>
 
-#include <memory>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace deltaform
 {
-  /// One row of history.csv.
+  /// One row of history.csv. Works and energies are those since the start of the run.
   struct HistoryRow
   {
     struct ToolState
@@ -17,17 +18,33 @@ namespace deltaform
       double travel = 0, force_z = 0, force_r = 0; ///< force of the blank on the tool
     };
 
-    unsigned int           increment = 0;
-    std::string            stage;
-    double                 time = 0;
+    unsigned int increment = 0;
+    std::string stage;
+    double time = 0;
     std::vector<ToolState> tools;
-    unsigned int           newton_iterations = 0, penalty_rounds = 0, cutbacks = 0;
-    double                 max_penetration = 0, max_penetration_over_delta = 0, max_penetration_between_nodes = 0;
-    double                 min_epsilon = 0, max_epsilon = 0, floor_share = 0;
-    unsigned int           contact_pairs = 0;
-    double                 min_thickness = 0;
-    double                 tool_work = 0, load_work = 0, elastic_energy = 0, plastic_energy = 0, friction_energy = 0;
-    double                 contact_energy = 0, epsilon_work = 0, thickness_work = 0, energy_error = 0;
+    unsigned int newton_iterations = 0, penalty_rounds = 0, cutbacks = 0;
+    double max_penetration = 0, max_penetration_over_delta = 0, max_penetration_between_nodes = 0;
+    double min_epsilon = 0, max_epsilon = 0;
+    double floor_share         = 0; ///< of the touching pairs, those whose penalty factor is at its floor
+    unsigned int contact_pairs = 0;
+    double min_thickness       = 0;
+    /// Condition numbers of the tangent as it is and scaled by its diagonal; NaN where unknown.
+    double condition_raw    = std::numeric_limits<double>::quiet_NaN();
+    double condition_scaled = std::numeric_limits<double>::quiet_NaN();
+    double tool_work        = 0;
+    double elastic_energy = 0, plastic_energy = 0, friction_energy = 0;
+    double contact_energy = 0; ///< stored now in the penalty springs
+    double epsilon_work   = 0; ///< done by changing penalty factors at fixed penetration
+    double thickness_work = 0; ///< done by updating the thickness between increments
+    double load_work      = 0; ///< of other loads and of supports
+    double energy_error   = 0; ///< works minus energies, over the largest of them
+  };
+
+  /// How a history is begun.
+  struct HistoryOptions
+  {
+    bool condition = false;                   ///< with the columns condition_raw and condition_scaled
+    std::optional<unsigned int> resume_after; ///< go on with the file on disk, without what follows this increment
   };
 
   /// The file history.csv: one row per increment, on disk as soon as it is known. Columns are part of the interface.
@@ -35,21 +52,26 @@ namespace deltaform
   {
   public:
     /**
-     * @param path         of the file
-     * @param comments     lines for its head
-     * @param tools        names in the order of HistoryRow::tools
-     * @param units        labels
+     * @param path     of the file
+     * @param comments lines for its head, without "#"
+     * @param tools    names in the order of HistoryRow::tools
+     * @param units    labels
+     * @throws SceneError if the file cannot be written, or if the one to go on with has other columns
      */
-    History(const std::string &path, const std::vector<std::string> &comments, const std::vector<std::string> &tools, const Units &units);
+    History(const std::string &path,
+            const std::vector<std::string> &comments,
+            const std::vector<std::string> &tools,
+            const Units &units,
+            const HistoryOptions &options = HistoryOptions());
 
-    void
-    append(const HistoryRow &row);
+    void append(const HistoryRow &row);
 
-    /// Names of the columns for these tools, with their dimensions.
+    /// Names of the columns for these tools, with the labels of their units.
     static std::vector<CsvWriter::Column>
-    columns(const std::vector<std::string> &tools, const Units &units);
+    columns(const std::vector<std::string> &tools, const Units &units, bool condition = false);
 
   private:
+    bool condition_;
     CsvWriter file_;
   };
 } // namespace deltaform

@@ -10,10 +10,18 @@
 namespace deltaform
 {
   /// "profile_0.6.csv": @p stem, the travel with at most six digits, and the ending.
-  std::string
-  table_name(const std::string &stem, double travel);
+  std::string table_name(const std::string &stem, double travel);
 
-  /// Write a table of numbers. @throws SceneError
-  void
-  write_table(const std::string &path, const std::vector<std::string> &comments, const Table &table, const Units &units);
+  /// Write a table of numbers, whole or not at all. @throws SceneError
+  void write_table(const std::string &path,
+                   const std::vector<std::string> &comments,
+                   const Table &table,
+                   const Units &units);
+
+  /// The same for rows that also contain words, one cell per column; the columns' units are dimensions, too.
+  void write_table(const std::string &path,
+                   const std::vector<std::string> &comments,
+                   const std::vector<CsvWriter::Column> &columns,
+                   const std::vector<std::vector<CsvWriter::Cell>> &rows,
+                   const Units &units);
 } // namespace deltaform

@@ -5,20 +5,18 @@
 namespace deltaform
 {
   /**
-   * Labels of the units. The program computes in any consistent system; the scene's label 'in, tonf, tonf/in^2' (length,
-   * force, stress) only names it in the results. A label of another form leaves the dimensions' names.
+   * Labels of the units. The program computes in any consistent system; the scene's label 'in, tonf, tonf/in^2'
+   * (length, force, stress) only names it in the results. A label of another form leaves the dimensions' names.
    */
   class Units
   {
   public:
     explicit Units(const std::string &label);
 
-    /// Label of a dimension such as "length", "force/length", "1".
-    std::string
-    of(const std::string &dimension) const;
+    /// Label of a dimension such as "length", "force/length", "1". Words that are no dimension stay as they are.
+    std::string of(const std::string &dimension) const;
 
-    const std::string &
-    label() const
+    const std::string &label() const
     {
       return label_;
     }
