@@ -1,5 +1,8 @@
+#include <deltaform/base/text.h>
 #include <deltaform/base/timers.h>
 #include <deltaform/scene/forming_problem.h>
+
+#include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -194,6 +197,15 @@ namespace deltaform
     assemble_loads(q, *system_);
     for (auto *pair : active_pairs_)
       pair->assemble(q, *system_);
+    if (tangent && status_changed())
+      {
+        std::size_t signature = 0;
+        for (const auto *pair : active_pairs_)
+          for (const auto &state : pair->trial())
+            boost::hash_combine(signature, state.touching);
+        cycling_ |= std::find(visited_.begin(), visited_.end(), signature) != visited_.end();
+        visited_.push_back(signature);
+      }
     return status;
   }
 
@@ -236,6 +248,9 @@ namespace deltaform
   unsigned int
   FormingProblem::patience() const
   {
+    // The same set for the second time: the iteration goes round in circles.
+    if (cycling_)
+      return 0;
     // Measured on the cup: penalty needs the line search on fine meshes (400 elements: 5698 iterations with patience 2, 10388
     // with 6), the active set is best left alone (925 iterations; 2564 with patience 2).
     return actors_.contact && actors_.contact->enforcement->has_multiplier() ? 1000 : 2;
@@ -254,6 +269,8 @@ namespace deltaform
   unsigned int
   FormingProblem::correct()
   {
+    cycling_ = false;
+    visited_.clear();
     unsigned int changed = 0;
     for (auto *pair : active_pairs_)
       changed += pair->correct_factors();
@@ -337,6 +354,37 @@ namespace deltaform
     for (auto *pair : active_pairs_)
       pair->begin_increment(time);
     factors_due_ = !active_pairs_.empty();
+    cycling_     = false;
+    visited_.clear();
+  }
+
+
+
+  std::string
+  FormingProblem::broken_promise() const
+  {
+    if (!actors_.contact || !actors_.contact->enforcement->uses_penalty() || !actors_.contact->rule->promises())
+      return "";
+    for (const auto *pair : active_pairs_)
+      {
+        const auto [i, ratio] = pair->broken_promise();
+        if (i == invalid_index)
+          continue;
+        const PairState & state = pair->trial()[i];
+        const ContactNode node  = pair->node(committed_, i);
+        std::string       text  = "the promise p <= delta cannot be kept: tool '" + pair->tool().name() + "', node " +
+                           std::to_string(i) + " (R0 = " + text::format(node.reference_coordinate) + ") penetrates " +
+                           text::format(state.penetration()) + ", " + text::format(ratio) + " times the allowed " +
+                           text::format(state.delta) + ", with penalty factor " + text::format(state.epsilon);
+        for (const auto *other : active_pairs_)
+          if (other->tool().side() != pair->tool().side() && i < other->n_nodes() && other->trial()[i].touching)
+            text += ". The node is clamped between '" + pair->tool().name() + "' and '" + other->tool().name() +
+                    "': its thickness is " + text::format(node.thickness) + ", the gap leaves " +
+                    text::format(node.thickness + state.gap + other->trial()[i].gap) +
+                    ". Use Contact thickness = initial for the tool with the fixed gap, a wider gap, or a force";
+        return text;
+      }
+    return "";
   }
 
 

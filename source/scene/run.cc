@@ -16,6 +16,8 @@ namespace deltaform
     int
     run_scene(const CommandLine &command)
     {
+      if (command.resume)
+        throw UsageError("This version cannot resume a run yet: start it again without --resume.");
       Timers  timers;
       Journal journal(command.quiet ? Journal::Console::quiet : Journal::Console::automatic);
       auto    tree = ParameterTree::read(command.scene, command.sets);

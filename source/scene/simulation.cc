@@ -12,7 +12,7 @@ namespace deltaform
     , journal_(journal)
     , timers_(timers)
     , problem_(scene.actors, scene.linear_solver, timers)
-    , newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size())
+    , newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size(), timers)
   {}
 
 
@@ -104,6 +104,15 @@ namespace deltaform
             q      = problem_.committed();
             result = newton_.solve(q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor());
             result.iterations += iterations;
+          }
+      }
+    if (result.outcome == NewtonResult::Outcome::not_corrected || result.converged())
+      {
+        const std::string broken = problem_.broken_promise();
+        if (!broken.empty())
+          {
+            promise_failed_ = true;
+            return broken;
           }
       }
     if (!result.converged())

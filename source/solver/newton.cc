@@ -30,12 +30,15 @@ namespace deltaform
                  System &                   system,
                  const NewtonSettings &     settings,
                  const std::vector<double> &scale,
-                 const std::vector<double> &size)
+                 const std::vector<double> &size,
+                 Timers &                   timers)
     : problem_(problem)
     , system_(system)
     , settings_(settings)
     , scale_(scale)
     , size_(size)
+    , timers_(timers)
+    , timer_solve_(timers.section("11 factorization and solve"))
   {}
 
 
@@ -126,11 +129,15 @@ namespace deltaform
         for (unsigned int i = 0; i < n; ++i)
           increments[i] = is_prescribed[i] ? prescribed[i] - q[i] : 0.;
         ++result.iterations;
-        if (!(system_.factorize() && system_.solve(increments, d)))
+        const auto solve = [&](const double shift) {
+          Timers::Scope timer(timers_, timer_solve_);
+          return system_.factorize(shift) && system_.solve(increments, d);
+        };
+        if (!solve(0.))
           {
             // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
             problem_.assemble(q, true);
-            if (!(system_.factorize(1e-6) && system_.solve(increments, d)))
+            if (!solve(1e-6))
               {
                 result.outcome = NewtonResult::Outcome::singular;
                 return result;
@@ -213,7 +220,6 @@ namespace deltaform
         for (unsigned int i = 0; i < n; ++i)
           last_step = std::max(last_step, factor * std::abs(d[i]) * scale_[i]);
         result.residuals.push_back(residual);
-        if (std::getenv("DELTAFORM_TRACE")) std::fprintf(stderr, "  it %u res %.3e step %.3e factor %.3e worst %u\n", iteration, residual, last_step, factor, result.worst_dof);
       }
   }
 } // namespace deltaform

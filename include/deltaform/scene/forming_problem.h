@@ -69,6 +69,10 @@ namespace deltaform
     void
     begin_increment(double time);
 
+    /// Where the promise p <= delta is broken in the trial state, in words; empty if it is kept or none was made.
+    std::string
+    broken_promise() const;
+
     /// Start the continuation of first touches. @return false if no pair exists
     bool
     soften(double share);
@@ -172,6 +176,8 @@ namespace deltaform
     bool                          any_released_ = false;
     std::string                   stage_name_;
     double                        stage_begin_ = 0, stage_end_ = 1, time_ = 0;
+    std::vector<std::size_t>      visited_; ///< sets of active constraints met in this solve
+    bool                          cycling_     = false;
     bool                          factors_due_ = false; ///< the rule has to predict in the next assembly
     std::vector<ContactPair *>    active_pairs_;
     std::vector<Tensor1>          tool_forces_;

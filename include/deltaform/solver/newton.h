@@ -2,6 +2,7 @@
 
 #include <deltaform/base/section.h>
 #include <deltaform/base/status.h>
+#include <deltaform/base/timers.h>
 #include <deltaform/solver/system.h>
 
 #include <string>
@@ -101,7 +102,8 @@ namespace deltaform
            System &                   system,
            const NewtonSettings &     settings,
            const std::vector<double> &scale,
-           const std::vector<double> &size);
+           const std::vector<double> &size,
+           Timers &                   timers);
 
     /**
      * @param q          in: start; out: solution
@@ -126,5 +128,7 @@ namespace deltaform
     System &                   system_;
     const NewtonSettings &     settings_;
     const std::vector<double> &scale_, &size_;
+    Timers &                   timers_;
+    Timers::Index              timer_solve_;
   };
 } // namespace deltaform
