@@ -28,9 +28,9 @@ namespace deltaform
     table.names = {"R0",        "r",        "z",          "rotation",
                    "thickness", "eps_meridional", "eps_hoop", "eps_thickness", "equivalent_plastic_strain",
                    "stress_meridional_bottom", "stress_meridional_mid", "stress_meridional_top",
-                   "stress_hoop_bottom", "stress_hoop_mid", "stress_hoop_top"};
+                   "stress_hoop_bottom", "stress_hoop_mid", "stress_hoop_top", "u_r", "u_z"};
     table.units = {"length", "length", "length", "rad", "length", "1", "1", "1", "1",
-                   "stress", "stress", "stress", "stress", "stress", "stress"};
+                   "stress", "stress", "stress", "stress", "stress", "stress", "length", "length"};
 
     const unsigned int                n = points_.size(), middle = n_layers_ / 2;
     std::vector<std::vector<double>>  values(11, std::vector<double>(n, 0.));
@@ -61,6 +61,9 @@ namespace deltaform
         std::vector<double> row{mesh_.nodes()[i][0], x[0], x[1], rotation(q, i)};
         for (const auto &column : values)
           row.push_back(column[i]);
+        // Displacements on their own: coordinates do not print enough digits of small ones.
+        row.push_back(q[node_dofs_[i][0]]);
+        row.push_back(q[node_dofs_[i][1]]);
         table.rows.push_back(row);
       }
     return table;

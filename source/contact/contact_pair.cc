@@ -271,10 +271,10 @@ namespace deltaform
 
 
   bool
-  ContactPair::consistent() const
+  ContactPair::consistent(const double allowed_tension) const
   {
     for (unsigned int i = 0; i < trial_.size(); ++i)
-      if (trial_[i].touching && trial_[i].force < -Enforcement::weight(trial_[i]) * tolerance(i))
+      if (trial_[i].touching && trial_[i].force < -std::max(allowed_tension, Enforcement::weight(trial_[i]) * tolerance(i)))
         return false;
     return true;
   }

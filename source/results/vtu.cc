@@ -82,7 +82,8 @@ namespace deltaform
                                dealii::DataComponentInterpretation::component_is_part_of_vector);
       }
       dealii::DataOutBase::VtkFlags flags;
-      flags.compression_level   = dealii::DataOutBase::VtkFlags::best_speed;
+      // Even the fastest compression makes writing take 1.5 to 3 times as long; files are a third as large with it.
+      flags.compression_level   = dealii::DataOutBase::VtkFlags::no_compression;
       flags.print_date_and_time = false;
       dealii::DataOutBase::write_vtu(
         patches_of<dim>(drawing, static_cast<unsigned int>(names.size())), names, vectors, flags, out);

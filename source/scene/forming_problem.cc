@@ -118,6 +118,14 @@ namespace deltaform
 
 
   double
+  FormingProblem::typical_length() const
+  {
+    return actors_.blank->initial_thickness();
+  }
+
+
+
+  double
   FormingProblem::force_floor() const
   {
     const double h = actors_.blank->initial_thickness();
@@ -259,9 +267,9 @@ namespace deltaform
 
 
   bool
-  FormingProblem::consistent() const
+  FormingProblem::consistent(const double allowed_tension) const
   {
-    return std::all_of(active_pairs_.begin(), active_pairs_.end(), [](const ContactPair *pair) { return pair->consistent(); });
+    return std::all_of(active_pairs_.begin(), active_pairs_.end(), [&](const ContactPair *pair) { return pair->consistent(allowed_tension); });
   }
 
 

@@ -110,7 +110,7 @@ namespace deltaform
 
     /// Is no force tensile? Otherwise the state is not a solution, however small the residual.
     bool
-    consistent() const;
+    consistent(double allowed_tension) const;
 
     /**
      * After convergence: let the rule correct the factors. @return the number of pairs whose factor has changed.

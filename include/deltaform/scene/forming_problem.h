@@ -43,6 +43,8 @@ namespace deltaform
 
     /// @name NonlinearProblem
     ///@{
+    double
+    typical_length() const override;
     Status
     assemble(const Vector &q, bool tangent) override;
     double
@@ -56,7 +58,7 @@ namespace deltaform
     unsigned int
     patience() const override;
     bool
-    consistent() const override;
+    consistent(double allowed_tension) const override;
     unsigned int
     correct() override;
     ///@}

@@ -16,6 +16,10 @@ namespace deltaform
   public:
     virtual ~NonlinearProblem() = default;
 
+    /// A length of the problem (the thickness): displacements of 1 % of it are large enough to measure steps by.
+    virtual double
+    typical_length() const = 0;
+
     /// Residual, and tangent if wanted, at @p q into the system.
     virtual Status
     assemble(const Vector &q, bool tangent) = 0;
@@ -40,9 +44,10 @@ namespace deltaform
     virtual unsigned int
     patience() const = 0;
 
-    /// Is the assembled state admissible as a solution if its residual is small enough?
+    /// Is the assembled state admissible as a solution if its residual is small enough? Contact forces may be tensile up to
+    /// @p allowed_tension.
     virtual bool
-    consistent() const = 0;
+    consistent(double allowed_tension) const = 0;
 
     /// After convergence: @return how many parameters (penalty factors) were changed, so that the solve must go on.
     virtual unsigned int
@@ -56,7 +61,7 @@ namespace deltaform
 
     unsigned int max_iterations;
     unsigned int max_rounds;
-    double       force_tolerance, displacement_tolerance;
+    double       force_tolerance, relaxed_tolerance, displacement_tolerance;
     bool         line_search;
   };
 
@@ -128,6 +133,8 @@ namespace deltaform
     System &                   system_;
     const NewtonSettings &     settings_;
     const std::vector<double> &scale_, &size_;
+    double                     smallest_motion_; ///< displacements below are not a scale to measure steps by
+    mutable double             last_magnitude_ = 0; ///< the scale of the last measured residual
     Timers &                   timers_;
     Timers::Index              timer_solve_;
   };
