@@ -10,8 +10,7 @@
 namespace
 {
   /// Opening a transport to processes that do not exist takes longer than a small run. Settings of the user prevail.
-  void
-  start_alone_unless_launched()
+  void start_alone_unless_launched()
   {
     if (std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") || std::getenv("PMIX_RANK"))
       return;
@@ -22,31 +21,30 @@ namespace
 } // namespace
 
 
-
 int
 main(int argc, char *argv[])
 {
   using namespace deltaform;
   try
-    {
-      const auto command = CommandLine::parse(argc, argv);
-      start_alone_unless_launched();
-      const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-      return run_command(command);
-    }
+  {
+    const auto command = CommandLine::parse(argc, argv);
+    start_alone_unless_launched();
+    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    return run_command(command);
+  }
   catch (const UsageError &error)
-    {
-      std::cerr << "deltaform: " << error.what() << '\n';
-      return exit_status::wrong_usage;
-    }
+  {
+    std::cerr << "deltaform: " << error.what() << '\n';
+    return exit_status::wrong_usage;
+  }
   catch (const SceneError &error)
-    {
-      std::cerr << "deltaform: " << error.what() << '\n';
-      return exit_status::wrong_scene;
-    }
+  {
+    std::cerr << "deltaform: " << error.what() << '\n';
+    return exit_status::wrong_scene;
+  }
   catch (const std::exception &error)
-    {
-      std::cerr << "deltaform: an error of the program, please report it:\n" << error.what() << '\n';
-      return EXIT_FAILURE;
-    }
+  {
+    std::cerr << "deltaform: an error of the program, please report it:\n" << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
 }

@@ -4,9 +4,6 @@
 #include <deltaform/kinematics/shell_strain.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/grid/grid_tools.h>
-
 #include <stdexcept>
 
 namespace deltaform
@@ -14,36 +11,45 @@ namespace deltaform
   using dealii::numbers::PI;
 
   Shell::Shell(Section &section)
-    : degree_(section.integer("Degree", 1, 1, 2, "Polynomial degree: 1 with one-point, 2 with two-point reduced integration."))
-    , axisymmetric_(section.choice("Symmetry",
-                                   "axisymmetric",
-                                   {"axisymmetric", "plane strain"},
-                                   "Axisymmetric about r = 0 (forces for the full circumference) or plane strain (per unit "
-                                   "width).") == "axisymmetric")
-    , membrane_(section.flag("Membrane", false, "No bending: one layer, no rotations. Needs tension to be stable."))
-    , transverse_normal_stress_(
+    : degree_(section.integer("Degree",
+                              1,
+                              1,
+                              2,
+                              "Polynomial degree: 1 with one-point, 2 with two-point reduced integration.")),
+      axisymmetric_(
+        section.choice("Symmetry",
+                       "axisymmetric",
+                       {"axisymmetric", "plane strain"},
+                       "Axisymmetric about r = 0 (forces for the full circumference) or plane strain (per unit "
+                       "width).") == "axisymmetric"),
+      membrane_(section.flag("Membrane", false, "No bending: one layer, no rotations. Needs tension to be stable.")),
+      transverse_normal_stress_(
         section.flag("Transverse normal stress",
                      true,
-                     "Put the mean of the contact pressures of both faces into the yield condition of the layers."))
-    , thickness_(section.number("Thickness", required(1.), Range::positive(), "length", "Initial thickness of the blank."))
-    , shear_factor_(
-        section.number("Shear correction factor", 5. / 6., Range::positive(), "1", "Factor of the transverse shear stiffness."))
-    , n_layers_(section.integer("Layers", 7, 1, 15, "Points through the thickness (membrane: one)."))
-    , mesh_(section, degree_)
-    , triangulation_(dealii::Triangulation<1, 2>::none)
-    , dof_handler_(triangulation_)
+                     "Put the mean of the contact pressures of both faces into the yield condition of the layers.")),
+      thickness_(
+        section.number("Thickness", required(1.), Range::positive(), "length", "Initial thickness of the blank.")),
+      shear_factor_(section.number("Shear correction factor",
+                                   5. / 6.,
+                                   Range::positive(),
+                                   "1",
+                                   "Factor of the transverse shear stiffness.")),
+      n_layers_(section.integer("Layers", 7, 1, 15, "Points through the thickness (membrane: one).")),
+      mesh_(section, degree_), triangulation_(dealii::Triangulation<1, 2>::none), dof_handler_(triangulation_)
   {
-    const std::string rule = section.choice("Layer rule", "gauss", {"gauss", "lobatto"}, "Integration through the thickness.");
-    contact_point_         = section.choice("Contact point",
-                                    "normal offset",
-                                    {"normal offset", "outer fibre"},
-                                    "Where a node touches: half a thickness away along the tool's normal, or on the outer "
-                                            "fibre along the director (the force then has a moment).") == "normal offset" ?
-                               ContactPoint::normal_offset :
-                               ContactPoint::outer_fibre;
+    const std::string rule =
+      section.choice("Layer rule", "gauss", {"gauss", "lobatto"}, "Integration through the thickness.");
+    contact_point_ =
+      section.choice("Contact point",
+                     "normal offset",
+                     {"normal offset", "outer fibre"},
+                     "Where a node touches: half a thickness away along the tool's normal, or on the outer "
+                     "fibre along the director (the force then has a moment).") == "normal offset"
+        ? ContactPoint::normal_offset
+        : ContactPoint::outer_fibre;
 
-    auto       material_section = section.root().sub("Material");
-    material_                   = Registry<Material>::choose(material_section, "Model", "elastoplastic", "Stress-strain law.");
+    auto material_section = section.root().sub("Material");
+    material_ = Registry<Material>::choose(material_section, "Model", "elastoplastic", "Stress-strain law.");
 
     if (membrane_)
       n_layers_ = 1;
@@ -55,182 +61,43 @@ namespace deltaform
       if (axisymmetric_ && X[0] < 0)
         section.fail("Points", "an axisymmetric meridian must lie at r >= 0");
 
-    const dealii::Quadrature<1> layers = rule == "gauss" || n_layers_ < 2 ?
-                                           dealii::Quadrature<1>(dealii::QGauss<1>(n_layers_)) :
-                                           dealii::Quadrature<1>(dealii::QGaussLobatto<1>(n_layers_));
+    const dealii::Quadrature<1> layers = rule == "gauss" || n_layers_ < 2
+                                           ? dealii::Quadrature<1>(dealii::QGauss<1>(n_layers_))
+                                           : dealii::Quadrature<1>(dealii::QGaussLobatto<1>(n_layers_));
     for (unsigned int l = 0; l < n_layers_; ++l)
-      {
-        layer_position_.push_back(thickness_ * (layers.point(l)[0] - .5));
-        layer_weight_.push_back(thickness_ * layers.weight(l));
-      }
+    {
+      layer_position_.push_back(thickness_ * (layers.point(l)[0] - .5));
+      layer_weight_.push_back(thickness_ * layers.weight(l));
+    }
     set_up_dofs();
     set_up_points();
     set_up_nodes();
   }
 
 
-
-  void
-  Shell::set_up_dofs()
-  {
-    // One cell of the triangulation per element; for degree 2 only the ends of an element are vertices.
-    std::vector<Point2>              vertices;
-    std::vector<dealii::CellData<1>> cells;
-    vertices.push_back(mesh_.nodes()[mesh_.cells().front().nodes[0]]);
-    for (const auto &cell : mesh_.cells())
-      {
-        vertices.push_back(mesh_.nodes()[cell.nodes[1]]);
-        dealii::CellData<1> data;
-        data.vertices = {static_cast<unsigned int>(vertices.size() - 2), static_cast<unsigned int>(vertices.size() - 1)};
-        cells.push_back(data);
-      }
-    triangulation_.create_triangulation(vertices, cells, dealii::SubCellData());
-
-    element_ = std::make_unique<dealii::FESystem<1, 2>>(dealii::FE_Q<1, 2>(degree_), 3);
-    dof_handler_.distribute_dofs(*element_);
-
-    node_dofs_.resize(mesh_.nodes().size());
-    is_rotation_.assign(dof_handler_.n_dofs(), false);
-    std::vector<DofIndex> dofs(element_->n_dofs_per_cell());
-    for (const auto &cell : dof_handler_.active_cell_iterators())
-      {
-        cell->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          {
-            const auto [component, node] = element_->system_to_component_index(i);
-            node_dofs_[mesh_.cells()[cell->active_cell_index()].nodes[node]][component] = dofs[i];
-            is_rotation_[dofs[i]]                                                        = component == 2;
-          }
-      }
-    for (const auto &cell : mesh_.cells())
-      edges_.push_back(cell.nodes);
-  }
-
-
-
-  void
-  Shell::set_up_points()
-  {
-    const unsigned int          n_nodes = degree_ + 1;
-    const dealii::FE_Q<1>       shapes(degree_);
-    const dealii::QGauss<1>     quadrature(degree_), load_quadrature(degree_ + 1);
-    const double                factor = axisymmetric_ ? 2 * PI : 1.;
-    n_points_per_cell_                 = quadrature.size();
-
-    for (const auto &cell : mesh_.cells())
-      for (unsigned int p = 0; p < quadrature.size(); ++p)
-        {
-          ShellPoint point;
-          Tensor1    X_xi;
-          double     radius = 0, angle_xi = 0;
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            {
-              point.shape[a]    = shapes.shape_value(a, quadrature.point(p));
-              point.gradient[a] = shapes.shape_grad(a, quadrature.point(p))[0];
-              X_xi += point.gradient[a] * mesh_.nodes()[cell.nodes[a]];
-              radius += point.shape[a] * mesh_.nodes()[cell.nodes[a]][0];
-              point.angle += point.shape[a] * cell.angle[a];
-              angle_xi += point.gradient[a] * cell.angle[a];
-            }
-          const double dS = X_xi.norm();
-          for (auto &gradient : point.gradient)
-            gradient /= dS;
-          point.angle_prime = membrane_ ? 0. : angle_xi / dS;
-          point.radius      = axisymmetric_ ? radius : 1.;
-          point.weight      = factor * dS * quadrature.weight(p);
-          if (membrane_)
-            point.angle = std::atan2(X_xi[1], X_xi[0]);
-          const ShellStrain reference(X_xi / dS, point.angle, point.angle_prime, point.radius);
-          point.lambda = reference.lambda;
-          point.gamma  = reference.gamma;
-          points_.push_back(point);
-        }
-
-    for (unsigned int p = 0; p < load_quadrature.size(); ++p)
-      {
-        LoadPoint point;
-        point.weight = load_quadrature.weight(p);
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            point.shape[a]    = shapes.shape_value(a, load_quadrature.point(p));
-            point.gradient[a] = shapes.shape_grad(a, load_quadrature.point(p))[0];
-          }
-        load_quadrature_.push_back(point);
-      }
-
-    const unsigned int n = points_.size() * n_layers_;
-    history_             = PointHistory(n, material_->history_size());
-    strain_.assign(n, Mandel{});
-    stress_.assign(n, Mandel{});
-    committed_strain_.assign(n, Mandel{});
-    committed_stress_.assign(n, Mandel{});
-    third_stress_.assign(n, 0.);
-    thickness_ratio_.assign(points_.size(), 1.);
-  }
-
-
-
-  void
-  Shell::set_up_nodes()
-  {
-    const unsigned int n = mesh_.nodes().size();
-    node_weight_.assign(n, 0.);
-    node_angle_.assign(n, 0.);
-    std::vector<unsigned int> count(n, 0);
-    for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
-      {
-        const auto &cell = mesh_.cells()[c];
-        for (unsigned int a = 0; a <= degree_; ++a)
-          {
-            // At a kink the contact director is the mean of its neighbours'; angles of one node differ by less than pi.
-            node_angle_[cell.nodes[a]] += cell.angle[a];
-            ++count[cell.nodes[a]];
-            for (unsigned int p = 0; p < n_points_per_cell_; ++p)
-              {
-                const ShellPoint &point = points_[c * n_points_per_cell_ + p];
-                node_weight_[cell.nodes[a]] += std::abs(point.shape[a]) * point.weight * point.radius;
-              }
-          }
-      }
-    for (unsigned int i = 0; i < n; ++i)
-      node_angle_[i] /= count[i];
-    node_thickness_.assign(n, thickness_);
-    node_area_.assign(n, 0.);
-    contact_pressure_[0].assign(n, 0.);
-    contact_pressure_[1].assign(n, 0.);
-    weightless_.assign(n, false);
-    update_areas(Vector(n_dofs()));
-    for (unsigned int i = 0; i < n; ++i)
-      weightless_[i] = node_area_[i] < 1e-9 * node_weight_[i];
-    update_areas(Vector(n_dofs()));
-  }
-
-
-
-  void
-  Shell::update_areas(const Vector &q) const
+  void Shell::update_areas(const Vector &q) const
   {
     const double factor = axisymmetric_ ? 2 * PI : 1.;
     std::fill(node_area_.begin(), node_area_.end(), 0.);
     for (const auto &cell : mesh_.cells())
+    {
+      std::array<Point2, 3> x;
+      for (unsigned int a = 0; a <= degree_; ++a)
+        x[a] = position(q, cell.nodes[a]);
+      for (const auto &[shape, gradient, weight] : load_quadrature_)
       {
-        std::array<Point2, 3> x;
+        Tensor1 x_xi;
+        double r = 0;
         for (unsigned int a = 0; a <= degree_; ++a)
-          x[a] = position(q, cell.nodes[a]);
-        for (const auto &[shape, gradient, weight] : load_quadrature_)
-          {
-            Tensor1 x_xi;
-            double  r = 0;
-            for (unsigned int a = 0; a <= degree_; ++a)
-              {
-                x_xi += gradient[a] * x[a];
-                r += shape[a] * x[a][0];
-              }
-            const double dA = factor * (axisymmetric_ ? r : 1.) * x_xi.norm() * weight;
-            for (unsigned int a = 0; a <= degree_; ++a)
-              node_area_[cell.nodes[a]] += shape[a] * dA;
-          }
+        {
+          x_xi += gradient[a] * x[a];
+          r += shape[a] * x[a][0];
+        }
+        const double dA = factor * (axisymmetric_ ? r : 1.) * x_xi.norm() * weight;
+        for (unsigned int a = 0; a <= degree_; ++a)
+          node_area_[cell.nodes[a]] += shape[a] * dA;
       }
+    }
     // The weight of a node on the axis vanishes for degree 2 in the initial configuration, and with it the pair.
     for (unsigned int i = 0; i < node_area_.size(); ++i)
       if (weightless_[i])
@@ -238,17 +105,13 @@ namespace deltaform
   }
 
 
-
-  unsigned int
-  Shell::n_dofs() const
+  unsigned int Shell::n_dofs() const
   {
     return dof_handler_.n_dofs();
   }
 
 
-
-  void
-  Shell::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  void Shell::add_couplings(dealii::DynamicSparsityPattern &pattern) const
   {
     for (const auto &cell : mesh_.cells())
       for (unsigned int a = 0; a <= degree_; ++a)
@@ -259,34 +122,28 @@ namespace deltaform
   }
 
 
-
-  std::vector<DofIndex>
-  Shell::fixed_dofs() const
+  std::vector<DofIndex> Shell::fixed_dofs() const
   {
     std::vector<DofIndex> result;
     for (unsigned int i = 0; i < node_dofs_.size(); ++i)
-      {
-        const bool on_axis = axisymmetric_ && mesh_.nodes()[i][0] < 1e-12 * thickness_;
-        if (on_axis)
-          result.push_back(node_dofs_[i][0]);
-        if (on_axis || membrane_)
-          result.push_back(node_dofs_[i][2]);
-      }
+    {
+      const bool on_axis = axisymmetric_ && mesh_.nodes()[i][0] < 1e-12 * thickness_;
+      if (on_axis)
+        result.push_back(node_dofs_[i][0]);
+      if (on_axis || membrane_)
+        result.push_back(node_dofs_[i][2]);
+    }
     return result;
   }
 
 
-
-  std::vector<std::string>
-  Shell::boundaries() const
+  std::vector<std::string> Shell::boundaries() const
   {
     return {"start", "end"};
   }
 
 
-
-  std::vector<DofIndex>
-  Shell::boundary_dofs(const std::string &boundary, const Component component) const
+  std::vector<DofIndex> Shell::boundary_dofs(const std::string &boundary, const Component component) const
   {
     const unsigned int k = static_cast<unsigned int>(component);
     if (boundary == "start")
@@ -297,128 +154,106 @@ namespace deltaform
   }
 
 
-
-  double
-  Shell::reference_measure(const std::string &boundary) const
+  double Shell::reference_measure(const std::string &boundary) const
   {
     const Point2 X = boundary == "start" ? mesh_.nodes().front() : mesh_.nodes().back();
     return axisymmetric_ ? 2 * PI * X[0] : 1.;
   }
 
 
-
-  double
-  Shell::dof_scale(const DofIndex dof) const
+  double Shell::dof_scale(const DofIndex dof) const
   {
     return is_rotation_[dof] ? thickness_ : 1.;
   }
 
 
-
-  double
-  Shell::stiffness_scale() const
+  double Shell::stiffness_scale() const
   {
     return material_->young_modulus() * thickness_;
   }
 
 
-
-  bool
-  Shell::axisymmetric() const
+  bool Shell::axisymmetric() const
   {
     return axisymmetric_;
   }
 
 
-
-  double
-  Shell::initial_thickness() const
+  double Shell::initial_thickness() const
   {
     return thickness_;
   }
 
 
-
-  Point2
-  Shell::position(const Vector &q, const unsigned int node) const
+  Point2 Shell::position(const Vector &q, const unsigned int node) const
   {
     return mesh_.nodes()[node] + Tensor1({q[node_dofs_[node][0]], q[node_dofs_[node][1]]});
   }
 
 
-
-  double
-  Shell::rotation(const Vector &q, const unsigned int node) const
+  double Shell::rotation(const Vector &q, const unsigned int node) const
   {
     return q[node_dofs_[node][2]];
   }
 
 
-
-  double
-  Shell::admissible_step(const Vector &q, const Vector &dq) const
+  double Shell::admissible_step(const Vector &q, const Vector &dq) const
   {
     constexpr double largest_stretch = .3, largest_rotation = .3;
-    double           factor          = 1.;
+    double factor = 1.;
     for (const auto &cell : mesh_.cells())
-      {
-        const auto   a = cell.nodes[0], b = cell.nodes[1];
-        const double length = (position(q, b) - position(q, a)).norm();
-        const Tensor1 du({dq[node_dofs_[b][0]] - dq[node_dofs_[a][0]], dq[node_dofs_[b][1]] - dq[node_dofs_[a][1]]});
-        factor = std::min(factor, largest_stretch * length / std::max(du.norm(), 1e-300));
-        factor = std::min(factor, largest_rotation / std::max(std::abs(dq[node_dofs_[b][2]]), 1e-300));
-        if (axisymmetric_)
-          factor = std::min(factor,
-                            largest_stretch * std::max(position(q, b)[0], length) /
-                              std::max(std::abs(dq[node_dofs_[b][0]]), 1e-300));
-      }
+    {
+      const auto a = cell.nodes[0], b = cell.nodes[1];
+      const double length = (position(q, b) - position(q, a)).norm();
+      const Tensor1 du({dq[node_dofs_[b][0]] - dq[node_dofs_[a][0]], dq[node_dofs_[b][1]] - dq[node_dofs_[a][1]]});
+      factor = std::min(factor, largest_stretch * length / std::max(du.norm(), 1e-300));
+      factor = std::min(factor, largest_rotation / std::max(std::abs(dq[node_dofs_[b][2]]), 1e-300));
+      if (axisymmetric_)
+        factor = std::min(factor,
+                          largest_stretch * std::max(position(q, b)[0], length) /
+                            std::max(std::abs(dq[node_dofs_[b][0]]), 1e-300));
+    }
     return factor;
   }
 
 
-
-  unsigned int
-  Shell::n_contact_nodes(Side) const
+  unsigned int Shell::n_contact_nodes(Side) const
   {
     return node_dofs_.size();
   }
 
 
-
-  const std::vector<std::array<unsigned int, 3>> &
-  Shell::contact_edges(Side) const
+  const std::vector<std::array<unsigned int, 3>> &Shell::contact_edges(Side) const
   {
     return edges_;
   }
 
 
-
-  void
-  Shell::contact_node(const Vector &         q,
-                      const Side             side,
-                      const unsigned int     node,
-                      const ContactThickness thickness,
-                      ContactNode &          result) const
+  void Shell::contact_node(const Vector &q,
+                           const Side side,
+                           const unsigned int node,
+                           const ContactThickness thickness,
+                           ContactNode &result) const
   {
-    const double h = thickness == ContactThickness::current ? node_thickness_[node] :
-                     thickness == ContactThickness::initial ? thickness_ :
-                                                              0.;
-    result.node    = node;
-    result.dofs    = node_dofs_[node];
-    result.x       = position(q, node);
-    result.area    = node_area_[node];
+    const double h              = thickness == ContactThickness::current   ? node_thickness_[node]
+                                  : thickness == ContactThickness::initial ? thickness_
+                                                                           : 0.;
+    result.node                 = node;
+    result.dofs                 = node_dofs_[node];
+    result.x                    = position(q, node);
+    result.area                 = node_area_[node];
     result.reference_coordinate = mesh_.nodes()[node][0];
     result.thickness            = node_thickness_[node];
     result.jacobian[0]          = Tensor1({1., 0.});
     result.jacobian[1]          = Tensor1({0., 1.});
     if (contact_point_ == ContactPoint::normal_offset)
-      {
-        result.n_dofs = 2;
-        result.offset = .5 * h;
-        return;
-      }
-    const double  theta = node_angle_[node] + rotation(q, node);
-    const double  arm   = side == Side::top ? .5 * h : -.5 * h;
+    {
+      result.n_dofs = 2;
+      result.offset = .5 * h;
+      return;
+    }
+    const double theta = node_angle_[node] + rotation(q, node);
+    const double arm   = side == Side::top ? .5 * h : -.5 * h;
     const Tensor1 d({-std::sin(theta), std::cos(theta)}), t({std::cos(theta), std::sin(theta)});
     result.n_dofs = 3;
     result.offset = 0.;
@@ -428,8 +263,6 @@ namespace deltaform
   }
 
 
-
-  static const Registry<Blank>::Entry entry("shell",
-                                            "shell of revolution, or strip in plane strain: bending, finite strain",
-                                            &make_as<Shell, Blank>);
+  static const Registry<Blank>::Entry
+    entry("shell", "shell of revolution, or strip in plane strain: bending, finite strain", &make_as<Shell, Blank>);
 } // namespace deltaform

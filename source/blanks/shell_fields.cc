@@ -6,90 +6,117 @@
 
 namespace deltaform
 {
-  std::string
-  Shell::describe_dof(const DofIndex dof) const
+  std::string Shell::describe_dof(const DofIndex dof) const
   {
     const std::array<std::string, 3> names{{"u_r", "u_z", "rotation"}};
     for (unsigned int i = 0; i < node_dofs_.size(); ++i)
       for (unsigned int k = 0; k < 3; ++k)
         if (node_dofs_[i][k] == dof)
-          return "node " + std::to_string(i) + " (R0 = " + text::format(mesh_.nodes()[i][0]) + ", Z0 = " +
-                 text::format(mesh_.nodes()[i][1]) + "), " + names[k];
+          return "node " + std::to_string(i) + " (R0 = " + text::format(mesh_.nodes()[i][0]) +
+                 ", Z0 = " + text::format(mesh_.nodes()[i][1]) + "), " + names[k];
     return "unknown " + std::to_string(dof);
   }
 
 
-
-
-  Table
-  Shell::profile(const Vector &q) const
+  Table Shell::profile(const Vector &q) const
   {
     Table table;
-    table.names = {"R0",        "r",        "z",          "rotation",
-                   "thickness", "eps_meridional", "eps_hoop", "eps_thickness", "equivalent_plastic_strain",
-                   "stress_meridional_bottom", "stress_meridional_mid", "stress_meridional_top",
-                   "stress_hoop_bottom", "stress_hoop_mid", "stress_hoop_top", "u_r", "u_z"};
-    table.units = {"length", "length", "length", "rad", "length", "1", "1", "1", "1",
-                   "stress", "stress", "stress", "stress", "stress", "stress", "length", "length"};
+    table.names = {"R0",
+                   "r",
+                   "z",
+                   "rotation",
+                   "thickness",
+                   "eps_meridional",
+                   "eps_hoop",
+                   "eps_thickness",
+                   "equivalent_plastic_strain",
+                   "stress_meridional_bottom",
+                   "stress_meridional_mid",
+                   "stress_meridional_top",
+                   "stress_hoop_bottom",
+                   "stress_hoop_mid",
+                   "stress_hoop_top",
+                   "u_r",
+                   "u_z"};
+    table.units = {"length",
+                   "length",
+                   "length",
+                   "rad",
+                   "length",
+                   "1",
+                   "1",
+                   "1",
+                   "1",
+                   "stress",
+                   "stress",
+                   "stress",
+                   "stress",
+                   "stress",
+                   "stress",
+                   "length",
+                   "length"};
 
-    const unsigned int                n = points_.size(), middle = n_layers_ / 2;
-    std::vector<std::vector<double>>  values(11, std::vector<double>(n, 0.));
+    const unsigned int n = points_.size(), middle = n_layers_ / 2;
+    std::vector<std::vector<double>> values(11, std::vector<double>(n, 0.));
     for (unsigned int p = 0; p < n; ++p)
+    {
+      const auto layer = [&](const unsigned int l) { return p * n_layers_ + l; };
+      for (unsigned int l = 0; l < n_layers_; ++l)
       {
-        const auto layer = [&](const unsigned int l) { return p * n_layers_ + l; };
-        for (unsigned int l = 0; l < n_layers_; ++l)
-          {
-            const double w = layer_weight_[l] / thickness_;
-            values[1][p] += w * committed_strain_[layer(l)][0];
-            values[2][p] += w * committed_strain_[layer(l)][1];
-            values[4][p] += w * material_->equivalent_plastic_strain(history_.committed(layer(l)));
-          }
-        values[0][p] = thickness_ * thickness_ratio_[p];
-        values[3][p] = std::log(thickness_ratio_[p]);
-        for (unsigned int k = 0; k < 2; ++k)
-          {
-            values[5 + 3 * k][p] = committed_stress_[layer(0)][k];
-            values[6 + 3 * k][p] = committed_stress_[layer(middle)][k];
-            values[7 + 3 * k][p] = committed_stress_[layer(n_layers_ - 1)][k];
-          }
+        const double w = layer_weight_[l] / thickness_;
+        values[1][p] += w * committed_strain_[layer(l)][0];
+        values[2][p] += w * committed_strain_[layer(l)][1];
+        values[4][p] += w * material_->equivalent_plastic_strain(history_.committed(layer(l)));
       }
+      values[0][p] = thickness_ * thickness_ratio_[p];
+      values[3][p] = std::log(thickness_ratio_[p]);
+      for (unsigned int k = 0; k < 2; ++k)
+      {
+        values[5 + 3 * k][p] = committed_stress_[layer(0)][k];
+        values[6 + 3 * k][p] = committed_stress_[layer(middle)][k];
+        values[7 + 3 * k][p] = committed_stress_[layer(n_layers_ - 1)][k];
+      }
+    }
     for (auto &column : values)
       column = to_nodes(column);
     for (unsigned int i = 0; i < node_dofs_.size(); ++i)
-      {
-        const Point2        x = position(q, i);
-        std::vector<double> row{mesh_.nodes()[i][0], x[0], x[1], rotation(q, i)};
-        for (const auto &column : values)
-          row.push_back(column[i]);
-        // Displacements on their own: coordinates do not print enough digits of small ones.
-        row.push_back(q[node_dofs_[i][0]]);
-        row.push_back(q[node_dofs_[i][1]]);
-        table.rows.push_back(row);
-      }
+    {
+      const Point2 x = position(q, i);
+      std::vector<double> row{mesh_.nodes()[i][0], x[0], x[1], rotation(q, i)};
+      for (const auto &column : values)
+        row.push_back(column[i]);
+      // Displacements on their own: coordinates do not print enough digits of small ones.
+      row.push_back(q[node_dofs_[i][0]]);
+      row.push_back(q[node_dofs_[i][1]]);
+      table.rows.push_back(row);
+    }
     return table;
   }
 
 
-
-  Drawing
-  Shell::draw(const Vector &q, const std::vector<DrawnField> &nodal) const
+  Drawing Shell::draw(const Vector &q, const std::vector<DrawnField> &nodal) const
   {
-    // One quadrilateral per element and layer interval: the layers' surfaces are their midpoints, the outermost ones the faces.
+    // One quadrilateral per element and layer interval: the layers' surfaces are their midpoints, the outermost ones
+    // the faces.
     std::vector<double> level(n_layers_ + 1);
     level[0] = -.5;
     for (unsigned int l = 0; l < n_layers_; ++l)
       level[l + 1] = level[l] + layer_weight_[l] / thickness_;
 
-    Drawing            drawing;
+    Drawing drawing;
     const unsigned int n_nodes = node_dofs_.size(), n_levels = level.size();
     for (unsigned int i = 0; i < n_nodes; ++i)
-      {
-        const double  theta = membrane_ ? membrane_angle(q, i) : node_angle_[i] + rotation(q, i);
-        const Tensor1 d({-std::sin(theta), std::cos(theta)});
-        for (const double s : level)
-          drawing.points.push_back(position(q, i) + s * node_thickness_[i] * d);
-      }
-    const auto add_field = [&](const std::string &name, const std::string &unit, const bool per_point, const unsigned int components) -> std::vector<double> & {
+    {
+      const double theta = membrane_ ? membrane_angle(q, i) : node_angle_[i] + rotation(q, i);
+      const Tensor1 d({-std::sin(theta), std::cos(theta)});
+      for (const double s : level)
+        drawing.points.push_back(position(q, i) + s * node_thickness_[i] * d);
+    }
+    const auto add_field = [&](const std::string &name,
+                               const std::string &unit,
+                               const bool per_point,
+                               const unsigned int components) -> std::vector<double> &
+    {
       drawing.fields.push_back({name, unit, per_point, components, {}});
       return drawing.fields.back().values;
     };
@@ -99,18 +126,18 @@ namespace deltaform
     auto &thinning     = add_field("thickness_strain", "1", true, 1);
     for (unsigned int i = 0; i < n_nodes; ++i)
       for (unsigned int l = 0; l < n_levels; ++l)
-        {
-          displacement.push_back(q[node_dofs_[i][0]]);
-          displacement.push_back(q[node_dofs_[i][1]]);
-          thickness.push_back(node_thickness_[i]);
-          thinning.push_back(std::log(node_thickness_[i] / thickness_));
-        }
-    for (const auto &field : nodal)
       {
-        auto &values = add_field(field.name, field.unit, true, 1);
-        for (const double value : field.values)
-          values.insert(values.end(), n_levels, value);
+        displacement.push_back(q[node_dofs_[i][0]]);
+        displacement.push_back(q[node_dofs_[i][1]]);
+        thickness.push_back(node_thickness_[i]);
+        thinning.push_back(std::log(node_thickness_[i] / thickness_));
       }
+    for (const auto &field : nodal)
+    {
+      auto &values = add_field(field.name, field.unit, true, 1);
+      for (const double value : field.values)
+        values.insert(values.end(), n_levels, value);
+    }
     auto &strain_1 = add_field("strain_meridional", "1", false, 1);
     auto &strain_2 = add_field("strain_hoop", "1", false, 1);
     auto &plastic  = add_field("equivalent_plastic_strain", "1", false, 1);
@@ -121,26 +148,27 @@ namespace deltaform
     // A cell of degree 2 is drawn in two halves, each with the values of the nearer quadrature point.
     for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
       for (unsigned int part = 0; part < degree_; ++part)
+      {
+        const auto &nodes    = mesh_.cells()[c].nodes;
+        const unsigned int a = part == 0 ? nodes[0] : nodes[2];
+        const unsigned int b = part + 1 == degree_ ? nodes[1] : nodes[2];
+        for (unsigned int l = 0; l < n_layers_; ++l)
         {
-          const auto &       nodes = mesh_.cells()[c].nodes;
-          const unsigned int a     = part == 0 ? nodes[0] : nodes[2];
-          const unsigned int b     = part + 1 == degree_ ? nodes[1] : nodes[2];
-          for (unsigned int l = 0; l < n_layers_; ++l)
-            {
-              for (const unsigned int corner : {a * n_levels + l, b * n_levels + l, b * n_levels + l + 1, a * n_levels + l + 1})
-                drawing.cells.push_back(corner);
-              const unsigned int i   = (c * n_points_per_cell_ + part) * n_layers_ + l;
-              const Mandel &     tau = committed_stress_[i];
-              strain_1.push_back(committed_strain_[i][0]);
-              strain_2.push_back(committed_strain_[i][1]);
-              plastic.push_back(material_->equivalent_plastic_strain(history_.committed(i)));
-              stress_1.push_back(tau[0]);
-              stress_2.push_back(tau[1]);
-              mises.push_back(std::sqrt(.5 * (dealii::Utilities::fixed_power<2>(tau[0] - tau[1]) +
-                                              dealii::Utilities::fixed_power<2>(tau[1] - tau[2]) +
-                                              dealii::Utilities::fixed_power<2>(tau[2] - tau[0]))));
-            }
+          for (const unsigned int corner :
+               {a * n_levels + l, b * n_levels + l, b * n_levels + l + 1, a * n_levels + l + 1})
+            drawing.cells.push_back(corner);
+          const unsigned int i = (c * n_points_per_cell_ + part) * n_layers_ + l;
+          const Mandel &tau    = committed_stress_[i];
+          strain_1.push_back(committed_strain_[i][0]);
+          strain_2.push_back(committed_strain_[i][1]);
+          plastic.push_back(material_->equivalent_plastic_strain(history_.committed(i)));
+          stress_1.push_back(tau[0]);
+          stress_2.push_back(tau[1]);
+          mises.push_back(std::sqrt(.5 * (dealii::Utilities::fixed_power<2>(tau[0] - tau[1]) +
+                                          dealii::Utilities::fixed_power<2>(tau[1] - tau[2]) +
+                                          dealii::Utilities::fixed_power<2>(tau[2] - tau[0]))));
         }
+      }
     return drawing;
   }
 } // namespace deltaform

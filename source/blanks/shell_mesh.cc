@@ -8,57 +8,55 @@ namespace deltaform
   namespace
   {
     /// Integral of 1/size over [a, b] in fractions of the whole meridian, by the trapezoidal rule on a fine grid.
-    double
-    density(const TimeFunction &grading, const double a, const double b)
+    double density(const TimeFunction &grading, const double a, const double b)
     {
-      constexpr unsigned int n   = 64;
-      double                 sum = 0;
+      constexpr unsigned int n = 64;
+      double sum               = 0;
       for (unsigned int k = 0; k <= n; ++k)
         sum += (k == 0 || k == n ? .5 : 1.) / grading(a + (b - a) * k / n);
       return sum * (b - a) / n;
     }
 
     /// Share the elements among the pieces by their density, at least one each (largest remainder).
-    std::vector<unsigned int>
-    share(const std::vector<double> &weights, const unsigned int n_cells)
+    std::vector<unsigned int> share(const std::vector<double> &weights, const unsigned int n_cells)
     {
-      const double              total = std::accumulate(weights.begin(), weights.end(), 0.);
+      const double total = std::accumulate(weights.begin(), weights.end(), 0.);
       std::vector<unsigned int> result(weights.size(), 1);
       for (unsigned int given = weights.size(); given < n_cells; ++given)
-        {
-          unsigned int neediest = 0;
-          double       lack     = -1;
-          for (unsigned int i = 0; i < weights.size(); ++i)
-            if (weights[i] / total * n_cells / result[i] > lack)
-              {
-                lack     = weights[i] / total * n_cells / result[i];
-                neediest = i;
-              }
-          ++result[neediest];
-        }
+      {
+        unsigned int neediest = 0;
+        double lack           = -1;
+        for (unsigned int i = 0; i < weights.size(); ++i)
+          if (weights[i] / total * n_cells / result[i] > lack)
+          {
+            lack     = weights[i] / total * n_cells / result[i];
+            neediest = i;
+          }
+        ++result[neediest];
+      }
       return result;
     }
   } // namespace
 
 
-
   ShellMesh::ShellMesh(Section &section, const unsigned int degree)
   {
-    const auto rows = section.rows("Points",
-                                   required("0 0; 1 0"),
-                                   2,
-                                   "length",
-                                   "Corners 'r z; r z; ...' of the meridian of the mid-surface, from its start to its end. The "
-                                   "director points to the left of it: upwards for a flat blank that starts at the axis.");
-    auto       radii =
-      section.numbers("Fillet radii", "", "length", "Radius of the fillet at each corner (0: a kink); empty: no fillets.");
-    const int  n_cells = section.integer("Elements", 50, 1, 1000000, "Number of elements along the meridian.");
-    const auto grading =
-      section.function("Grading",
-                       Default<std::string>("1"),
-                       "1",
-                       "Relative size of the elements as a function of t = arc length / length of the meridian; expression "
-                       "or table, for example '0: 1, 0.5: 0.2, 1: 1'.");
+    const auto rows =
+      section.rows("Points",
+                   required("0 0; 1 0"),
+                   2,
+                   "length",
+                   "Corners 'r z; r z; ...' of the meridian of the mid-surface, from its start to its end. The "
+                   "director points to the left of it: upwards for a flat blank that starts at the axis.");
+    auto radii = section.numbers(
+      "Fillet radii", "", "length", "Radius of the fillet at each corner (0: a kink); empty: no fillets.");
+    const int n_cells  = section.integer("Elements", 50, 1, 1000000, "Number of elements along the meridian.");
+    const auto grading = section.function(
+      "Grading",
+      Default<std::string>("1"),
+      "1",
+      "Relative size of the elements as a function of t = arc length / length of the meridian; expression "
+      "or table, for example '0: 1, 0.5: 0.2, 1: 1'.");
 
     if (rows.size() < 2)
       section.fail("Points", "a meridian needs at least two points");
@@ -69,24 +67,26 @@ namespace deltaform
       radii.assign(points.size(), 0.);
     if (radii.size() != points.size())
       section.fail("Fillet radii",
-                   "needs one radius per point: " + std::to_string(points.size()) + ", not " + std::to_string(radii.size()));
+                   "needs one radius per point: " + std::to_string(points.size()) + ", not " +
+                     std::to_string(radii.size()));
     for (unsigned int k = 0; k <= 64; ++k)
       if (!(grading(k / 64.) > 0))
         section.fail("Grading", "must be positive on [0, 1]");
 
     std::vector<MeridianPiece> pieces;
     try
-      {
-        pieces = build_meridian(points, radii);
-      }
+    {
+      pieces = build_meridian(points, radii);
+    }
     catch (const std::invalid_argument &error)
-      {
-        section.fail("Points", error.what());
-      }
+    {
+      section.fail("Points", error.what());
+    }
     if (pieces.size() > static_cast<unsigned int>(n_cells))
-      section.fail("Elements", "must be at least the number of straight and curved pieces, " + std::to_string(pieces.size()));
+      section.fail("Elements",
+                   "must be at least the number of straight and curved pieces, " + std::to_string(pieces.size()));
 
-    const double        total = pieces.back().arc_start + pieces.back().length;
+    const double total = pieces.back().arc_start + pieces.back().length;
     std::vector<double> weights;
     for (const auto &piece : pieces)
       weights.push_back(density(grading, piece.arc_start / total, (piece.arc_start + piece.length) / total));
@@ -96,37 +96,37 @@ namespace deltaform
   }
 
 
-
-  void
-  ShellMesh::mesh_piece(const MeridianPiece &piece,
-                        const unsigned int  n_cells,
-                        const TimeFunction &grading,
-                        const double        total_length,
-                        const unsigned int  degree)
+  void ShellMesh::mesh_piece(const MeridianPiece &piece,
+                             const unsigned int n_cells,
+                             const TimeFunction &grading,
+                             const double total_length,
+                             const unsigned int degree)
   {
-    const auto place = [&](const double fraction) { return (piece.arc_start + fraction * piece.length) / total_length; };
+    const auto place = [&](const double fraction)
+    { return (piece.arc_start + fraction * piece.length) / total_length; };
     const double whole = density(grading, place(0), place(1));
 
     // Ends of the cells: equal shares of the density, found by bisection.
     std::vector<double> ends(n_cells + 1, 0.);
     ends[n_cells] = 1.;
     for (unsigned int c = 1; c < n_cells; ++c)
+    {
+      if (grading.is_constant())
       {
-        if (grading.is_constant())
-          {
-            ends[c] = static_cast<double>(c) / n_cells;
-            continue;
-          }
-        double low = ends[c - 1], high = 1.;
-        while (high - low > 1e-14)
-          {
-            const double middle = .5 * (low + high);
-            (density(grading, place(0), place(middle)) < whole * c / n_cells ? low : high) = middle;
-          }
-        ends[c] = .5 * (low + high);
+        ends[c] = static_cast<double>(c) / n_cells;
+        continue;
       }
+      double low = ends[c - 1], high = 1.;
+      while (high - low > 1e-14)
+      {
+        const double middle                                                            = .5 * (low + high);
+        (density(grading, place(0), place(middle)) < whole * c / n_cells ? low : high) = middle;
+      }
+      ends[c] = .5 * (low + high);
+    }
 
-    const auto add_node = [&](const double fraction) {
+    const auto add_node = [&](const double fraction)
+    {
       nodes_.push_back(piece.point_at(fraction * piece.length));
       arc_length_.push_back(piece.arc_start + fraction * piece.length);
       return static_cast<unsigned int>(nodes_.size() - 1);
@@ -134,17 +134,17 @@ namespace deltaform
     if (nodes_.empty())
       add_node(0.);
     for (unsigned int c = 0; c < n_cells; ++c)
-      {
-        const double middle = .5 * (ends[c] + ends[c + 1]);
-        Cell         cell;
-        cell.nodes[0] = nodes_.size() - 1;
-        if (degree == 2)
-          cell.nodes[2] = add_node(middle);
-        cell.nodes[1] = add_node(ends[c + 1]);
-        cell.angle    = {{piece.angle_at(ends[c] * piece.length),
-                          piece.angle_at(ends[c + 1] * piece.length),
-                          piece.angle_at(middle * piece.length)}};
-        cells_.push_back(cell);
-      }
+    {
+      const double middle = .5 * (ends[c] + ends[c + 1]);
+      Cell cell;
+      cell.nodes[0] = nodes_.size() - 1;
+      if (degree == 2)
+        cell.nodes[2] = add_node(middle);
+      cell.nodes[1] = add_node(ends[c + 1]);
+      cell.angle    = {{piece.angle_at(ends[c] * piece.length),
+                        piece.angle_at(ends[c + 1] * piece.length),
+                        piece.angle_at(middle * piece.length)}};
+      cells_.push_back(cell);
+    }
   }
 } // namespace deltaform

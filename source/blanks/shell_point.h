@@ -7,29 +7,28 @@ namespace deltaform
 {
   /// Generalized strain at a point. A membrane has no rotation of its own: its director is normal to the meridian.
   template <unsigned int n_nodes, bool membrane>
-  ShellStrain
-  shell_strain(const ShellPoint &         point,
-               const ShellMesh::Cell &    cell,
-               const std::vector<Point2> &nodes,
-               const Vector &             q,
-               const DofIndex *           dofs,
-               const bool                 axisymmetric)
+  ShellStrain shell_strain(const ShellPoint &point,
+                           const ShellMesh::Cell &cell,
+                           const std::vector<Point2> &nodes,
+                           const Vector &q,
+                           const DofIndex *dofs,
+                           const bool axisymmetric)
   {
     Tensor1 x_prime;
-    double  r = 0, rotation = 0, rotation_prime = 0;
+    double r = 0, rotation = 0, rotation_prime = 0;
     for (unsigned int a = 0; a < n_nodes; ++a)
+    {
+      const Point2 &X  = nodes[cell.nodes[a]];
+      const double x_r = X[0] + q[dofs[3 * a]], x_z = X[1] + q[dofs[3 * a + 1]];
+      x_prime[0] += point.gradient[a] * x_r;
+      x_prime[1] += point.gradient[a] * x_z;
+      r += point.shape[a] * x_r;
+      if (!membrane)
       {
-        const Point2 &X   = nodes[cell.nodes[a]];
-        const double  x_r = X[0] + q[dofs[3 * a]], x_z = X[1] + q[dofs[3 * a + 1]];
-        x_prime[0] += point.gradient[a] * x_r;
-        x_prime[1] += point.gradient[a] * x_z;
-        r += point.shape[a] * x_r;
-        if (!membrane)
-          {
-            rotation += point.shape[a] * q[dofs[3 * a + 2]];
-            rotation_prime += point.gradient[a] * q[dofs[3 * a + 2]];
-          }
+        rotation += point.shape[a] * q[dofs[3 * a + 2]];
+        rotation_prime += point.gradient[a] * q[dofs[3 * a + 2]];
       }
+    }
     if (!axisymmetric)
       r = 1.;
     if (membrane)
@@ -38,32 +37,35 @@ namespace deltaform
   }
 
 
-
   /// Add B^T n to the residual and B^T g B + geometric stiffness to the matrix.
-  template <unsigned int n_nodes, bool membrane, typename Stress, typename Stiffness, typename Residual, typename Matrix>
-  void
-  add_point(const ShellPoint & point,
-            const ShellStrain &strain,
-            const Stress &     n,
-            const Stiffness &  g,
-            const bool         tangent,
-            Residual &         residual,
-            Matrix &           matrix)
+  template <unsigned int n_nodes,
+            bool membrane,
+            typename Stress,
+            typename Stiffness,
+            typename Residual,
+            typename Matrix>
+  void add_point(const ShellPoint &point,
+                 const ShellStrain &strain,
+                 const Stress &n,
+                 const Stiffness &g,
+                 const bool tangent,
+                 Residual &residual,
+                 Matrix &matrix)
   {
     constexpr unsigned int n_dofs = 3 * n_nodes;
     constexpr unsigned int size   = ShellStrain::size;
 
     std::array<std::array<double, n_dofs>, size> b;
     for (unsigned int a = 0; a < n_nodes; ++a)
-      {
-        auto node = strain.derivative(point.shape[a], point.gradient[a]);
-        if (membrane)
-          for (auto &row : node)
-            row[2] = 0.;
-        for (unsigned int s = 0; s < size; ++s)
-          for (unsigned int k = 0; k < 3; ++k)
-            b[s][3 * a + k] = node[s][k];
-      }
+    {
+      auto node = strain.derivative(point.shape[a], point.gradient[a]);
+      if (membrane)
+        for (auto &row : node)
+          row[2] = 0.;
+      for (unsigned int s = 0; s < size; ++s)
+        for (unsigned int k = 0; k < 3; ++k)
+          b[s][3 * a + k] = node[s][k];
+    }
     for (unsigned int s = 0; s < size; ++s)
       for (unsigned int i = 0; i < n_dofs; ++i)
         residual[i] += n[s] * b[s][i];
@@ -71,40 +73,40 @@ namespace deltaform
       return;
 
     for (unsigned int s = 0; s < size; ++s)
-      {
-        std::array<double, n_dofs> gb{};
-        for (unsigned int t = 0; t < size; ++t)
-          if (g[s][t] != 0.)
-            for (unsigned int j = 0; j < n_dofs; ++j)
-              gb[j] += g[s][t] * b[t][j];
-        for (unsigned int i = 0; i < n_dofs; ++i)
+    {
+      std::array<double, n_dofs> gb{};
+      for (unsigned int t = 0; t < size; ++t)
+        if (g[s][t] != 0.)
           for (unsigned int j = 0; j < n_dofs; ++j)
-            matrix[i * n_dofs + j] += b[s][i] * gb[j];
-      }
+            gb[j] += g[s][t] * b[t][j];
+      for (unsigned int i = 0; i < n_dofs; ++i)
+        for (unsigned int j = 0; j < n_dofs; ++j)
+          matrix[i * n_dofs + j] += b[s][i] * gb[j];
+    }
 
     if (membrane)
-      {
-        // Lambda = |x'|: its second derivative is d (x) d / |x'|
-        const Tensor1 d({-strain.sine, strain.cosine});
-        const double  factor = n[ShellStrain::stretch] / strain.lambda;
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          for (unsigned int c = 0; c < n_nodes; ++c)
-            for (unsigned int k = 0; k < 2; ++k)
-              for (unsigned int l = 0; l < 2; ++l)
-                matrix[(3 * a + k) * n_dofs + 3 * c + l] += factor * point.gradient[a] * point.gradient[c] * d[k] * d[l];
-        return;
-      }
+    {
+      // Lambda = |x'|: its second derivative is d (x) d / |x'|
+      const Tensor1 d({-strain.sine, strain.cosine});
+      const double factor = n[ShellStrain::stretch] / strain.lambda;
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        for (unsigned int c = 0; c < n_nodes; ++c)
+          for (unsigned int k = 0; k < 2; ++k)
+            for (unsigned int l = 0; l < 2; ++l)
+              matrix[(3 * a + k) * n_dofs + 3 * c + l] += factor * point.gradient[a] * point.gradient[c] * d[k] * d[l];
+      return;
+    }
     const auto geometric = strain.geometric(n);
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int c = 0; c < n_nodes; ++c)
+      {
+        for (unsigned int k = 0; k < 2; ++k)
         {
-          for (unsigned int k = 0; k < 2; ++k)
-            {
-              const double mixed = point.gradient[a] * point.shape[c] * geometric.mixed[k];
-              matrix[(3 * a + k) * n_dofs + 3 * c + 2] += mixed;
-              matrix[(3 * c + 2) * n_dofs + 3 * a + k] += mixed;
-            }
-          matrix[(3 * a + 2) * n_dofs + 3 * c + 2] += point.shape[a] * point.shape[c] * geometric.rotation;
+          const double mixed = point.gradient[a] * point.shape[c] * geometric.mixed[k];
+          matrix[(3 * a + k) * n_dofs + 3 * c + 2] += mixed;
+          matrix[(3 * c + 2) * n_dofs + 3 * a + k] += mixed;
         }
+        matrix[(3 * a + 2) * n_dofs + 3 * c + 2] += point.shape[a] * point.shape[c] * geometric.rotation;
+      }
   }
 } // namespace deltaform

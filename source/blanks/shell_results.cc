@@ -10,8 +10,7 @@
 
 namespace deltaform
 {
-  double
-  Shell::largest_strain_increment() const
+  double Shell::largest_strain_increment() const
   {
     double largest = 0.;
     for (unsigned int i = 0; i < strain_.size(); ++i)
@@ -21,9 +20,7 @@ namespace deltaform
   }
 
 
-
-  double
-  Shell::largest_rotation(const Vector &dq) const
+  double Shell::largest_rotation(const Vector &dq) const
   {
     double largest = 0.;
     for (const auto &dofs : node_dofs_)
@@ -32,16 +29,16 @@ namespace deltaform
   }
 
 
-
-  ShellStrain
-  Shell::strain_at(const Vector &q, const unsigned int cell, const unsigned int point) const
+  ShellStrain Shell::strain_at(const Vector &q, const unsigned int cell, const unsigned int point) const
   {
-    const auto &            nodes = mesh_.cells()[cell].nodes;
+    const auto &nodes = mesh_.cells()[cell].nodes;
     std::array<DofIndex, 9> dofs{};
     for (unsigned int a = 0; a <= degree_; ++a)
       std::copy(node_dofs_[nodes[a]].begin(), node_dofs_[nodes[a]].end(), dofs.begin() + 3 * a);
-    const auto evaluate = [&](auto n_nodes, auto membrane) {
-      return shell_strain<n_nodes, membrane>(points_[point], mesh_.cells()[cell], mesh_.nodes(), q, dofs.data(), axisymmetric_);
+    const auto evaluate = [&](auto n_nodes, auto membrane)
+    {
+      return shell_strain<n_nodes, membrane>(
+        points_[point], mesh_.cells()[cell], mesh_.nodes(), q, dofs.data(), axisymmetric_);
     };
     using Two   = std::integral_constant<unsigned int, 2>;
     using Three = std::integral_constant<unsigned int, 3>;
@@ -51,73 +48,73 @@ namespace deltaform
   }
 
 
-
-  double
-  Shell::membrane_angle(const Vector &q, const unsigned int node) const
+  double Shell::membrane_angle(const Vector &q, const unsigned int node) const
   {
-    const unsigned int before = node > 0 ? node - 1 : node, after = std::min<unsigned int>(node + 1, node_dofs_.size() - 1);
-    const Tensor1      chord  = position(q, after) - position(q, before);
+    const unsigned int before = node > 0 ? node - 1 : node,
+                       after  = std::min<unsigned int>(node + 1, node_dofs_.size() - 1);
+    const Tensor1 chord       = position(q, after) - position(q, before);
     return std::atan2(chord[1], chord[0]);
   }
 
 
-
-  double
-  Shell::thickness_strain_work(const Vector &q, const unsigned int cell, const unsigned int p, const double new_ratio) const
+  double Shell::thickness_strain_work(const Vector &q,
+                                      const unsigned int cell,
+                                      const unsigned int p,
+                                      const double new_ratio) const
   {
     // Moving the layers of a curved shell to the new thickness strains them at fixed displacements.
-    const unsigned int place  = cell * n_points_per_cell_ + p;
-    const ShellPoint & point  = points_[place];
-    const ShellStrain  strain = strain_at(q, cell, place);
-    double             work   = 0.;
+    const unsigned int place = cell * n_points_per_cell_ + p;
+    const ShellPoint &point  = points_[place];
+    const ShellStrain strain = strain_at(q, cell, place);
+    double work              = 0.;
     for (unsigned int l = 0; l < n_layers_; ++l)
-      {
-        const double a1_zero = point.lambda - layer_position_[l] * point.angle_prime;
-        const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * std::sin(point.angle) : 1.;
-        const double volume  = point.weight * layer_weight_[l] * a1_zero * a2_zero;
-        const double before  = thickness_ratio_[place] * layer_position_[l], after = new_ratio * layer_position_[l];
-        const auto & tau     = stress_[place * n_layers_ + l];
-        work += volume * tau[0] * std::log((strain.lambda - after * strain.theta_prime) / (strain.lambda - before * strain.theta_prime));
-        if (axisymmetric_)
-          work += volume * tau[1] * std::log((strain.r + after * strain.d_r()) / (strain.r + before * strain.d_r()));
-      }
+    {
+      const double a1_zero = point.lambda - layer_position_[l] * point.angle_prime;
+      const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * std::sin(point.angle) : 1.;
+      const double volume  = point.weight * layer_weight_[l] * a1_zero * a2_zero;
+      const double before = thickness_ratio_[place] * layer_position_[l], after = new_ratio * layer_position_[l];
+      const auto &tau = stress_[place * n_layers_ + l];
+      work += volume * tau[0] *
+              std::log((strain.lambda - after * strain.theta_prime) / (strain.lambda - before * strain.theta_prime));
+      if (axisymmetric_)
+        work += volume * tau[1] * std::log((strain.r + after * strain.d_r()) / (strain.r + before * strain.d_r()));
+    }
     return work;
   }
 
 
-
-  void
-  Shell::commit(const Vector &q)
+  void Shell::commit(const Vector &q)
   {
     const double shear = membrane_ ? 0. : shear_factor_ * material_->shear_modulus() * thickness_;
     energy_.elastic    = 0.;
     for (unsigned int c = 0, i = 0; c < mesh_.cells().size(); ++c)
       for (unsigned int p = 0; p < n_points_per_cell_; ++p)
+      {
+        const unsigned int place = c * n_points_per_cell_ + p;
+        const ShellPoint &point  = points_[place];
+        double thickness         = 0.;
+        for (unsigned int l = 0; l < n_layers_; ++l, ++i)
         {
-          const unsigned int place = c * n_points_per_cell_ + p;
-          const ShellPoint & point = points_[place];
-          double             thickness = 0.;
-          for (unsigned int l = 0; l < n_layers_; ++l, ++i)
-            {
-              const double a1_zero = point.lambda - layer_position_[l] * point.angle_prime;
-              const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * std::sin(point.angle) : 1.;
-              const double volume  = point.weight * layer_weight_[l] * a1_zero * a2_zero;
-              const Mandel before  = material_->plastic_strain(history_.committed(i));
-              const Mandel after   = material_->plastic_strain(history_.trial(i));
-              for (unsigned int k = 0; k < 4; ++k)
-                energy_.plastic += .5 * volume * (stress_[i][k] + committed_stress_[i][k]) * (after[k] - before[k]);
-              energy_.normal += .5 * volume * (stress_[i][2] + committed_stress_[i][2]) * (strain_[i][2] - committed_strain_[i][2]);
-              energy_.elastic += volume * material_->elastic_energy(stress_[i]);
-              thickness += layer_weight_[l] * std::exp(strain_[i][2]);
-            }
-          energy_.normal += thickness_strain_work(q, c, p, thickness / thickness_);
-          thickness_ratio_[place] = thickness / thickness_;
-          if (!membrane_)
-            {
-              const double gamma = strain_at(q, c, place).gamma - point.gamma;
-              energy_.elastic += .5 * shear * point.weight * point.radius * gamma * gamma;
-            }
+          const double a1_zero = point.lambda - layer_position_[l] * point.angle_prime;
+          const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * std::sin(point.angle) : 1.;
+          const double volume  = point.weight * layer_weight_[l] * a1_zero * a2_zero;
+          const Mandel before  = material_->plastic_strain(history_.committed(i));
+          const Mandel after   = material_->plastic_strain(history_.trial(i));
+          for (unsigned int k = 0; k < 4; ++k)
+            energy_.plastic += .5 * volume * (stress_[i][k] + committed_stress_[i][k]) * (after[k] - before[k]);
+          energy_.normal +=
+            .5 * volume * (stress_[i][2] + committed_stress_[i][2]) * (strain_[i][2] - committed_strain_[i][2]);
+          energy_.elastic += volume * material_->elastic_energy(stress_[i]);
+          thickness += layer_weight_[l] * std::exp(strain_[i][2]);
         }
+        energy_.normal += thickness_strain_work(q, c, p, thickness / thickness_);
+        thickness_ratio_[place] = thickness / thickness_;
+        if (!membrane_)
+        {
+          const double gamma = strain_at(q, c, place).gamma - point.gamma;
+          energy_.elastic += .5 * shear * point.weight * point.radius * gamma * gamma;
+        }
+      }
     history_.commit();
     committed_strain_ = strain_;
     committed_stress_ = stress_;
@@ -130,84 +127,74 @@ namespace deltaform
   }
 
 
-
-  std::vector<double>
-  Shell::to_nodes(const std::vector<double> &point_values) const
+  std::vector<double> Shell::to_nodes(const std::vector<double> &point_values) const
   {
     std::vector<double> result(node_dofs_.size(), 0.);
     for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
       for (unsigned int p = 0; p < n_points_per_cell_; ++p)
-        {
-          const ShellPoint &point = points_[c * n_points_per_cell_ + p];
-          for (unsigned int a = 0; a <= degree_; ++a)
-            result[mesh_.cells()[c].nodes[a]] +=
-              std::abs(point.shape[a]) * point.weight * point.radius * point_values[c * n_points_per_cell_ + p];
-        }
+      {
+        const ShellPoint &point = points_[c * n_points_per_cell_ + p];
+        for (unsigned int a = 0; a <= degree_; ++a)
+          result[mesh_.cells()[c].nodes[a]] +=
+            std::abs(point.shape[a]) * point.weight * point.radius * point_values[c * n_points_per_cell_ + p];
+      }
     for (unsigned int i = 0; i < result.size(); ++i)
       result[i] /= node_weight_[i];
     return result;
   }
 
 
-
-  void
-  Shell::set_contact_pressure(const Side side, const std::vector<double> &pressure)
+  void Shell::set_contact_pressure(const Side side, const std::vector<double> &pressure)
   {
     if (!transverse_normal_stress_)
       return;
-    // The mean stress across the thickness does not follow a pressure that varies over less than a thickness: average it over
-    // that length. On meshes coarser than the thickness this changes nothing; on finer ones the force of a single node is
-    // otherwise taken for a pressure far above the flow stress.
-    auto &       mean   = contact_pressure_[static_cast<unsigned int>(side)];
-    const auto & arc    = mesh_.arc_length();
+    // The mean stress across the thickness does not follow a pressure that varies over less than a thickness: average
+    // it over that length. On meshes coarser than the thickness this changes nothing; on finer ones the force of a
+    // single node is otherwise taken for a pressure far above the flow stress.
+    auto &mean          = contact_pressure_[static_cast<unsigned int>(side)];
+    const auto &arc     = mesh_.arc_length();
     const double window = .5 * thickness_ * (1 + 1e-9);
     for (unsigned int i = 0, first = 0; i < mean.size(); ++i)
+    {
+      while (arc[i] - arc[first] > window)
+        ++first;
+      double force = 0., area = 0.;
+      for (unsigned int j = first; j < mean.size() && arc[j] - arc[i] <= window; ++j)
       {
-        while (arc[i] - arc[first] > window)
-          ++first;
-        double force = 0., area = 0.;
-        for (unsigned int j = first; j < mean.size() && arc[j] - arc[i] <= window; ++j)
-          {
-            force += pressure[j] * node_area_[j];
-            area += node_area_[j];
-          }
-        mean[i] = area > 0 ? force / area : 0.;
+        force += pressure[j] * node_area_[j];
+        area += node_area_[j];
       }
+      mean[i] = area > 0 ? force / area : 0.;
+    }
     for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
       for (unsigned int p = 0; p < n_points_per_cell_; ++p)
+      {
+        const unsigned int place = c * n_points_per_cell_ + p;
+        double sum               = 0.;
+        for (unsigned int a = 0; a <= degree_; ++a)
         {
-          const unsigned int place = c * n_points_per_cell_ + p;
-          double             sum   = 0.;
-          for (unsigned int a = 0; a <= degree_; ++a)
-            {
-              const unsigned int node = mesh_.cells()[c].nodes[a];
-              sum += points_[place].shape[a] * (contact_pressure_[0][node] + contact_pressure_[1][node]);
-            }
-          for (unsigned int l = 0; l < n_layers_; ++l)
-            third_stress_[place * n_layers_ + l] = -.5 * sum;
+          const unsigned int node = mesh_.cells()[c].nodes[a];
+          sum += points_[place].shape[a] * (contact_pressure_[0][node] + contact_pressure_[1][node]);
         }
+        for (unsigned int l = 0; l < n_layers_; ++l)
+          third_stress_[place * n_layers_ + l] = -.5 * sum;
+      }
   }
 
 
-
-  BlankEnergy
-  Shell::energy() const
+  BlankEnergy Shell::energy() const
   {
     return energy_;
   }
 
 
-
-  double
-  Shell::smallest_thickness() const
+  double Shell::smallest_thickness() const
   {
     return thickness_ * *std::min_element(thickness_ratio_.begin(), thickness_ratio_.end());
   }
 
 
-
-  std::vector<Point2>
-  Shell::positions(const Vector &q) const
+  std::vector<Point2> Shell::positions(const Vector &q) const
   {
     std::vector<Point2> result;
     for (unsigned int i = 0; i < node_dofs_.size(); ++i)
@@ -216,9 +203,7 @@ namespace deltaform
   }
 
 
-
-  void
-  Shell::save(std::ostream &stream) const
+  void Shell::save(std::ostream &stream) const
   {
     boost::archive::binary_oarchive archive(stream);
     archive << history_ << committed_strain_ << committed_stress_ << thickness_ratio_ << node_thickness_ << node_area_
@@ -226,13 +211,11 @@ namespace deltaform
   }
 
 
-
-  void
-  Shell::load(std::istream &stream)
+  void Shell::load(std::istream &stream)
   {
     boost::archive::binary_iarchive archive(stream);
-    archive >> history_ >> committed_strain_ >> committed_stress_ >> thickness_ratio_ >> node_thickness_ >> node_area_ >>
-      contact_pressure_ >> third_stress_ >> energy_.elastic >> energy_.plastic >> energy_.normal;
+    archive >> history_ >> committed_strain_ >> committed_stress_ >> thickness_ratio_ >> node_thickness_ >>
+      node_area_ >> contact_pressure_ >> third_stress_ >> energy_.elastic >> energy_.plastic >> energy_.normal;
     strain_ = committed_strain_;
     stress_ = committed_stress_;
   }

@@ -1,5 +1,5 @@
-// Active set: gap = 0 where lambda > 0. The force of every pair is an unknown; the semi-smooth Newton method chooses the
-// set by the sign of lambda - c gap with c > 0.
+// Active set: gap = 0 where lambda > 0. The force of every pair is an unknown; the semi-smooth Newton method chooses
+// the set by the sign of lambda - c gap with c > 0.
 #include <deltaform/base/registry.h>
 #include <deltaform/contact/enforcement.h>
 
@@ -11,10 +11,10 @@ namespace deltaform
     {
     public:
       explicit ActiveSet(Section &)
-      {}
+      {
+      }
 
-      NormalResponse
-      respond(const PairState &state, const double gap, const double multiplier) const override
+      NormalResponse respond(const PairState &state, const double gap, const double multiplier) const override
       {
         NormalResponse response;
         response.tied     = multiplier - weight(state) * gap >= 0;
@@ -23,20 +23,19 @@ namespace deltaform
         return response;
       }
 
-      bool
-      has_multiplier() const override
+      bool has_multiplier() const override
       {
         return true;
       }
 
-      bool
-      uses_penalty() const override
+      bool uses_penalty() const override
       {
         return false;
       }
     };
 
-    const Registry<Enforcement>::Entry
-      entry("active set", "gap = 0 exactly where the reaction is compressive; no penalty factor", &make_as<ActiveSet, Enforcement>);
+    const Registry<Enforcement>::Entry entry("active set",
+                                             "gap = 0 exactly where the reaction is compressive; no penalty factor",
+                                             &make_as<ActiveSet, Enforcement>);
   } // namespace
 } // namespace deltaform

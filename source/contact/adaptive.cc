@@ -1,7 +1,8 @@
-// Adaptive: eps_i = max(beta K_nn, lambda_i / (alpha delta_i)) with lambda_i of the last increment, frozen inside a Newton
-// solve; a converged pair with p_i > delta_i gets eps_i min(10, p_i / (alpha delta_i)), alpha = .8. At equilibrium the
-// incremental eqn (7) of Bednarek, Kowalczyk has the only fixed point eps = lambda / delta; aiming at .8 delta reaches the
-// promise p <= delta from the safe side in a finite number of corrections. Derivation: doc/theory/contact.md.
+// Adaptive: eps_i = max(beta K_nn, lambda_i / (alpha delta_i)) with lambda_i of the last increment, frozen inside a
+// Newton solve; a converged pair with p_i > delta_i gets eps_i min(10, p_i / (alpha delta_i)), alpha = .8. At
+// equilibrium the incremental eqn (7) of Bednarek, Kowalczyk has the only fixed point eps = lambda / delta; aiming at
+// .8 delta reaches the promise p <= delta from the safe side in a finite number of corrections. Derivation:
+// doc/theory/contact.md.
 #include <deltaform/base/registry.h>
 #include <deltaform/contact/penalty_rule.h>
 
@@ -15,23 +16,27 @@ namespace deltaform
     {
     public:
       explicit Adaptive(Section &section)
-        : floor_factor_(section.number("Floor factor",
-                                       .01,
-                                       Range::not_negative(),
-                                       "1",
-                                       "Smallest penalty factor in units of the nodal stiffness K_nn; keeps lightly loaded "
-                                       "nodes from flipping in and out of contact."))
-        , aim_(section.number("Aim",
+        : floor_factor_(
+            section.number("Floor factor",
+                           .01,
+                           Range::not_negative(),
+                           "1",
+                           "Smallest penalty factor in units of the nodal stiffness K_nn; keeps lightly loaded "
+                           "nodes from flipping in and out of contact.")),
+          aim_(section.number("Aim",
                               .8,
                               Range::inside(0., 1.),
                               "1",
-                              "Share of the allowed penetration that is aimed at, so that corrections end."))
-        , largest_change_(
-            section.number("Largest change", 10., Range{1., 1e6, true, false}, "1", "Limit of the factor's change per correction."))
-      {}
+                              "Share of the allowed penetration that is aimed at, so that corrections end.")),
+          largest_change_(section.number("Largest change",
+                                         10.,
+                                         Range{1., 1e6, true, false},
+                                         "1",
+                                         "Limit of the factor's change per correction."))
+      {
+      }
 
-      double
-      predict(const PenaltyInput &input) const override
+      double predict(const PenaltyInput &input) const override
       {
         const double lowest = floor(input);
         if (input.previous_epsilon <= 0)
@@ -40,22 +45,19 @@ namespace deltaform
         return std::clamp(wanted, input.previous_epsilon / largest_change_, input.previous_epsilon * largest_change_);
       }
 
-      double
-      correct(const PenaltyInput &input) const override
+      double correct(const PenaltyInput &input) const override
       {
         if (input.penetration <= input.delta)
           return input.previous_epsilon;
         return input.previous_epsilon * std::min(largest_change_, input.penetration / (aim_ * input.delta));
       }
 
-      double
-      floor(const PenaltyInput &input) const override
+      double floor(const PenaltyInput &input) const override
       {
         return floor_factor_ * input.stiffness;
       }
 
-      bool
-      promises() const override
+      bool promises() const override
       {
         return true;
       }
@@ -64,7 +66,8 @@ namespace deltaform
       double floor_factor_, aim_, largest_change_;
     };
 
-    const Registry<PenaltyRule>::Entry
-      entry("adaptive", "eps from the reaction and the allowed penetration; promises p <= delta", &make_as<Adaptive, PenaltyRule>);
+    const Registry<PenaltyRule>::Entry entry("adaptive",
+                                             "eps from the reaction and the allowed penetration; promises p <= delta",
+                                             &make_as<Adaptive, PenaltyRule>);
   } // namespace
 } // namespace deltaform

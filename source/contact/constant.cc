@@ -18,18 +18,19 @@ namespace deltaform
                                  1e7,
                                  Range::positive(),
                                  "force/length (per node) or stress/length (per area)",
-                                 "The factor of rule 'constant'."))
-        , per_area_(section.choice("Penalty factor is",
+                                 "The factor of rule 'constant'.")),
+          per_area_(section.choice("Penalty factor is",
                                    "per node",
                                    {"per node", "per area"},
-                                   "Per node as in the paper, or multiplied by the tributary area.") == "per area")
-        , continuation_(section.flag("Continuation",
-                                     true,
-                                     "Stiffen a first touch step by step up to the factor instead of starting with it."))
-      {}
+                                   "Per node as in the paper, or multiplied by the tributary area.") == "per area"),
+          continuation_(
+            section.flag("Continuation",
+                         true,
+                         "Stiffen a first touch step by step up to the factor instead of starting with it."))
+      {
+      }
 
-      double
-      predict(const PenaltyInput &input) const override
+      double predict(const PenaltyInput &input) const override
       {
         const double target = goal(input);
         if (input.previous_epsilon > 0 || !continuation_)
@@ -37,36 +38,33 @@ namespace deltaform
         return std::min(target, input.stiffness);
       }
 
-      double
-      correct(const PenaltyInput &input) const override
+      double correct(const PenaltyInput &input) const override
       {
         return std::min(goal(input), 100. * input.previous_epsilon);
       }
 
-      double
-      floor(const PenaltyInput &) const override
+      double floor(const PenaltyInput &) const override
       {
         return 0.;
       }
 
-      bool
-      promises() const override
+      bool promises() const override
       {
         return false;
       }
 
     private:
-      double
-      goal(const PenaltyInput &input) const
+      double goal(const PenaltyInput &input) const
       {
         return per_area_ ? factor_ * input.area : factor_;
       }
 
       double factor_;
-      bool   per_area_, continuation_;
+      bool per_area_, continuation_;
     };
 
-    const Registry<PenaltyRule>::Entry
-      entry("constant", "one factor for all pairs; promises nothing about the penetration", &make_as<Constant, PenaltyRule>);
+    const Registry<PenaltyRule>::Entry entry("constant",
+                                             "one factor for all pairs; promises nothing about the penetration",
+                                             &make_as<Constant, PenaltyRule>);
   } // namespace
 } // namespace deltaform

@@ -9,32 +9,27 @@ namespace deltaform
   namespace
   {
     /// Round-off of a gap: it is computed from coordinates of this size.
-    double
-    noise(const double coordinate)
+    double noise(const double coordinate)
     {
       return 8 * std::numeric_limits<double>::epsilon() * coordinate;
     }
   } // namespace
 
 
-
-  void
-  ContactPair::read_stiffness(const Vector &q, const StiffnessView &stiffness)
+  void ContactPair::read_stiffness(const Vector &q, const StiffnessView &stiffness)
   {
     ContactNode node;
     for (unsigned int i = 0; i < trial_.size(); ++i)
-      {
-        surface_.contact_node(q, tool_.side(), i, thickness_, node);
-        stiffness.block(node.dofs.data(), node.n_dofs, stiffness_[i].data());
-        // Pairs that touch set their stiffness anew below; the others when they touch for the first time.
-        trial_[i].stiffness = 0.;
-      }
+    {
+      surface_.contact_node(q, tool_.side(), i, thickness_, node);
+      stiffness.block(node.dofs.data(), node.n_dofs, stiffness_[i].data());
+      // Pairs that touch set their stiffness anew below; the others when they touch for the first time.
+      trial_[i].stiffness = 0.;
+    }
   }
 
 
-
-  double
-  ContactPair::nodal_stiffness(const unsigned int i, const ContactNode &node, const Tensor1 &direction) const
+  double ContactPair::nodal_stiffness(const unsigned int i, const ContactNode &node, const Tensor1 &direction) const
   {
     double sum = 0.;
     for (unsigned int k = 0; k < node.n_dofs; ++k)
@@ -44,9 +39,7 @@ namespace deltaform
   }
 
 
-
-  double
-  ContactPair::neighbour_factor(const unsigned int i) const
+  double ContactPair::neighbour_factor(const unsigned int i) const
   {
     double factor = median_factor_;
     for (const unsigned int j : {i - 1, i + 1}) // i - 1 wraps around to a number that is too large
@@ -56,9 +49,7 @@ namespace deltaform
   }
 
 
-
-  PenaltyInput
-  ContactPair::input(const unsigned int i, const PairState &state, const double coupling) const
+  PenaltyInput ContactPair::input(const unsigned int i, const PairState &state, const double coupling) const
   {
     PenaltyInput result;
     result.force            = state.force;
@@ -73,9 +64,7 @@ namespace deltaform
   }
 
 
-
-  double
-  ContactPair::tangential_factor(const PairState &state, const double stiffness) const
+  double ContactPair::tangential_factor(const PairState &state, const double stiffness) const
   {
     if (settings_.tangential_factor > 0)
       return settings_.tangential_factor;
@@ -83,145 +72,131 @@ namespace deltaform
   }
 
 
-
-  void
-  ContactPair::touch(const unsigned int i, const ContactNode &node, const Projection &projection)
+  void ContactPair::touch(const unsigned int i, const ContactNode &node, const Projection &projection)
   {
     PairState &state = trial_[i];
     state.stiffness  = nodal_stiffness(i, node, projection.normal);
     if (settings_.enforcement->uses_penalty() && state.epsilon == 0)
       state.epsilon = settings_.rule->predict(input(i, state, 0.));
     if (friction_)
-      {
-        state.epsilon_tangential =
-          std::max(state.epsilon_tangential, tangential_factor(state, nodal_stiffness(i, node, projection.tangent)));
-        if (!committed_[i].touching)
-          state.slip_start = tool_.project(committed_x_[i], 0., hint_[i]).arc_length;
-      }
+    {
+      state.epsilon_tangential =
+        std::max(state.epsilon_tangential, tangential_factor(state, nodal_stiffness(i, node, projection.tangent)));
+      if (!committed_[i].touching)
+        state.slip_start = tool_.project(committed_x_[i], 0., hint_[i]).arc_length;
+    }
   }
 
 
-
-  void
-  ContactPair::add_mismatch(const Vector &q, Vector &direction) const
+  void ContactPair::add_mismatch(const Vector &q, Vector &direction) const
   {
     const Tensor1 shift = travel(q) * tool_.direction();
     for (unsigned int i = 0; i < trial_.size(); ++i)
       if (trial_[i].touching)
-        {
-          const ContactNode description = node(q, i);
-          const Projection  projection  = tool_.project(description.x - shift, 0., hint_[i]);
-          // C points into the tool
-          for (unsigned int k = 0; k < description.n_dofs; ++k)
-            direction[description.dofs[k]] -=
-              (description.jacobian[k] * projection.normal) * (trial_[i].penetration() - trial_[i].delta);
-        }
+      {
+        const ContactNode description = node(q, i);
+        const Projection projection   = tool_.project(description.x - shift, 0., hint_[i]);
+        // C points into the tool
+        for (unsigned int k = 0; k < description.n_dofs; ++k)
+          direction[description.dofs[k]] -=
+            (description.jacobian[k] * projection.normal) * (trial_[i].penetration() - trial_[i].delta);
+      }
   }
 
 
-
-  void
-  ContactPair::predict_factors(const Vector &q, const Vector *coupling)
+  void ContactPair::predict_factors(const Vector &q, const Vector *coupling)
   {
     const Tensor1 shift = travel(q) * tool_.direction();
     for (unsigned int i = 0; i < trial_.size(); ++i)
+    {
+      PairState &state = trial_[i];
+      if (!state.touching)
       {
-        PairState &state = trial_[i];
-        if (!state.touching)
-          {
-            if (!committed_[i].touching)
-              state.epsilon = state.epsilon_tangential = 0.;
-            continue;
-          }
-        const ContactNode description = node(q, i);
-        const Projection  projection  = tool_.project(description.x - shift, 0., hint_[i]);
-        state.stiffness               = nodal_stiffness(i, description, projection.normal);
-        area_[i]                      = description.area;
-        double product                = 0.;
-        if (coupling)
-          for (unsigned int k = 0; k < description.n_dofs; ++k)
-            product -= (description.jacobian[k] * projection.normal) * (*coupling)[description.dofs[k]];
-        if (settings_.enforcement->uses_penalty())
-          state.epsilon = settings_.rule->predict(input(i, state, product));
-        if (friction_)
-          state.epsilon_tangential = tangential_factor(state, nodal_stiffness(i, description, projection.tangent));
-        factor_at_start_[i] = state.epsilon;
+        if (!committed_[i].touching)
+          state.epsilon = state.epsilon_tangential = 0.;
+        continue;
       }
+      const ContactNode description = node(q, i);
+      const Projection projection   = tool_.project(description.x - shift, 0., hint_[i]);
+      state.stiffness               = nodal_stiffness(i, description, projection.normal);
+      area_[i]                      = description.area;
+      double product                = 0.;
+      if (coupling)
+        for (unsigned int k = 0; k < description.n_dofs; ++k)
+          product -= (description.jacobian[k] * projection.normal) * (*coupling)[description.dofs[k]];
+      if (settings_.enforcement->uses_penalty())
+        state.epsilon = settings_.rule->predict(input(i, state, product));
+      if (friction_)
+        state.epsilon_tangential = tangential_factor(state, nodal_stiffness(i, description, projection.tangent));
+      factor_at_start_[i] = state.epsilon;
+    }
   }
 
 
-
-  unsigned int
-  ContactPair::correct_factors()
+  unsigned int ContactPair::correct_factors()
   {
     if (softening_ < 1)
-      {
-        softening_ = softening_ < .05 ? 10. * softening_ : 1.;
-        return 1;
-      }
+    {
+      softening_ = softening_ < .05 ? 10. * softening_ : 1.;
+      return 1;
+    }
     if (!settings_.enforcement->uses_penalty())
       return 0;
     unsigned int changed = 0;
     for (unsigned int i = 0; i < trial_.size(); ++i)
+    {
+      PairState &state = trial_[i];
+      if (!state.touching)
+        continue;
+      PenaltyInput what = input(i, state, 0.);
+      if (what.penetration <= state.delta + tolerance(i))
+        what.penetration = std::min(what.penetration, state.delta);
+      const double epsilon = settings_.rule->correct(what);
+      bool change          = epsilon != state.epsilon;
+      if (change)
       {
-        PairState &state = trial_[i];
-        if (!state.touching)
-          continue;
-        PenaltyInput what = input(i, state, 0.);
-        if (what.penetration <= state.delta + tolerance(i))
-          what.penetration = std::min(what.penetration, state.delta);
-        const double epsilon = settings_.rule->correct(what);
-        bool         change  = epsilon != state.epsilon;
-        if (change)
-          {
-            const double p = state.penetration();
-            energy_of_changes_ += .5 * (epsilon - state.epsilon) * p * p;
-            state.epsilon = epsilon;
-          }
-        if (friction_ && settings_.tangential_factor == 0 && state.sticking)
-          {
-            const double creep = std::abs(state.tangential_force) / state.epsilon_tangential;
-            if (creep > slip_limit_ * (1 + 1e-6))
-              {
-                state.epsilon_tangential *= std::min(10., creep / (.8 * slip_limit_));
-                change = true;
-              }
-          }
-        changed += change;
+        const double p = state.penetration();
+        energy_of_changes_ += .5 * (epsilon - state.epsilon) * p * p;
+        state.epsilon = epsilon;
       }
+      if (friction_ && settings_.tangential_factor == 0 && state.sticking)
+      {
+        const double creep = std::abs(state.tangential_force) / state.epsilon_tangential;
+        if (creep > slip_limit_ * (1 + 1e-6))
+        {
+          state.epsilon_tangential *= std::min(10., creep / (.8 * slip_limit_));
+          change = true;
+        }
+      }
+      changed += change;
+    }
     return changed;
   }
 
 
-
-  double
-  ContactPair::tolerance(const unsigned int i) const
+  double ContactPair::tolerance(const unsigned int i) const
   {
     return std::max(1e-6 * trial_[i].delta, noise(projected_x_[i].norm()));
   }
 
 
-
-  std::pair<unsigned int, double>
-  ContactPair::broken_promise() const
+  std::pair<unsigned int, double> ContactPair::broken_promise() const
   {
     std::pair<unsigned int, double> worst(invalid_index, 0.);
     for (unsigned int i = 0; i < trial_.size(); ++i)
-      {
-        const double excess = trial_[i].penetration() - trial_[i].delta - tolerance(i);
-        if (trial_[i].touching && excess > 0 && trial_[i].penetration() / trial_[i].delta > worst.second)
-          worst = {i, trial_[i].penetration() / trial_[i].delta};
-      }
+    {
+      const double excess = trial_[i].penetration() - trial_[i].delta - tolerance(i);
+      if (trial_[i].touching && excess > 0 && trial_[i].penetration() / trial_[i].delta > worst.second)
+        worst = {i, trial_[i].penetration() / trial_[i].delta};
+    }
     return worst;
   }
 
 
-
-  bool
-  ContactPair::governed_by_floor(const unsigned int i) const
+  bool ContactPair::governed_by_floor(const unsigned int i) const
   {
-    const PenaltyInput what  = input(i, committed_[i], 0.);
-    const double       floor = settings_.rule->floor(what);
+    const PenaltyInput what = input(i, committed_[i], 0.);
+    const double floor      = settings_.rule->floor(what);
     return floor > 0 && committed_[i].epsilon <= floor * (1 + 1e-9);
   }
 } // namespace deltaform

@@ -8,49 +8,50 @@
 namespace deltaform
 {
   ContactSettings::ContactSettings(Section &section, const std::map<std::string, double> &constants)
-    : enforcement(Registry<Enforcement>::choose(section, "Enforcement", "penalty", "How gap >= 0 is imposed."))
-    , rule(Registry<PenaltyRule>::choose(section, "Penalty rule", "adaptive", "Where the penalty factors come from."))
-    , allowed_penetration(section.function("Allowed penetration",
+    : enforcement(Registry<Enforcement>::choose(section, "Enforcement", "penalty", "How gap >= 0 is imposed.")),
+      rule(Registry<PenaltyRule>::choose(section, "Penalty rule", "adaptive", "Where the penalty factors come from.")),
+      allowed_penetration(section.function("Allowed penetration",
                                            Default<std::string>("1e-3*thickness"),
                                            "length",
                                            "delta: how far a node may penetrate a tool; expression of t and thickness.",
-                                           constants))
-    , allowed_slip(section.function("Allowed elastic slip",
-                                    Default<std::string>("1e-3*thickness"),
-                                    "length",
-                                    "delta_t: how far a sticking node may creep; sets the tangential factor mu lambda / delta_t.",
-                                    constants))
-    , tangential_factor(section.number("Tangential factor",
+                                           constants)),
+      allowed_slip(
+        section.function("Allowed elastic slip",
+                         Default<std::string>("1e-3*thickness"),
+                         "length",
+                         "delta_t: how far a sticking node may creep; sets the tangential factor mu lambda / delta_t.",
+                         constants)),
+      tangential_factor(section.number("Tangential factor",
                                        0.,
                                        Range::not_negative(),
                                        "force/length",
-                                       "Constant tangential factor per node; 0: from the allowed elastic slip."))
-    , tangential_floor(section.number("Tangential floor factor",
+                                       "Constant tangential factor per node; 0: from the allowed elastic slip.")),
+      tangential_floor(section.number("Tangential floor factor",
                                       1e-3,
                                       Range::not_negative(),
                                       "1",
                                       "Smallest tangential factor in units of the nodal stiffness K_tt."))
-  {}
-
-
-
-  ContactPair::ContactPair(const ContactSurface & surface,
-                           Tool &                 tool,
-                           const ContactSettings &settings,
-                           Section                tool_section)
-    : surface_(surface)
-    , tool_(tool)
-    , settings_(settings)
   {
-    const std::string thickness = tool_section.choice("Contact thickness",
-                                                      "current",
-                                                      {"current", "initial", "none"},
-                                                      "Thickness that keeps the tool from the mid-surface of a shell: as last "
-                                                      "accepted, initial (a tool with a fixed gap to another), or none.");
-    thickness_ = thickness == "current" ? ContactThickness::current :
-                 thickness == "initial" ? ContactThickness::initial :
-                                          ContactThickness::none;
-    auto law = Registry<FrictionLaw>::choose(tool_section, "Friction law", "coulomb", "Tangential law; no friction, no object.");
+  }
+
+
+  ContactPair::ContactPair(const ContactSurface &surface,
+                           Tool &tool,
+                           const ContactSettings &settings,
+                           Section tool_section)
+    : surface_(surface), tool_(tool), settings_(settings)
+  {
+    const std::string thickness =
+      tool_section.choice("Contact thickness",
+                          "current",
+                          {"current", "initial", "none"},
+                          "Thickness that keeps the tool from the mid-surface of a shell: as last "
+                          "accepted, initial (a tool with a fixed gap to another), or none.");
+    thickness_ = thickness == "current"   ? ContactThickness::current
+                 : thickness == "initial" ? ContactThickness::initial
+                                          : ContactThickness::none;
+    auto law =
+      Registry<FrictionLaw>::choose(tool_section, "Friction law", "coulomb", "Tangential law; no friction, no object.");
     if (tool.friction_coefficient() > 0)
       friction_ = std::move(law);
 
@@ -70,26 +71,20 @@ namespace deltaform
   }
 
 
-
-  void
-  ContactPair::set_dofs(const DofIndex travel, const DofIndex first_multiplier)
+  void ContactPair::set_dofs(const DofIndex travel, const DofIndex first_multiplier)
   {
     travel_dof_       = travel;
     first_multiplier_ = first_multiplier;
   }
 
 
-
-  double
-  ContactPair::travel(const Vector &q) const
+  double ContactPair::travel(const Vector &q) const
   {
     return tool_.force_driven() ? q[travel_dof_] : tool_.travel(time_);
   }
 
 
-
-  ContactNode
-  ContactPair::node(const Vector &q, const unsigned int i) const
+  ContactNode ContactPair::node(const Vector &q, const unsigned int i) const
   {
     ContactNode result;
     surface_.contact_node(q, tool_.side(), i, thickness_, result);
@@ -97,9 +92,7 @@ namespace deltaform
   }
 
 
-
-  void
-  ContactPair::begin_stage(const Vector &q, const double time)
+  void ContactPair::begin_stage(const Vector &q, const double time)
   {
     time_               = time;
     const Tensor1 shift = travel(q) * tool_.direction();
@@ -109,9 +102,7 @@ namespace deltaform
   }
 
 
-
-  void
-  ContactPair::begin_increment(const double time)
+  void ContactPair::begin_increment(const double time)
   {
     time_              = time;
     softening_         = 1.;
@@ -121,13 +112,13 @@ namespace deltaform
     factor_at_start_.assign(committed_.size(), 0.);
     for (unsigned int i = 0; i < committed_.size(); ++i)
       factor_at_start_[i] = committed_[i].epsilon;
-    const auto   own   = tool_.allowed_penetration(time);
+    const auto own     = tool_.allowed_penetration(time);
     const double delta = own ? *own : settings_.allowed_penetration(time);
     for (auto &state : trial_)
-      {
-        state.delta      = delta;
-        state.multiplier = state.touching ? state.force : 0.;
-      }
+    {
+      state.delta      = delta;
+      state.multiplier = state.touching ? state.force : 0.;
+    }
 
     std::vector<double> factors;
     for (const auto &state : committed_)
@@ -135,133 +126,125 @@ namespace deltaform
         factors.push_back(state.epsilon);
     median_factor_ = 0.;
     if (!factors.empty())
-      {
-        std::nth_element(factors.begin(), factors.begin() + factors.size() / 2, factors.end());
-        median_factor_ = factors[factors.size() / 2];
-      }
+    {
+      std::nth_element(factors.begin(), factors.begin() + factors.size() / 2, factors.end());
+      median_factor_ = factors[factors.size() / 2];
+    }
   }
 
 
-
-  bool
-  ContactPair::certainly_clear(const unsigned int i, const Point2 &relative, const double offset) const
+  bool ContactPair::certainly_clear(const unsigned int i, const Point2 &relative, const double offset) const
   {
     const double clearance = projected_gap_[i] - offset;
     return clearance > 0 && (relative - projected_x_[i]).norm_square() < clearance * clearance;
   }
 
 
-
-  void
-  ContactPair::assemble(const Vector &q, AssemblyTarget &target)
+  void ContactPair::assemble(const Vector &q, AssemblyTarget &target)
   {
-    tool_force_                   = Tensor1();
-    status_changed_               = false;
-    const double       travel_now = travel(q);
-    const Tensor1      shift      = travel_now * tool_.direction();
-    const bool         own_unknown = settings_.enforcement->has_multiplier();
-    const unsigned int n           = trial_.size();
+    tool_force_             = Tensor1();
+    status_changed_         = false;
+    const double travel_now = travel(q);
+    const Tensor1 shift     = travel_now * tool_.direction();
+    const bool own_unknown  = settings_.enforcement->has_multiplier();
+    const unsigned int n    = trial_.size();
 
     if (tool_.force_driven())
-      {
-        const double residual = -tool_.force(time_), zero = 0.;
-        target.add(&travel_dof_, 1, target.wants_tangent() ? &zero : nullptr, &residual);
-      }
+    {
+      const double residual = -tool_.force(time_), zero = 0.;
+      target.add(&travel_dof_, 1, target.wants_tangent() ? &zero : nullptr, &residual);
+    }
     ContactNode node;
     for (unsigned int i = 0; i < n; ++i)
+    {
+      surface_.contact_node(q, tool_.side(), i, thickness_, node);
+      PairState &state      = trial_[i];
+      const Point2 relative = node.x - shift;
+      area_[i]              = node.area;
+      if (!(node.area > 0) || (!own_unknown && !(state.multiplier > 0) && certainly_clear(i, relative, node.offset)))
       {
-        surface_.contact_node(q, tool_.side(), i, thickness_, node);
-        PairState &  state    = trial_[i];
-        const Point2 relative = node.x - shift;
-        area_[i]              = node.area;
-        if (!(node.area > 0) || (!own_unknown && !(state.multiplier > 0) && certainly_clear(i, relative, node.offset)))
-          {
-            status_changed_ |= state.touching;
-            state.touching = false;
-            state.force = state.tangential_force = 0.;
-            state.gap                            = projected_gap_[i] - node.offset;
-            continue;
-          }
-
-        const Projection projection = tool_.project(relative, 0., hint_[i]);
-        hint_[i]                    = projection.segment;
-        projected_x_[i]             = relative;
-        projected_gap_[i]           = std::isfinite(projection.distance) ? projection.distance : -1.;
-        double gap                  = projection.distance - node.offset;
-        // A blank that just rests on a tool touches it, whatever the last digit says.
-        if (gap > 0 && gap < 16 * std::numeric_limits<double>::epsilon() * relative.norm())
-          gap = 0.;
-        state.gap                   = gap;
-        state.arc_length            = projection.arc_length;
-        if ((gap <= 0 || own_unknown || state.multiplier > 0) && !(state.stiffness > 0))
-          touch(i, node, projection);
-
-        if (own_unknown)
-          state.multiplier = q[first_multiplier_ + i];
-        NormalResponse normal;
-        if (std::isfinite(gap))
-          normal = settings_.enforcement->respond(state, gap, state.multiplier);
-        if (softening_ < 1 && !committed_[i].touching)
-          {
-            normal.force *= own_unknown ? 1. : softening_;
-            normal.derivative *= softening_;
-            normal.compliance = own_unknown ? 1. / (softening_ * state.stiffness) : 0.;
-          }
-        FrictionResponse     friction;
-        if (friction_ && normal.touching)
-          {
-            const PairState &before = committed_[i];
-            const double     start  = before.touching ? before.arc_length : state.slip_start;
-            // The cone belongs to the estimate of lambda; what the iterate's force differs from it enters linearly.
-            const double lambda = std::max(state.multiplier, 0.);
-            friction            = friction_->update(lambda,
-                                         before.touching ? before.tangential_force : 0.,
-                                         tool_.shape().slip(start, projection.arc_length),
-                                         state.epsilon_tangential);
-            friction.force += friction.force_rate * (normal.force - lambda);
-          }
-        status_changed_ |= state.touching != normal.touching;
-        state.touching         = normal.touching;
-        state.force            = normal.force;
-        state.tangential_force = friction.force;
-        state.sticking         = friction.sticking;
-        if (normal.touching)
-          {
-            description_[i] = node;
-            normal_[i]      = projection.normal;
-          }
-        if (normal.touching || own_unknown)
-          add_pair(i, node, projection, normal, friction, target);
+        status_changed_ |= state.touching;
+        state.touching = false;
+        state.force = state.tangential_force = 0.;
+        state.gap                            = projected_gap_[i] - node.offset;
+        continue;
       }
+
+      const Projection projection = tool_.project(relative, 0., hint_[i]);
+      hint_[i]                    = projection.segment;
+      projected_x_[i]             = relative;
+      projected_gap_[i]           = std::isfinite(projection.distance) ? projection.distance : -1.;
+      double gap                  = projection.distance - node.offset;
+      // A blank that just rests on a tool touches it, whatever the last digit says.
+      if (gap > 0 && gap < 16 * std::numeric_limits<double>::epsilon() * relative.norm())
+        gap = 0.;
+      state.gap        = gap;
+      state.arc_length = projection.arc_length;
+      if ((gap <= 0 || own_unknown || state.multiplier > 0) && !(state.stiffness > 0))
+        touch(i, node, projection);
+
+      if (own_unknown)
+        state.multiplier = q[first_multiplier_ + i];
+      NormalResponse normal;
+      if (std::isfinite(gap))
+        normal = settings_.enforcement->respond(state, gap, state.multiplier);
+      if (softening_ < 1 && !committed_[i].touching)
+      {
+        normal.force *= own_unknown ? 1. : softening_;
+        normal.derivative *= softening_;
+        normal.compliance = own_unknown ? 1. / (softening_ * state.stiffness) : 0.;
+      }
+      FrictionResponse friction;
+      if (friction_ && normal.touching)
+      {
+        const PairState &before = committed_[i];
+        const double start      = before.touching ? before.arc_length : state.slip_start;
+        // The cone belongs to the estimate of lambda; what the iterate's force differs from it enters linearly.
+        const double lambda = std::max(state.multiplier, 0.);
+        friction            = friction_->update(lambda,
+                                     before.touching ? before.tangential_force : 0.,
+                                     tool_.shape().slip(start, projection.arc_length),
+                                     state.epsilon_tangential);
+        friction.force += friction.force_rate * (normal.force - lambda);
+      }
+      status_changed_ |= state.touching != normal.touching;
+      state.touching         = normal.touching;
+      state.force            = normal.force;
+      state.tangential_force = friction.force;
+      state.sticking         = friction.sticking;
+      if (normal.touching)
+      {
+        description_[i] = node;
+        normal_[i]      = projection.normal;
+      }
+      if (normal.touching || own_unknown)
+        add_pair(i, node, projection, normal, friction, target);
+    }
   }
 
 
-
-  void
-  ContactPair::prepare_step(const Vector &d)
+  void ContactPair::prepare_step(const Vector &d)
   {
     if (settings_.enforcement->has_multiplier())
       return;
     const Tensor1 tool_step = tool_.force_driven() ? d[travel_dof_] * tool_.direction() : Tensor1();
     for (unsigned int i = 0; i < trial_.size(); ++i)
-      {
-        PairState &state   = trial_[i];
-        base_multiplier_[i] = state.multiplier;
-        step_multiplier_[i] = -state.multiplier;
-        if (!state.touching)
-          continue;
-        Tensor1 dx = -tool_step;
-        for (unsigned int k = 0; k < description_[i].n_dofs; ++k)
-          dx += d[description_[i].dofs[k]] * description_[i].jacobian[k];
-        const double epsilon = softening_ < 1 && !committed_[i].touching ? softening_ * state.epsilon : state.epsilon;
-        step_multiplier_[i] += -epsilon * (state.gap + normal_[i] * dx);
-      }
+    {
+      PairState &state    = trial_[i];
+      base_multiplier_[i] = state.multiplier;
+      step_multiplier_[i] = -state.multiplier;
+      if (!state.touching)
+        continue;
+      Tensor1 dx = -tool_step;
+      for (unsigned int k = 0; k < description_[i].n_dofs; ++k)
+        dx += d[description_[i].dofs[k]] * description_[i].jacobian[k];
+      const double epsilon = softening_ < 1 && !committed_[i].touching ? softening_ * state.epsilon : state.epsilon;
+      step_multiplier_[i] += -epsilon * (state.gap + normal_[i] * dx);
+    }
   }
 
 
-
-  void
-  ContactPair::advance(const double factor)
+  void ContactPair::advance(const double factor)
   {
     if (!settings_.enforcement->has_multiplier())
       for (unsigned int i = 0; i < trial_.size(); ++i)
@@ -269,51 +252,48 @@ namespace deltaform
   }
 
 
-
-  bool
-  ContactPair::consistent(const double allowed_tension) const
+  bool ContactPair::consistent(const double allowed_tension) const
   {
     for (unsigned int i = 0; i < trial_.size(); ++i)
-      if (trial_[i].touching && trial_[i].force < -std::max(allowed_tension, Enforcement::weight(trial_[i]) * tolerance(i)))
+      if (trial_[i].touching &&
+          trial_[i].force < -std::max(allowed_tension, Enforcement::weight(trial_[i]) * tolerance(i)))
         return false;
     return true;
   }
 
 
-
-  void
-  ContactPair::add_pair(const unsigned int      i,
-                        const ContactNode &     node,
-                        const Projection &      projection,
-                        const NormalResponse &  normal,
-                        const FrictionResponse &friction,
-                        AssemblyTarget &        target)
+  void ContactPair::add_pair(const unsigned int i,
+                             const ContactNode &node,
+                             const Projection &projection,
+                             const NormalResponse &normal,
+                             const FrictionResponse &friction,
+                             AssemblyTarget &target)
   {
-    constexpr unsigned int            most = ContactNode::max_dofs + 2;
-    std::array<DofIndex, most>        dofs;
-    std::array<Tensor1, most>         jacobian;
-    std::array<double, most>          residual;
-    std::array<double, most * most>   matrix;
-    unsigned int                      n = 0;
+    constexpr unsigned int most = ContactNode::max_dofs + 2;
+    std::array<DofIndex, most> dofs;
+    std::array<Tensor1, most> jacobian;
+    std::array<double, most> residual;
+    std::array<double, most * most> matrix;
+    unsigned int n = 0;
 
     // What moves the point relative to the tool: the node's unknowns, and the tool itself backwards.
     for (; n < node.n_dofs; ++n)
-      {
-        dofs[n]     = node.dofs[n];
-        jacobian[n] = node.jacobian[n];
-      }
+    {
+      dofs[n]     = node.dofs[n];
+      jacobian[n] = node.jacobian[n];
+    }
     if (tool_.force_driven())
-      {
-        dofs[n]       = travel_dof_;
-        jacobian[n++] = -tool_.direction();
-      }
-    const unsigned int n_motion   = n;
-    const bool         own_unknown = settings_.enforcement->has_multiplier();
+    {
+      dofs[n]       = travel_dof_;
+      jacobian[n++] = -tool_.direction();
+    }
+    const unsigned int n_motion = n;
+    const bool own_unknown      = settings_.enforcement->has_multiplier();
     if (own_unknown)
       dofs[n++] = first_multiplier_ + i;
 
-    const auto &  N = projection.normal, &tau = projection.tangent;
-    const double  s = projection.slip_rate;
+    const auto &N = projection.normal, &tau = projection.tangent;
+    const double s      = projection.slip_rate;
     const Tensor1 force = normal.force * N - friction.force * s * tau;
     if (normal.touching)
       tool_force_ -= force;
@@ -325,14 +305,14 @@ namespace deltaform
       residual[n_motion] = normal.tied ? -trial_[i].gap - normal.compliance * lambda : lambda;
 
     if (!target.wants_tangent())
-      {
-        target.add(dofs.data(), n, nullptr, residual.data());
-        return;
-      }
+    {
+      target.add(dofs.data(), n, nullptr, residual.data());
+      return;
+    }
 
     // dF/dx: the normal turns with the tool's curvature, the friction force follows normal force and slip.
     const double turning = projection.turning, t = friction.force;
-    Tensor2      dF;
+    Tensor2 dF;
     for (unsigned int a = 0; a < 2; ++a)
       for (unsigned int b = 0; b < 2; ++b)
         dF[a][b] = normal.derivative * N[a] * N[b] + std::max(lambda, 0.) * turning * tau[a] * tau[b] -
@@ -340,24 +320,24 @@ namespace deltaform
                    t * turning * s * (tau[a] * N[b] + N[a] * tau[b]);
     matrix.fill(0.);
     for (unsigned int k = 0; k < n_motion; ++k)
-      {
-        for (unsigned int l = 0; l < n_motion; ++l)
-          matrix[k * n + l] = -(jacobian[k] * (dF * jacobian[l]));
-        if (k < node.n_dofs)
-          matrix[k * n + k] -= force * node.second[k];
-      }
+    {
+      for (unsigned int l = 0; l < n_motion; ++l)
+        matrix[k * n + l] = -(jacobian[k] * (dF * jacobian[l]));
+      if (k < node.n_dofs)
+        matrix[k * n + k] -= force * node.second[k];
+    }
     if (own_unknown)
-      {
-        const unsigned int m      = n_motion;
-        const Tensor1      dforce = N - friction.force_rate * s * tau;
-        matrix[m * n + m] = normal.tied ? -normal.compliance : 1.;
-        if (normal.tied)
-          for (unsigned int k = 0; k < n_motion; ++k)
-            {
-              matrix[k * n + m] = -(dforce * jacobian[k]);
-              matrix[m * n + k] = -(N * jacobian[k]);
-            }
-      }
+    {
+      const unsigned int m = n_motion;
+      const Tensor1 dforce = N - friction.force_rate * s * tau;
+      matrix[m * n + m]    = normal.tied ? -normal.compliance : 1.;
+      if (normal.tied)
+        for (unsigned int k = 0; k < n_motion; ++k)
+        {
+          matrix[k * n + m] = -(dforce * jacobian[k]);
+          matrix[m * n + k] = -(N * jacobian[k]);
+        }
+    }
     target.add(dofs.data(), n, matrix.data(), residual.data());
   }
 } // namespace deltaform

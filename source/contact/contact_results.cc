@@ -8,107 +8,97 @@
 
 namespace deltaform
 {
-  void
-  ContactPair::commit(const Vector &q)
+  void ContactPair::commit(const Vector &q)
   {
     const Tensor1 shift = travel(q) * tool_.direction();
     energy_.epsilon += energy_of_changes_;
     energy_of_changes_ = 0.;
     for (unsigned int i = 0; i < trial_.size(); ++i)
-      {
-        PairState &      state  = trial_[i];
-        const PairState &before = committed_[i];
-        committed_x_[i]         = node(q, i).x - shift;
-        if (!state.touching)
-          state.epsilon = state.epsilon_tangential = state.stiffness = 0.;
+    {
+      PairState &state        = trial_[i];
+      const PairState &before = committed_[i];
+      committed_x_[i]         = node(q, i).x - shift;
+      if (!state.touching)
+        state.epsilon = state.epsilon_tangential = state.stiffness = 0.;
 
-        // Work of the factor changed at the start of the increment, at the penetration of then.
-        if (before.touching && before.epsilon > 0)
-          {
-            const double p = before.penetration();
-            energy_.epsilon += .5 * (factor_at_start_[i] - before.epsilon) * p * p;
-          }
-        if (friction_ && (state.touching || before.touching))
-          {
-            const double start   = before.touching ? before.arc_length : state.slip_start;
-            const double slip    = state.touching ? tool_.shape().slip(start, state.arc_length) : 0.;
-            const double earlier = before.touching ? before.tangential_force : 0.;
-            const auto   stored  = [](const PairState &s) {
-              return s.touching && s.epsilon_tangential > 0 ?
-                         .5 * s.tangential_force * s.tangential_force / s.epsilon_tangential :
-                         0.;
-            };
-            energy_.friction += .5 * (earlier + state.tangential_force) * slip - (stored(state) - stored(before));
-            if (state.touching && !state.sticking)
-              state.slip += std::abs(slip);
-          }
+      // Work of the factor changed at the start of the increment, at the penetration of then.
+      if (before.touching && before.epsilon > 0)
+      {
+        const double p = before.penetration();
+        energy_.epsilon += .5 * (factor_at_start_[i] - before.epsilon) * p * p;
       }
+      if (friction_ && (state.touching || before.touching))
+      {
+        const double start   = before.touching ? before.arc_length : state.slip_start;
+        const double slip    = state.touching ? tool_.shape().slip(start, state.arc_length) : 0.;
+        const double earlier = before.touching ? before.tangential_force : 0.;
+        const auto stored    = [](const PairState &s)
+        {
+          return s.touching && s.epsilon_tangential > 0
+                   ? .5 * s.tangential_force * s.tangential_force / s.epsilon_tangential
+                   : 0.;
+        };
+        energy_.friction += .5 * (earlier + state.tangential_force) * slip - (stored(state) - stored(before));
+        if (state.touching && !state.sticking)
+          state.slip += std::abs(slip);
+      }
+    }
     committed_ = trial_;
     update_stored_energy();
   }
 
 
-
-  void
-  ContactPair::update_stored_energy()
+  void ContactPair::update_stored_energy()
   {
     energy_.stored = 0.;
     for (const auto &state : committed_)
       if (state.touching)
-        {
-          const double p = state.penetration();
-          energy_.stored += .5 * state.epsilon * p * p;
-          if (state.epsilon_tangential > 0)
-            energy_.stored += .5 * state.tangential_force * state.tangential_force / state.epsilon_tangential;
-        }
-  }
-
-
-
-  void
-  ContactPair::refresh(const Vector &q)
-  {
-    // The thickness has changed at fixed positions; the forces stay those of the accepted equilibrium.
-    const Tensor1 shift = travel(q) * tool_.direction();
-    for (unsigned int i = 0; i < committed_.size(); ++i)
       {
-        const PairState &state = committed_[i];
-        if (!state.touching)
-          continue;
-        const ContactNode description = node(q, i);
-        const double      gap = tool_.project(description.x - shift, 0., hint_[i]).distance - description.offset;
-        // The force works on the face that moves towards the tool.
-        energy_.thickness += state.force * (state.gap - gap);
+        const double p = state.penetration();
+        energy_.stored += .5 * state.epsilon * p * p;
+        if (state.epsilon_tangential > 0)
+          energy_.stored += .5 * state.tangential_force * state.tangential_force / state.epsilon_tangential;
       }
   }
 
 
+  void ContactPair::refresh(const Vector &q)
+  {
+    // The thickness has changed at fixed positions; the forces stay those of the accepted equilibrium.
+    const Tensor1 shift = travel(q) * tool_.direction();
+    for (unsigned int i = 0; i < committed_.size(); ++i)
+    {
+      const PairState &state = committed_[i];
+      if (!state.touching)
+        continue;
+      const ContactNode description = node(q, i);
+      const double gap              = tool_.project(description.x - shift, 0., hint_[i]).distance - description.offset;
+      // The force works on the face that moves towards the tool.
+      energy_.thickness += state.force * (state.gap - gap);
+    }
+  }
 
-  ContactEnergy
-  ContactPair::energy() const
+
+  ContactEnergy ContactPair::energy() const
   {
     return energy_;
   }
 
 
-
-  std::vector<double>
-  ContactPair::pressure(const Vector &q) const
+  std::vector<double> ContactPair::pressure(const Vector &q) const
   {
     std::vector<double> result(committed_.size(), 0.);
     for (unsigned int i = 0; i < result.size(); ++i)
       if (committed_[i].touching)
-        {
-          const ContactNode description = node(q, i);
-          result[i]                     = description.area > 0 ? committed_[i].force / description.area : 0.;
-        }
+      {
+        const ContactNode description = node(q, i);
+        result[i]                     = description.area > 0 ? committed_[i].force / description.area : 0.;
+      }
     return result;
   }
 
 
-
-  unsigned int
-  ContactPair::n_touching() const
+  unsigned int ContactPair::n_touching() const
   {
     unsigned int count = 0;
     for (const auto &state : trial_)
@@ -117,62 +107,57 @@ namespace deltaform
   }
 
 
-
-  double
-  ContactPair::penetration_between_nodes(const Vector &q) const
+  double ContactPair::penetration_between_nodes(const Vector &q) const
   {
-    const Tensor1 shift   = travel(q) * tool_.direction();
-    double        deepest = 0.;
+    const Tensor1 shift = travel(q) * tool_.direction();
+    double deepest      = 0.;
     for (const auto &edge : surface_.contact_edges(tool_.side()))
+    {
+      const unsigned int a = edge[0], b = edge[1], m = edge[2];
+      if (!committed_[a].touching && !committed_[b].touching)
+        continue;
+      const ContactNode start = node(q, a), end = node(q, b);
+      const ContactNode middle = m == invalid_index ? start : node(q, m);
+      const auto gap           = [&](const double xi)
       {
-        const unsigned int a = edge[0], b = edge[1], m = edge[2];
-        if (!committed_[a].touching && !committed_[b].touching)
-          continue;
-        const ContactNode start = node(q, a), end = node(q, b);
-        const ContactNode middle = m == invalid_index ? start : node(q, m);
-        const auto        gap    = [&](const double xi) {
-          const std::array<double, 3> N =
-            m == invalid_index ? std::array<double, 3>{{1 - xi, xi, 0.}} :
-                                 std::array<double, 3>{{(1 - xi) * (1 - 2 * xi), xi * (2 * xi - 1), 4 * xi * (1 - xi)}};
-          Point2       x      = start.x - shift;
-          const double offset = N[0] * start.offset + N[1] * end.offset + N[2] * middle.offset;
-          x += N[1] * (end.x - start.x) + N[2] * (middle.x - start.x);
-          return tool_.project(x, 0., hint_[a]).distance - offset;
-        };
-        deepest = std::max({deepest, -gap(0.), -gap(1.)});
-        // Two humps are possible where a line meets an arc inside the element: search both halves.
-        for (const double low : {0., .5})
-          deepest = std::max(deepest, -boost::math::tools::brent_find_minima(gap, low, low + .5, 20).second);
-      }
+        const std::array<double, 3> N =
+          m == invalid_index ? std::array<double, 3>{{1 - xi, xi, 0.}}
+                             : std::array<double, 3>{{(1 - xi) * (1 - 2 * xi), xi * (2 * xi - 1), 4 * xi * (1 - xi)}};
+        Point2 x            = start.x - shift;
+        const double offset = N[0] * start.offset + N[1] * end.offset + N[2] * middle.offset;
+        x += N[1] * (end.x - start.x) + N[2] * (middle.x - start.x);
+        return tool_.project(x, 0., hint_[a]).distance - offset;
+      };
+      deepest = std::max({deepest, -gap(0.), -gap(1.)});
+      // Two humps are possible where a line meets an arc inside the element: search both halves.
+      for (const double low : {0., .5})
+        deepest = std::max(deepest, -boost::math::tools::brent_find_minima(gap, low, low + .5, 20).second);
+    }
     return deepest;
   }
 
 
-
-  std::pair<unsigned int, double>
-  ContactPair::deepest_at_start() const
+  std::pair<unsigned int, double> ContactPair::deepest_at_start() const
   {
     Vector zero(surface_.n_contact_dofs());
-    const double                    travel_then = tool_.travel(0.);
+    const double travel_then = tool_.travel(0.);
     std::pair<unsigned int, double> worst(invalid_index, std::numeric_limits<double>::infinity());
     for (unsigned int i = 0; i < committed_.size(); ++i)
-      {
-        const ContactNode description = node(zero, i);
-        const double      gap         = tool_.project(description.x, travel_then).distance - description.offset;
-        if (gap < worst.second)
-          worst = {i, gap};
-      }
+    {
+      const ContactNode description = node(zero, i);
+      const double gap              = tool_.project(description.x, travel_then).distance - description.offset;
+      if (gap < worst.second)
+        worst = {i, gap};
+    }
     return worst;
   }
 
 
-
-  void
-  ContactPair::clear()
+  void ContactPair::clear()
   {
     for (auto &state : committed_)
       state = PairState();
-    trial_ = committed_;
+    trial_         = committed_;
     energy_.stored = 0.;
   }
 } // namespace deltaform

@@ -18,10 +18,13 @@ namespace deltaform
                                       Range::not_negative(),
                                       "1",
                                       "Coulomb's coefficient of friction between this tool and the blank."))
-      {}
+      {
+      }
 
-      FrictionResponse
-      update(const double normal_force, const double committed, const double slip_increment, const double stiffness) const override
+      FrictionResponse update(const double normal_force,
+                              const double committed,
+                              const double slip_increment,
+                              const double stiffness) const override
       {
         const double trial = committed + stiffness * slip_increment;
         const double bound = limit(normal_force);
@@ -31,8 +34,7 @@ namespace deltaform
         return {sign * bound, 0., sign * coefficient_, false};
       }
 
-      double
-      limit(const double normal_force) const override
+      double limit(const double normal_force) const override
       {
         return coefficient_ * normal_force;
       }

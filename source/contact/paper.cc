@@ -2,9 +2,9 @@
 //
 //     eps_i delta_i = lambda_i + [C^T K C (p - delta)]_i
 //
-// (at equilibrium C^T (r - f_int) is the reaction lambda). p = delta is its only fixed point, but the second term predicts the
-// change of the reaction with C^T K C where the condensed stiffness is smaller, so that it overshoots and may turn negative.
-// The safeguards can be switched off to see what the printed rule does by itself. Promises nothing.
+// (at equilibrium C^T (r - f_int) is the reaction lambda). p = delta is its only fixed point, but the second term
+// predicts the change of the reaction with C^T K C where the condensed stiffness is smaller, so that it overshoots and
+// may turn negative. The safeguards can be switched off to see what the printed rule does by itself. Promises nothing.
 #include <deltaform/base/registry.h>
 #include <deltaform/contact/penalty_rule.h>
 
@@ -18,18 +18,25 @@ namespace deltaform
     {
     public:
       explicit Paper(Section &section)
-        : every_iteration_(section.choice("Paper update",
-                                          "increment",
-                                          {"increment", "iteration"},
-                                          "Evaluate eqn (7) once per increment, or in every Newton iteration as the paper says.") ==
-                           "iteration")
-        , clamp_(section.flag("Paper clamp", true, "Safeguard: where eqn (7) turns negative keep the previous factor."))
-        , floor_(section.number("Paper floor", 1e-2, Range::not_negative(), "1", "Safeguard: smallest factor / K_nn; 0: off."))
-        , cap_(section.number("Paper cap", 1e6, Range::not_negative(), "1", "Safeguard: largest factor / K_nn; 0: off."))
-      {}
+        : every_iteration_(
+            section.choice("Paper update",
+                           "increment",
+                           {"increment", "iteration"},
+                           "Evaluate eqn (7) once per increment, or in every Newton iteration as the paper says.") ==
+            "iteration"),
+          clamp_(
+            section.flag("Paper clamp", true, "Safeguard: where eqn (7) turns negative keep the previous factor.")),
+          floor_(section.number("Paper floor",
+                                1e-2,
+                                Range::not_negative(),
+                                "1",
+                                "Safeguard: smallest factor / K_nn; 0: off.")),
+          cap_(
+            section.number("Paper cap", 1e6, Range::not_negative(), "1", "Safeguard: largest factor / K_nn; 0: off."))
+      {
+      }
 
-      double
-      predict(const PenaltyInput &input) const override
+      double predict(const PenaltyInput &input) const override
       {
         if (input.previous_epsilon == 0)
           return input.stiffness;
@@ -43,42 +50,39 @@ namespace deltaform
         return epsilon;
       }
 
-      double
-      correct(const PenaltyInput &input) const override
+      double correct(const PenaltyInput &input) const override
       {
         return input.previous_epsilon;
       }
 
-      double
-      floor(const PenaltyInput &input) const override
+      double floor(const PenaltyInput &input) const override
       {
         return floor_ * input.stiffness;
       }
 
-      bool
-      promises() const override
+      bool promises() const override
       {
         return false;
       }
 
-      bool
-      in_every_iteration() const override
+      bool in_every_iteration() const override
       {
         return every_iteration_;
       }
 
-      bool
-      needs_coupling() const override
+      bool needs_coupling() const override
       {
         return true;
       }
 
     private:
-      bool   every_iteration_, clamp_;
+      bool every_iteration_, clamp_;
       double floor_, cap_;
     };
 
     const Registry<PenaltyRule>::Entry
-      entry("paper", "eqn (7) as printed, with safeguards that can be switched off; promises nothing", &make_as<Paper, PenaltyRule>);
+      entry("paper",
+            "eqn (7) as printed, with safeguards that can be switched off; promises nothing",
+            &make_as<Paper, PenaltyRule>);
   } // namespace
 } // namespace deltaform

@@ -10,10 +10,10 @@ namespace deltaform
     {
     public:
       explicit Penalty(Section &)
-      {}
+      {
+      }
 
-      NormalResponse
-      respond(const PairState &state, const double gap, const double multiplier) const override
+      NormalResponse respond(const PairState &state, const double gap, const double multiplier) const override
       {
         // gap = 0 counts as touching: a blank that just rests on a tool is held by it.
         if (multiplier > 0 ? multiplier < weight(state) * gap : gap > 0)
@@ -21,19 +21,18 @@ namespace deltaform
         return {true, -state.epsilon * gap, -state.epsilon, false};
       }
 
-      bool
-      has_multiplier() const override
+      bool has_multiplier() const override
       {
         return false;
       }
 
-      bool
-      uses_penalty() const override
+      bool uses_penalty() const override
       {
         return true;
       }
     };
 
-    const Registry<Enforcement>::Entry entry("penalty", "lambda = eps p with eps from the penalty rule", &make_as<Penalty, Enforcement>);
+    const Registry<Enforcement>::Entry
+      entry("penalty", "lambda = eps p with eps from the penalty rule", &make_as<Penalty, Enforcement>);
   } // namespace
 } // namespace deltaform

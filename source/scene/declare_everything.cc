@@ -9,39 +9,36 @@ namespace deltaform
   namespace
   {
     template <typename T>
-    void
-    declare_each(Section section, const std::string &entry)
+    void declare_each(Section section, const std::string &entry)
     {
       for (const auto &name : Registry<T>::names())
-        {
-          Section own = section.sub(entry + ": " + name);
-          Registry<T>::make(name, own);
-        }
+      {
+        Section own = section.sub(entry + ": " + name);
+        Registry<T>::make(name, own);
+      }
     }
   } // namespace
 
 
-
-  void
-  declare_everything(ParameterTree &tree)
+  void declare_everything(ParameterTree &tree)
   {
     Section root = tree.root();
     root.text("Title", Default<std::string>("a deltaform scene"), "What this scene is.");
     root.text("Units", Default<std::string>("consistent"), "Label of the units, for example 'mm, N, MPa'.");
     Section blank_section = root.sub("Blank");
-    auto    blank         = Registry<Blank>::choose(blank_section, "Kind", "shell", "How the blank is modelled.");
+    auto blank            = Registry<Blank>::choose(blank_section, "Kind", "shell", "How the blank is modelled.");
     declare_each<Blank>(blank_section, "Kind");
     declare_each<Material>(root.sub("Material"), "Model");
     declare_each<Hardening>(root.sub("Material").sub("Hardening"), "Law");
 
     const std::map<std::string, double> constants{{"thickness", blank->initial_thickness()}};
-    Section                             contact_section = root.sub("Contact");
-    const ContactSettings               contact(contact_section, constants);
+    Section contact_section = root.sub("Contact");
+    const ContactSettings contact(contact_section, constants);
     declare_each<Enforcement>(contact_section, "Enforcement");
     declare_each<PenaltyRule>(contact_section, "Penalty rule");
 
     std::vector<std::unique_ptr<Tool>> tools;
-    Section                            tools_section = root.sub("Tools");
+    Section tools_section = root.sub("Tools");
     tools_section.names("Names", "", "Names of the tools, one subsection each.");
     Section tool_section = tools_section.sub("<name>");
     tools.push_back(std::make_unique<Tool>("<name>", tool_section, constants));
@@ -54,13 +51,13 @@ namespace deltaform
     root.sub("Loads").names("Names", "", "Loads, one subsection each.");
     const Load load("<name>", root.sub("Loads").sub("<name>"), *blank);
 
-    Section              steps_section = root.sub("Steps");
-    const auto           stages        = read_stages(steps_section);
-    Section              solver        = root.sub("Solver");
+    Section steps_section = root.sub("Steps");
+    const auto stages     = read_stages(steps_section);
+    Section solver        = root.sub("Solver");
     const NewtonSettings newton(solver);
-    const StepSettings   steps(solver);
+    const StepSettings steps(solver);
     solver.choice("Linear solver", "klu", {"klu", "mumps"}, "Direct solver of Amesos; klu for thin strips.");
-    Section              output_section = root.sub("Output");
+    Section output_section = root.sub("Output");
     const OutputSettings output(output_section, tools, stages);
   }
 } // namespace deltaform

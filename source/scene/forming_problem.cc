@@ -9,41 +9,10 @@
 
 namespace deltaform
 {
-  namespace
-  {
-    /// Collects the residual of a part of the problem.
-    class Collector : public AssemblyTarget
-    {
-    public:
-      explicit Collector(const unsigned int n)
-        : residual(n)
-      {}
-
-      void
-      add(const DofIndex *dofs, const unsigned int n, const double *, const double *vector) override
-      {
-        for (unsigned int i = 0; i < n; ++i)
-          residual[dofs[i]] += vector[i];
-      }
-
-      bool
-      wants_tangent() const override
-      {
-        return false;
-      }
-
-      Vector residual;
-    };
-  } // namespace
-
-
-
   FormingProblem::FormingProblem(Actors &actors, const std::string &linear_solver, Timers &timers)
-    : actors_(actors)
-    , timers_(timers)
-    , timer_blank_(timers.section("3-6 blank: strains, material, residual, tangent"))
-    , timer_contact_(timers.section("7-9 contact: projection, forces, tangent"))
-    , timer_commit_(timers.section("12 commit"))
+    : actors_(actors), timers_(timers), timer_blank_(timers.section("3-6 blank: strains, material, residual, tangent")),
+      timer_contact_(timers.section("7-9 contact: projection, forces, tangent")),
+      timer_commit_(timers.section("12 commit"))
   {
     number_unknowns(linear_solver);
     tool_forces_.resize(actors_.tools.size());
@@ -53,19 +22,17 @@ namespace deltaform
   }
 
 
-
-  void
-  FormingProblem::number_unknowns(const std::string &linear_solver)
+  void FormingProblem::number_unknowns(const std::string &linear_solver)
   {
-    const unsigned int n_blank      = actors_.blank->n_dofs();
-    const bool         multipliers  = actors_.contact && actors_.contact->enforcement->has_multiplier();
-    unsigned int       n_sparse     = n_blank, n_border = 0;
+    const unsigned int n_blank = actors_.blank->n_dofs();
+    const bool multipliers     = actors_.contact && actors_.contact->enforcement->has_multiplier();
+    unsigned int n_sparse = n_blank, n_border = 0;
     std::vector<DofIndex> first_multiplier;
     for (const auto &pair : actors_.pairs)
-      {
-        first_multiplier.push_back(n_sparse);
-        n_sparse += multipliers ? pair->n_nodes() : 0;
-      }
+    {
+      first_multiplier.push_back(n_sparse);
+      n_sparse += multipliers ? pair->n_nodes() : 0;
+    }
 
     dealii::DynamicSparsityPattern pattern(n_sparse, n_sparse);
     actors_.blank->add_couplings(pattern);
@@ -73,21 +40,21 @@ namespace deltaform
       pattern.add(i, i);
     const Vector zero(n_blank);
     for (unsigned int p = 0; p < actors_.pairs.size(); ++p)
-      {
-        auto &pair = *actors_.pairs[p];
-        pair.set_dofs(n_sparse + n_border, first_multiplier[p]);
-        n_border += pair.tool().force_driven();
-        if (multipliers)
-          for (unsigned int i = 0; i < pair.n_nodes(); ++i)
-            {
-              const ContactNode node = pair.node(zero, i);
-              for (unsigned int k = 0; k < node.n_dofs; ++k)
-                {
-                  pattern.add(node.dofs[k], first_multiplier[p] + i);
-                  pattern.add(first_multiplier[p] + i, node.dofs[k]);
-                }
-            }
-      }
+    {
+      auto &pair = *actors_.pairs[p];
+      pair.set_dofs(n_sparse + n_border, first_multiplier[p]);
+      n_border += pair.tool().force_driven();
+      if (multipliers)
+        for (unsigned int i = 0; i < pair.n_nodes(); ++i)
+        {
+          const ContactNode node = pair.node(zero, i);
+          for (unsigned int k = 0; k < node.n_dofs; ++k)
+          {
+            pattern.add(node.dofs[k], first_multiplier[p] + i);
+            pattern.add(first_multiplier[p] + i, node.dofs[k]);
+          }
+        }
+    }
     system_ = std::make_unique<System>(pattern, n_border, linear_solver);
 
     const unsigned int n = n_sparse + n_border;
@@ -100,14 +67,15 @@ namespace deltaform
     for (const auto dof : actors_.blank->fixed_dofs())
       is_fixed_[dof] = true;
     is_prescribed_ = is_fixed_;
-    double extent = actors_.blank->initial_thickness();
+    double extent  = actors_.blank->initial_thickness();
     for (const auto &x : actors_.blank->positions(zero))
       extent = std::max(extent, x.norm());
     size_.assign(n, extent);
     for (unsigned int i = 0; i < n_blank; ++i)
       if (actors_.blank->dof_scale(i) != 1.)
         size_[i] = 1.; // an angle
-    // A multiplier is a force: divided by a stiffness it compares with displacements, its row (a gap) times it with forces.
+    // A multiplier is a force: divided by a stiffness it compares with displacements, its row (a gap) times it with
+    // forces.
     scale_.assign(n, 1.);
     for (unsigned int i = 0; i < n_blank; ++i)
       scale_[i] = actors_.blank->dof_scale(i);
@@ -116,42 +84,32 @@ namespace deltaform
   }
 
 
-
-  double
-  FormingProblem::typical_length() const
+  double FormingProblem::typical_length() const
   {
     return actors_.blank->initial_thickness();
   }
 
 
-
-  double
-  FormingProblem::force_floor() const
+  double FormingProblem::force_floor() const
   {
     const double h = actors_.blank->initial_thickness();
     return std::max(1e-13 * actors_.blank->stiffness_scale() * h, 1e-6 * largest_force_);
   }
 
 
-
-  double
-  FormingProblem::travel(const unsigned int tool) const
+  double FormingProblem::travel(const unsigned int tool) const
   {
     return travels_[tool];
   }
 
 
-
-  double
-  FormingProblem::release_factor() const
+  double FormingProblem::release_factor() const
   {
     return std::max(0., (stage_end_ - time_) / (stage_end_ - stage_begin_));
   }
 
 
-
-  void
-  FormingProblem::assemble_loads(const Vector &q, AssemblyTarget &target) const
+  void FormingProblem::assemble_loads(const Vector &q, AssemblyTarget &target) const
   {
     for (const auto &load : actors_.loads)
       if (load.acts_in(stage_name_))
@@ -161,16 +119,14 @@ namespace deltaform
     const double factor = release_factor(), zero = 0.;
     for (DofIndex i = 0; i < actors_.blank->n_dofs(); ++i)
       if (released_[i] != 0.)
-        {
-          const double residual = -factor * released_[i];
-          target.add(&i, 1, target.wants_tangent() ? &zero : nullptr, &residual);
-        }
+      {
+        const double residual = -factor * released_[i];
+        target.add(&i, 1, target.wants_tangent() ? &zero : nullptr, &residual);
+      }
   }
 
 
-
-  Status
-  FormingProblem::assemble(const Vector &q, const bool tangent)
+  Status FormingProblem::assemble(const Vector &q, const bool tangent)
   {
     const bool predict = factors_due_;
     system_->clear(tangent || predict);
@@ -183,99 +139,88 @@ namespace deltaform
       return status;
 
     Timers::Scope timer(timers_, timer_contact_);
-    const bool    every_iteration = actors_.contact && actors_.contact->rule->in_every_iteration() && tangent;
+    const bool every_iteration = actors_.contact && actors_.contact->rule->in_every_iteration() && tangent;
     if (predict || every_iteration)
-      {
-        if (predict)
-          for (auto *pair : active_pairs_)
-            pair->read_stiffness(q, *system_);
-        Vector coupling;
-        if (actors_.contact && actors_.contact->enforcement->uses_penalty() && actors_.contact->rule->needs_coupling())
-          {
-            Vector mismatch(committed_.size());
-            coupling.reinit(committed_.size());
-            for (const auto *pair : active_pairs_)
-              pair->add_mismatch(q, mismatch);
-            system_->multiply(mismatch, coupling);
-          }
+    {
+      if (predict)
         for (auto *pair : active_pairs_)
-          pair->predict_factors(q, coupling.size() > 0 ? &coupling : nullptr);
-        factors_due_ = false;
+          pair->read_stiffness(q, *system_);
+      Vector coupling;
+      if (actors_.contact && actors_.contact->enforcement->uses_penalty() && actors_.contact->rule->needs_coupling())
+      {
+        Vector mismatch(committed_.size());
+        coupling.reinit(committed_.size());
+        for (const auto *pair : active_pairs_)
+          pair->add_mismatch(q, mismatch);
+        system_->multiply(mismatch, coupling);
       }
+      for (auto *pair : active_pairs_)
+        pair->predict_factors(q, coupling.size() > 0 ? &coupling : nullptr);
+      factors_due_ = false;
+    }
     assemble_loads(q, *system_);
     for (auto *pair : active_pairs_)
       pair->assemble(q, *system_);
     if (tangent && status_changed())
-      {
-        std::size_t signature = 0;
-        for (const auto *pair : active_pairs_)
-          for (const auto &state : pair->trial())
-            boost::hash_combine(signature, state.touching);
-        cycling_ |= std::find(visited_.begin(), visited_.end(), signature) != visited_.end();
-        visited_.push_back(signature);
-      }
+    {
+      std::size_t signature = 0;
+      for (const auto *pair : active_pairs_)
+        for (const auto &state : pair->trial())
+          boost::hash_combine(signature, state.touching);
+      cycling_ |= std::find(visited_.begin(), visited_.end(), signature) != visited_.end();
+      visited_.push_back(signature);
+    }
     return status;
   }
 
 
-
-  double
-  FormingProblem::admissible_step(const Vector &q, const Vector &d) const
+  double FormingProblem::admissible_step(const Vector &q, const Vector &d) const
   {
     return actors_.blank->admissible_step(q, d);
   }
 
 
-
-  void
-  FormingProblem::prepare_step(const Vector &d)
+  void FormingProblem::prepare_step(const Vector &d)
   {
     for (auto *pair : active_pairs_)
       pair->prepare_step(d);
   }
 
 
-
-  void
-  FormingProblem::advance(const double factor)
+  void FormingProblem::advance(const double factor)
   {
     for (auto *pair : active_pairs_)
       pair->advance(factor);
   }
 
 
-
-  bool
-  FormingProblem::status_changed() const
+  bool FormingProblem::status_changed() const
   {
-    return std::any_of(active_pairs_.begin(), active_pairs_.end(), [](const ContactPair *pair) { return pair->status_changed(); });
+    return std::any_of(
+      active_pairs_.begin(), active_pairs_.end(), [](const ContactPair *pair) { return pair->status_changed(); });
   }
 
 
-
-  unsigned int
-  FormingProblem::patience() const
+  unsigned int FormingProblem::patience() const
   {
     // The same set for the second time: the iteration goes round in circles.
     if (cycling_)
       return 0;
-    // Measured on the cup: penalty needs the line search on fine meshes (400 elements: 5698 iterations with patience 2, 10388
-    // with 6), the active set is best left alone (925 iterations; 2564 with patience 2).
+    // Measured on the cup: penalty needs the line search on fine meshes (400 elements: 5698 iterations with patience 2,
+    // 10388 with 6), the active set is best left alone (925 iterations; 2564 with patience 2).
     return actors_.contact && actors_.contact->enforcement->has_multiplier() ? 1000 : 2;
   }
 
 
-
-  bool
-  FormingProblem::consistent(const double allowed_tension) const
+  bool FormingProblem::consistent(const double allowed_tension) const
   {
-    return std::all_of(active_pairs_.begin(), active_pairs_.end(), [&](const ContactPair *pair) { return pair->consistent(allowed_tension); });
+    return std::all_of(active_pairs_.begin(),
+                       active_pairs_.end(),
+                       [&](const ContactPair *pair) { return pair->consistent(allowed_tension); });
   }
 
 
-
-  unsigned int
-  FormingProblem::correct()
+  unsigned int FormingProblem::correct()
   {
     cycling_ = false;
     visited_.clear();
@@ -286,72 +231,7 @@ namespace deltaform
   }
 
 
-
-  void
-  FormingProblem::collect_released(const std::string &next_stage)
-  {
-    Collector ending(committed_.size());
-    for (auto *pair : active_pairs_)
-      if (!pair->tool().exists_in(next_stage))
-        {
-          pair->begin_increment(time_);
-          pair->assemble(committed_, ending);
-          pair->clear();
-        }
-    for (const auto &load : actors_.loads)
-      if (load.acts_in(stage_name_) && !load.acts_in(next_stage))
-        load.assemble(*actors_.blank, committed_, time_, ending);
-    // Reactions of supports that end: what the rest leaves unbalanced at their unknowns.
-    for (const auto &support : actors_.supports)
-      if (support.acts_in(stage_name_) && !support.acts_in(next_stage))
-        for (const auto dof : support.dofs)
-          ending.residual[dof] = -load_forces_[dof];
-    for (unsigned int i = 0; i < actors_.blank->n_dofs(); ++i)
-      {
-        released_[i] = -ending.residual[i];
-        any_released_ |= released_[i] != 0.;
-      }
-  }
-
-
-
-  void
-  FormingProblem::begin_stage(const Stage &stage)
-  {
-    any_released_ = false;
-    released_     = 0.;
-    if (!stage_name_.empty())
-      collect_released(stage.name);
-    stage_name_  = stage.name;
-    stage_begin_ = stage.begin;
-    stage_end_   = stage.end;
-    time_        = stage.begin;
-
-    active_pairs_.clear();
-    for (auto &pair : actors_.pairs)
-      if (pair->tool().exists_in(stage.name))
-        {
-          active_pairs_.push_back(pair.get());
-          pair->begin_stage(committed_, stage.begin);
-        }
-    is_prescribed_ = is_fixed_;
-    for (const auto &support : actors_.supports)
-      if (support.acts_in(stage.name))
-        for (const auto dof : support.dofs)
-          {
-            is_prescribed_[dof] = true;
-            hold_[dof]          = committed_[dof];
-          }
-    // The travel of a force-driven tool that is absent does not change.
-    for (auto &pair : actors_.pairs)
-      if (pair->tool().force_driven() && !pair->tool().exists_in(stage.name))
-        is_prescribed_[pair->travel_dof()] = true;
-  }
-
-
-
-  void
-  FormingProblem::begin_increment(const double time)
+  void FormingProblem::begin_increment(const double time)
   {
     time_       = time;
     prescribed_ = committed_;
@@ -367,98 +247,37 @@ namespace deltaform
   }
 
 
-
-  std::string
-  FormingProblem::broken_promise() const
+  std::string FormingProblem::broken_promise() const
   {
     if (!actors_.contact || !actors_.contact->enforcement->uses_penalty() || !actors_.contact->rule->promises())
       return "";
     for (const auto *pair : active_pairs_)
-      {
-        const auto [i, ratio] = pair->broken_promise();
-        if (i == invalid_index)
-          continue;
-        const PairState & state = pair->trial()[i];
-        const ContactNode node  = pair->node(committed_, i);
-        std::string       text  = "the promise p <= delta cannot be kept: tool '" + pair->tool().name() + "', node " +
-                           std::to_string(i) + " (R0 = " + text::format(node.reference_coordinate) + ") penetrates " +
-                           text::format(state.penetration()) + ", " + text::format(ratio) + " times the allowed " +
-                           text::format(state.delta) + ", with penalty factor " + text::format(state.epsilon);
-        for (const auto *other : active_pairs_)
-          if (other->tool().side() != pair->tool().side() && i < other->n_nodes() && other->trial()[i].touching)
-            text += ". The node is clamped between '" + pair->tool().name() + "' and '" + other->tool().name() +
-                    "': its thickness is " + text::format(node.thickness) + ", the gap leaves " +
-                    text::format(node.thickness + state.gap + other->trial()[i].gap) +
-                    ". Use Contact thickness = initial for the tool with the fixed gap, a wider gap, or a force";
-        return text;
-      }
+    {
+      const auto [i, ratio] = pair->broken_promise();
+      if (i == invalid_index)
+        continue;
+      const PairState &state = pair->trial()[i];
+      const ContactNode node = pair->node(committed_, i);
+      std::string text       = "the promise p <= delta cannot be kept: tool '" + pair->tool().name() + "', node " +
+                         std::to_string(i) + " (R0 = " + text::format(node.reference_coordinate) + ") penetrates " +
+                         text::format(state.penetration()) + ", " + text::format(ratio) + " times the allowed " +
+                         text::format(state.delta) + ", with penalty factor " + text::format(state.epsilon);
+      for (const auto *other : active_pairs_)
+        if (other->tool().side() != pair->tool().side() && i < other->n_nodes() && other->trial()[i].touching)
+          text += ". The node is clamped between '" + pair->tool().name() + "' and '" + other->tool().name() +
+                  "': its thickness is " + text::format(node.thickness) + ", the gap leaves " +
+                  text::format(node.thickness + state.gap + other->trial()[i].gap) +
+                  ". Use Contact thickness = initial for the tool with the fixed gap, a wider gap, or a force";
+      return text;
+    }
     return "";
   }
 
 
-
-  bool
-  FormingProblem::soften(const double share)
+  bool FormingProblem::soften(const double share)
   {
     for (auto *pair : active_pairs_)
       pair->soften(share);
     return !active_pairs_.empty();
-  }
-
-
-
-  void
-  FormingProblem::commit(const Vector &q)
-  {
-    Timers::Scope timer(timers_, timer_commit_);
-    // Work of loads, of released forces, and of supports, whose reactions are what the residual shows in their rows.
-    Collector loads(committed_.size());
-    assemble_loads(q, loads);
-    for (unsigned int i = 0; i < committed_.size(); ++i)
-      {
-        const double force = is_prescribed_[i] ? system_->residual()[i] - loads.residual[i] : -loads.residual[i];
-        if (i < actors_.blank->n_dofs())
-          work_.loads += .5 * (force + load_forces_[i]) * (q[i] - committed_[i]);
-        load_forces_[i] = force;
-      }
-    for (unsigned int i = 0; i < actors_.tools.size(); ++i)
-      {
-        auto &        pair   = *actors_.pairs[i];
-        const bool    active = std::find(active_pairs_.begin(), active_pairs_.end(), &pair) != active_pairs_.end();
-        const Tensor1 force  = active ? pair.tool_force() : Tensor1();
-        const double  travel = active ? pair.travel(q) : travels_[i];
-        work_.tools -= .5 * (force + tool_forces_[i]) * actors_.tools[i]->direction() * (travel - travels_[i]);
-        tool_forces_[i] = force;
-        travels_[i]     = travel;
-        if (actors_.tools[i]->force_driven())
-          actors_.tools[i]->set_travel(travel);
-      }
-
-    for (auto *pair : active_pairs_)
-      pair->commit(q);
-    actors_.blank->commit(q);
-    committed_ = q;
-
-    double square = 0.;
-    for (unsigned int i = 0; i < scale_.size(); ++i)
-      square += std::pow(system_->magnitude()[i] / scale_[i], 2);
-    largest_force_ = std::max(largest_force_, std::sqrt(square));
-
-    // The thickness has changed: new gaps, and the contact pressure that the next increments see.
-    std::array<std::vector<double>, 2> pressure;
-    for (auto *pair : active_pairs_)
-      {
-        pair->refresh(q);
-        const auto own  = pair->pressure(q);
-        auto &     side = pressure[static_cast<unsigned int>(pair->tool().side())];
-        if (side.empty())
-          side = own;
-        else
-          for (unsigned int i = 0; i < own.size(); ++i)
-            side[i] += own[i];
-      }
-    for (const Side side : {Side::bottom, Side::top})
-      if (!pressure[static_cast<unsigned int>(side)].empty())
-        actors_.blank->set_contact_pressure(side, pressure[static_cast<unsigned int>(side)]);
   }
 } // namespace deltaform

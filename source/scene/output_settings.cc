@@ -5,21 +5,24 @@
 
 namespace deltaform
 {
-  OutputSettings::OutputSettings(Section &                                 section,
+  OutputSettings::OutputSettings(Section &section,
                                  const std::vector<std::unique_ptr<Tool>> &tools,
-                                 const std::vector<Stage> &                stages)
-    : folder(section.text("Folder", Default<std::string>(""), "Folder of the results; empty: output/<name of the scene>."))
-    , travels(section.numbers("Travels",
-                              "",
-                              "length",
-                              "Travels of the main tool at which profile_*.csv, contact_*.csv and tools_*.csv are written; "
-                              "the increments meet them. Empty: at the end of each stage."))
+                                 const std::vector<Stage> &stages)
+    : folder(
+        section.text("Folder", Default<std::string>(""), "Folder of the results; empty: output/<name of the scene>.")),
+      travels(
+        section.numbers("Travels",
+                        "",
+                        "length",
+                        "Travels of the main tool at which profile_*.csv, contact_*.csv and tools_*.csv are written; "
+                        "the increments meet them. Empty: at the end of each stage."))
   {
     std::vector<std::string> names{""};
     for (const auto &tool : tools)
       names.push_back(tool->name());
     const std::string main = section.choice("Travel of", "", names, "The main tool; empty: the first that moves.");
-    const int frames = section.integer("Pictures", 20, 0, 100000, "Pictures for ParaView, at equal distances in time; 0: none.");
+    const int frames =
+      section.integer("Pictures", 20, 0, 100000, "Pictures for ParaView, at equal distances in time; 0: none.");
 
     const double end = stages.back().end;
     for (unsigned int i = 0; i < tools.size(); ++i)
@@ -31,18 +34,18 @@ namespace deltaform
       for (const auto &stage : stages)
         travel_times.push_back(stage.end);
     else
+    {
+      if (main_tool == invalid_index || tools[main_tool]->force_driven())
+        section.fail("Travels", "there is no tool that is moved: leave this empty");
+      for (const double travel : travels)
       {
-        if (main_tool == invalid_index || tools[main_tool]->force_driven())
-          section.fail("Travels", "there is no tool that is moved: leave this empty");
-        for (const double travel : travels)
-          {
-            const double time = tools[main_tool]->time_of_travel(travel, 0., end);
-            if (std::isnan(time))
-              section.fail("Travels", "tool '" + tools[main_tool]->name() + "' never reaches " + std::to_string(travel));
-            travel_times.push_back(time);
-          }
-        std::sort(travel_times.begin(), travel_times.end());
+        const double time = tools[main_tool]->time_of_travel(travel, 0., end);
+        if (std::isnan(time))
+          section.fail("Travels", "tool '" + tools[main_tool]->name() + "' never reaches " + std::to_string(travel));
+        travel_times.push_back(time);
       }
+      std::sort(travel_times.begin(), travel_times.end());
+    }
     for (int i = 0; i < frames; ++i)
       frame_times.push_back(end * (i + 1) / frames);
   }

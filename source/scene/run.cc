@@ -13,51 +13,45 @@ namespace deltaform
 {
   namespace
   {
-    int
-    run_scene(const CommandLine &command)
+    int run_scene(const CommandLine &command)
     {
       if (command.resume)
         throw UsageError("This version cannot resume a run yet: start it again without --resume.");
-      Timers  timers;
+      Timers timers;
       Journal journal(command.quiet ? Journal::Console::quiet : Journal::Console::automatic);
-      auto    tree = ParameterTree::read(command.scene, command.sets);
-      Scene   scene(tree);
+      auto tree = ParameterTree::read(command.scene, command.sets);
+      Scene scene(tree);
 
       std::string folder = command.output.empty() ? scene.output->folder : command.output;
       if (folder.empty())
         folder = "output/" + std::filesystem::path(command.scene).stem().string();
-      Recorder   recorder(scene, folder, journal, timers);
+      Recorder recorder(scene, folder, journal, timers);
       Simulation simulation(scene, recorder, journal, timers);
       return simulation.run();
     }
 
 
-
-    int
-    check_scene(const CommandLine &command)
+    int check_scene(const CommandLine &command)
     {
-      auto        tree = ParameterTree::read(command.scene, command.sets);
+      auto tree = ParameterTree::read(command.scene, command.sets);
       const Scene scene(tree);
       std::cout << command.scene << " is a valid scene: " << scene.title << '\n';
       return exit_status::done;
     }
 
 
-
     template <typename T>
-    void
-    list(const std::string &title)
+    void list(const std::string &title)
     {
       std::cout << title << '\n';
       for (const auto &name : Registry<T>::names())
-        std::cout << "  " << name << std::string(name.size() < 24 ? 24 - name.size() : 1, ' ') << Registry<T>::sentence(name) << '\n';
+        std::cout << "  " << name << std::string(name.size() < 24 ? 24 - name.size() : 1, ' ')
+                  << Registry<T>::sentence(name) << '\n';
       std::cout << '\n';
     }
 
 
-
-    int
-    list_everything()
+    int list_everything()
     {
       list<Blank>("Blank/Kind");
       list<Material>("Material/Model");
@@ -70,18 +64,16 @@ namespace deltaform
     }
 
 
-
-    int
-    print_parameters(const CommandLine &command)
+    int print_parameters(const CommandLine &command)
     {
       if (command.scene.empty())
-        {
-          auto tree = ParameterTree::documentation();
-          declare_everything(tree);
-          tree.print_markdown(std::cout);
-          return exit_status::done;
-        }
-      auto        tree = ParameterTree::read(command.scene, command.sets);
+      {
+        auto tree = ParameterTree::documentation();
+        declare_everything(tree);
+        tree.print_markdown(std::cout);
+        return exit_status::done;
+      }
+      auto tree = ParameterTree::read(command.scene, command.sets);
       const Scene scene(tree);
       tree.print_prm(std::cout);
       return exit_status::done;
@@ -89,29 +81,27 @@ namespace deltaform
   } // namespace
 
 
-
-  int
-  run_command(const CommandLine &command)
+  int run_command(const CommandLine &command)
   {
     switch (command.command)
-      {
-        case CommandLine::Command::run:
-          return run_scene(command);
-        case CommandLine::Command::check:
-          return check_scene(command);
-        case CommandLine::Command::list:
-          return list_everything();
-        case CommandLine::Command::print_parameters:
-          return print_parameters(command);
-        case CommandLine::Command::version:
-          std::cout << "deltaform " << DELTAFORM_VERSION << '\n';
-          return exit_status::done;
-        case CommandLine::Command::help:
-          std::cout << CommandLine::help();
-          return exit_status::done;
-        case CommandLine::Command::sweep:
-          break;
-      }
+    {
+    case CommandLine::Command::run:
+      return run_scene(command);
+    case CommandLine::Command::check:
+      return check_scene(command);
+    case CommandLine::Command::list:
+      return list_everything();
+    case CommandLine::Command::print_parameters:
+      return print_parameters(command);
+    case CommandLine::Command::version:
+      std::cout << "deltaform " << DELTAFORM_VERSION << '\n';
+      return exit_status::done;
+    case CommandLine::Command::help:
+      std::cout << CommandLine::help();
+      return exit_status::done;
+    case CommandLine::Command::sweep:
+      break;
+    }
     throw UsageError("This version cannot sweep yet: run the scene once per value with --set.");
   }
 } // namespace deltaform

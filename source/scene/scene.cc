@@ -4,18 +4,18 @@
 
 namespace deltaform
 {
-  Scene::Scene(ParameterTree &parameters)
-    : tree(parameters)
+  Scene::Scene(ParameterTree &parameters) : tree(parameters)
   {
     Section root = tree.root();
     title        = root.text("Title", Default<std::string>("a deltaform scene"), "What this scene is.");
-    units        = root.text("Units", Default<std::string>("consistent"), "Label of the units, for example 'mm, N, MPa'.");
+    units = root.text("Units", Default<std::string>("consistent"), "Label of the units, for example 'mm, N, MPa'.");
 
     Section blank = root.sub("Blank");
     actors.blank  = Registry<Blank>::choose(blank, "Kind", "shell", "How the blank is modelled.");
     build_tools(root);
 
-    const auto named = [&](const std::string &what, const std::string &sentence) {
+    const auto named = [&](const std::string &what, const std::string &sentence)
+    {
       Section section = root.sub(what);
       return section.names("Names", "", sentence);
     };
@@ -30,7 +30,8 @@ namespace deltaform
     Section solver = root.sub("Solver");
     newton         = std::make_unique<NewtonSettings>(solver);
     steps          = std::make_unique<StepSettings>(solver);
-    linear_solver  = solver.choice("Linear solver", "klu", {"klu", "mumps"}, "Direct solver of Amesos; klu for thin strips.");
+    linear_solver =
+      solver.choice("Linear solver", "klu", {"klu", "mumps"}, "Direct solver of Amesos; klu for thin strips.");
 
     Section output_section = root.sub("Output");
     output                 = std::make_unique<OutputSettings>(output_section, actors.tools, actors.stages);
@@ -40,27 +41,26 @@ namespace deltaform
   }
 
 
-
-  void
-  Scene::build_tools(Section root)
+  void Scene::build_tools(Section root)
   {
-    Section    section = root.sub("Tools");
-    const auto names   = section.names("Names", "", "Names of the tools, one subsection each.");
+    Section section  = root.sub("Tools");
+    const auto names = section.names("Names", "", "Names of the tools, one subsection each.");
     if (names.empty())
-      {
-        for (const auto *const entry : {"Penalty rule", "Enforcement", "Allowed penetration", "Penalty factor"})
-          if (root.sub("Contact").given(entry))
-            root.sub("Contact").fail(entry, "there is no tool to touch: name one in Tools/Names, or drop the section Contact");
-        return;
-      }
+    {
+      for (const auto *const entry : {"Penalty rule", "Enforcement", "Allowed penetration", "Penalty factor"})
+        if (root.sub("Contact").given(entry))
+          root.sub("Contact").fail(entry,
+                                   "there is no tool to touch: name one in Tools/Names, or drop the section Contact");
+      return;
+    }
     const std::map<std::string, double> constants{{"thickness", actors.blank->initial_thickness()}};
-    Section                             contact = root.sub("Contact");
-    actors.contact                              = std::make_unique<ContactSettings>(contact, constants);
+    Section contact = root.sub("Contact");
+    actors.contact  = std::make_unique<ContactSettings>(contact, constants);
     for (const auto &name : names)
-      {
-        Section own = section.sub(name);
-        actors.tools.push_back(std::make_unique<Tool>(name, own, constants));
-        actors.pairs.push_back(std::make_unique<ContactPair>(*actors.blank, *actors.tools.back(), *actors.contact, own));
-      }
+    {
+      Section own = section.sub(name);
+      actors.tools.push_back(std::make_unique<Tool>(name, own, constants));
+      actors.pairs.push_back(std::make_unique<ContactPair>(*actors.blank, *actors.tools.back(), *actors.contact, own));
+    }
   }
 } // namespace deltaform

@@ -7,8 +7,7 @@
 
 namespace deltaform
 {
-  void
-  Scene::check(Section root) const
+  void Scene::check(Section root) const
   {
     check_tools(root);
     check_stages(root);
@@ -17,59 +16,56 @@ namespace deltaform
   }
 
 
-
-  void
-  Scene::check_tools(Section root) const
+  void Scene::check_tools(Section root) const
   {
     const Vector zero(actors.blank->n_dofs());
-    const double h = actors.blank->initial_thickness();
-    double       outermost = 0.;
+    const double h   = actors.blank->initial_thickness();
+    double outermost = 0.;
     for (const auto &x : actors.blank->positions(zero))
       outermost = std::max(outermost, x[0]);
 
     for (unsigned int i = 0; i < actors.tools.size(); ++i)
+    {
+      const Tool &tool       = *actors.tools[i];
+      Section section        = root.sub("Tools").sub(tool.name());
+      const auto [node, gap] = actors.pairs[i]->deepest_at_start();
+      if (gap < -1e-9 * h)
       {
-        const Tool &tool    = *actors.tools[i];
-        Section     section = root.sub("Tools").sub(tool.name());
-        const auto [node, gap] = actors.pairs[i]->deepest_at_start();
-        if (gap < -1e-9 * h)
-          {
-            const ContactNode description = actors.pairs[i]->node(zero, node);
-            section.fail("Position z",
-                         "tool '" + tool.name() + "' overlaps the blank at the start: node " + std::to_string(node) + " at r = " +
-                           text::format(description.x[0]) + ", z = " + text::format(description.x[1]) + " lies " + text::format(-gap) +
-                           " inside. Move the tool (or the blank) apart by that");
-          }
-        const double opening = tool.shape().opening();
-        if (opening > 0 && outermost <= opening)
-          section.fail("Throat radius",
-                       "the blank ends at r = " + text::format(outermost) + " and falls through the opening of tool '" + tool.name() +
-                         "', radius " + text::format(opening));
-        for (const auto &name : tool.stages())
-          {
-            bool known = false;
-            for (const auto &stage : actors.stages)
-              known |= stage.name == name;
-            if (!known)
-              section.fail("Stages", "there is no stage '" + name + "'");
-          }
+        const ContactNode description = actors.pairs[i]->node(zero, node);
+        section.fail("Position z",
+                     "tool '" + tool.name() + "' overlaps the blank at the start: node " + std::to_string(node) +
+                       " at r = " + text::format(description.x[0]) + ", z = " + text::format(description.x[1]) +
+                       " lies " + text::format(-gap) + " inside. Move the tool (or the blank) apart by that");
       }
+      const double opening = tool.shape().opening();
+      if (opening > 0 && outermost <= opening)
+        section.fail("Throat radius",
+                     "the blank ends at r = " + text::format(outermost) + " and falls through the opening of tool '" +
+                       tool.name() + "', radius " + text::format(opening));
+      for (const auto &name : tool.stages())
+      {
+        bool known = false;
+        for (const auto &stage : actors.stages)
+          known |= stage.name == name;
+        if (!known)
+          section.fail("Stages", "there is no stage '" + name + "'");
+      }
+    }
   }
 
 
-
-  void
-  Scene::check_stages(Section root) const
+  void Scene::check_stages(Section root) const
   {
-    const auto known = [&](const std::vector<std::string> &names, Section section) {
+    const auto known = [&](const std::vector<std::string> &names, Section section)
+    {
       for (const auto &name : names)
-        {
-          bool found = false;
-          for (const auto &stage : actors.stages)
-            found |= stage.name == name;
-          if (!found)
-            section.fail("Stages", "there is no stage '" + name + "'");
-        }
+      {
+        bool found = false;
+        for (const auto &stage : actors.stages)
+          found |= stage.name == name;
+        if (!found)
+          section.fail("Stages", "there is no stage '" + name + "'");
+      }
     };
     for (const auto &support : actors.supports)
       known(support.stages, root.sub("Supports").sub(support.name));
@@ -78,68 +74,72 @@ namespace deltaform
 
     const Stage *before = nullptr;
     for (const auto &stage : actors.stages)
+    {
+      // Does a function of time change within the stage, or does something end with the stage before?
+      bool changes      = false;
+      const auto varies = [&](const TimeFunction &function)
       {
-        // Does a function of time change within the stage, or does something end with the stage before?
-        bool       changes = false;
-        const auto varies  = [&](const TimeFunction &function) {
-          if (function.is_constant())
-            return false;
-          for (unsigned int k = 1; k <= 50; ++k)
-            if (function(stage.begin + (stage.end - stage.begin) * k / 50) != function(stage.begin))
-              return true;
+        if (function.is_constant())
           return false;
-        };
-        for (const auto &tool : actors.tools)
-          {
-            const auto range = tool->travel_range(stage.begin, stage.end);
-            changes |= tool->exists_in(stage.name) && range.first != range.second;
-            if (tool->force_driven() && tool->exists_in(stage.name))
-              changes = true;
-            changes |= before && tool->exists_in(before->name) != tool->exists_in(stage.name);
-          }
-        for (const auto &support : actors.supports)
-          {
-            changes |= support.acts_in(stage.name) && !support.hold && (varies(support.value) || (!before && support.value(stage.end) != 0));
-            changes |= before && support.acts_in(before->name) != support.acts_in(stage.name);
-          }
-        for (const auto &load : actors.loads)
-          {
-            changes |= load.acts_in(stage.name) && (varies(load.value) || (!before && load.value(stage.end) != 0));
-            changes |= before && load.acts_in(before->name) != load.acts_in(stage.name);
-          }
-        if (!changes)
-          root.sub("Steps").sub(stage.name).fail("End time",
-                                                 "nothing changes in stage '" + stage.name +
-                                                   "': no tool moves, no load or support varies, nothing is released");
-        before = &stage;
+        for (unsigned int k = 1; k <= 50; ++k)
+          if (function(stage.begin + (stage.end - stage.begin) * k / 50) != function(stage.begin))
+            return true;
+        return false;
+      };
+      for (const auto &tool : actors.tools)
+      {
+        const auto range = tool->travel_range(stage.begin, stage.end);
+        changes |= tool->exists_in(stage.name) && range.first != range.second;
+        if (tool->force_driven() && tool->exists_in(stage.name))
+          changes = true;
+        changes |= before && tool->exists_in(before->name) != tool->exists_in(stage.name);
       }
+      for (const auto &support : actors.supports)
+      {
+        changes |= support.acts_in(stage.name) && !support.hold &&
+                   (varies(support.value) || (!before && support.value(stage.end) != 0));
+        changes |= before && support.acts_in(before->name) != support.acts_in(stage.name);
+      }
+      for (const auto &load : actors.loads)
+      {
+        changes |= load.acts_in(stage.name) && (varies(load.value) || (!before && load.value(stage.end) != 0));
+        changes |= before && load.acts_in(before->name) != load.acts_in(stage.name);
+      }
+      if (!changes)
+        root.sub("Steps")
+          .sub(stage.name)
+          .fail("End time",
+                "nothing changes in stage '" + stage.name +
+                  "': no tool moves, no load or support varies, nothing is released");
+      before = &stage;
+    }
   }
 
 
-
-  void
-  Scene::check_delta(Section root) const
+  void Scene::check_delta(Section root) const
   {
     double size = actors.blank->initial_thickness();
     for (const auto &x : actors.blank->positions(Vector(actors.blank->n_dofs())))
       size = std::max(size, x.norm());
     const double smallest = 1e6 * std::numeric_limits<double>::epsilon() * size;
-    const auto   inspect  = [&](const double delta, Section section) {
+    const auto inspect    = [&](const double delta, Section section)
+    {
       if (!(delta > 0))
         section.fail("Allowed penetration", "must be positive at all times; it is " + text::format(delta));
       if (actors.contact->rule->promises() && actors.contact->enforcement->uses_penalty() && delta < smallest)
         section.fail("Allowed penetration",
-                     text::format(delta) + " cannot be told from round-off: at coordinates of size " + text::format(size) +
-                       " the noise of the contact forces exceeds 1e-6 of them below " + text::format(smallest) +
+                     text::format(delta) + " cannot be told from round-off: at coordinates of size " +
+                       text::format(size) + " the noise of the contact forces exceeds 1e-6 of them below " +
+                       text::format(smallest) +
                        ". Use Enforcement = active set, or the augmented Lagrangian, for contact that exact");
     };
     for (const auto &stage : actors.stages)
       for (const double time : {stage.begin, .5 * (stage.begin + stage.end), stage.end})
         for (const auto &tool : actors.tools)
-          {
-            const auto own = tool->allowed_penetration(time);
-            inspect(own ? *own : actors.contact->allowed_penetration(time),
-                    own ? root.sub("Tools").sub(tool->name()) : root.sub("Contact"));
-          }
+        {
+          const auto own = tool->allowed_penetration(time);
+          inspect(own ? *own : actors.contact->allowed_penetration(time),
+                  own ? root.sub("Tools").sub(tool->name()) : root.sub("Contact"));
+        }
   }
 } // namespace deltaform

@@ -7,85 +7,78 @@
 namespace deltaform
 {
   Simulation::Simulation(Scene &scene, Recorder &recorder, Journal &journal, Timers &timers)
-    : scene_(scene)
-    , recorder_(recorder)
-    , journal_(journal)
-    , timers_(timers)
-    , problem_(scene.actors, scene.linear_solver, timers)
-    , newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size(), timers)
-  {}
+    : scene_(scene), recorder_(recorder), journal_(journal), timers_(timers),
+      problem_(scene.actors, scene.linear_solver, timers),
+      newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size(), timers)
+  {
+  }
 
 
-
-  int
-  Simulation::run()
+  int Simulation::run()
   {
     before_    = problem_.committed();
     int status = exit_status::done;
     for (const auto &stage : scene_.actors.stages)
-      {
-        problem_.begin_stage(stage);
-        last_increment_ = 0.;
-        status          = run_stage(stage);
-        if (status != exit_status::done)
-          break;
-      }
+    {
+      problem_.begin_stage(stage);
+      last_increment_ = 0.;
+      status          = run_stage(stage);
+      if (status != exit_status::done)
+        break;
+    }
     recorder_.finish(status, problem_, increment_, total_iterations_);
     return status;
   }
 
 
-
-  int
-  Simulation::run_stage(const Stage &stage)
+  int Simulation::run_stage(const Stage &stage)
   {
     std::vector<double> meet = scene_.output->travel_times;
-    StepControl         control(*scene_.steps,
+    StepControl control(*scene_.steps,
                         stage.begin,
                         stage.end,
                         stage.first_increment,
                         stage.smallest_increment,
                         stage.largest_increment,
                         meet);
-    IncrementCost       cost;
-    Vector              q;
-    NewtonResult        result;
+    IncrementCost cost;
+    Vector q;
+    NewtonResult result;
     while (!control.finished(time_))
+    {
+      const double next         = control.next(time_);
+      const std::string failure = attempt(next, q, result);
+      cost.iterations += result.iterations;
+      cost.rounds += result.rounds;
+      total_iterations_ += result.iterations;
+      if (!failure.empty())
       {
-        const double      next    = control.next(time_);
-        const std::string failure = attempt(next, q, result);
-        cost.iterations += result.iterations;
-        cost.rounds += result.rounds;
-        total_iterations_ += result.iterations;
-        if (!failure.empty())
-          {
-            ++cost.cutbacks;
-            failed_iterations_ += result.iterations;
-            journal_.detail("increment " + std::to_string(increment_ + 1) + " to time " + text::format(next) + " cut back: " + failure);
-            if (control.reject(next - time_))
-              continue;
-            journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) + ", in increment " +
-                             std::to_string(increment_ + 1) + ": " + failure + ". The smallest increment, " +
-                             text::format(stage.smallest_increment) + ", was reached.");
-            return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
-          }
-
-        last_increment_ = next - time_;
-        before_         = problem_.committed();
-        problem_.commit(q);
-        time_ = next;
-        ++increment_;
-        control.accept(result.iterations);
-        recorder_.record(problem_, stage, time_, increment_, cost);
-        cost = IncrementCost();
+        ++cost.cutbacks;
+        failed_iterations_ += result.iterations;
+        journal_.detail("increment " + std::to_string(increment_ + 1) + " to time " + text::format(next) +
+                        " cut back: " + failure);
+        if (control.reject(next - time_))
+          continue;
+        journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) + ", in increment " +
+                         std::to_string(increment_ + 1) + ": " + failure + ". The smallest increment, " +
+                         text::format(stage.smallest_increment) + ", was reached.");
+        return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
       }
+
+      last_increment_ = next - time_;
+      before_         = problem_.committed();
+      problem_.commit(q);
+      time_ = next;
+      ++increment_;
+      control.accept(result.iterations);
+      recorder_.record(problem_, stage, time_, increment_, cost);
+      cost = IncrementCost();
+    }
     return exit_status::done;
   }
 
 
-
-  std::string
-  Simulation::attempt(const double time, Vector &q, NewtonResult &result)
+  std::string Simulation::attempt(const double time, Vector &q, NewtonResult &result)
   {
     promise_failed_ = false;
     problem_.begin_increment(time);
@@ -93,28 +86,30 @@ namespace deltaform
     if (scene_.steps->extrapolate && last_increment_ > 0)
       q.sadd(1. + (time - time_) / last_increment_, -(time - time_) / last_increment_, before_);
 
-    result = newton_.solve(q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor());
+    result =
+      newton_.solve(q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor());
     if (!result.converged() && result.outcome != NewtonResult::Outcome::not_corrected)
+    {
+      // Once more, with first touches soft at first.
+      const unsigned int iterations = result.iterations;
+      problem_.begin_increment(time);
+      if (problem_.soften(1e-4))
       {
-        // Once more, with first touches soft at first.
-        const unsigned int iterations = result.iterations;
-        problem_.begin_increment(time);
-        if (problem_.soften(1e-4))
-          {
-            q      = problem_.committed();
-            result = newton_.solve(q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor());
-            result.iterations += iterations;
-          }
+        q      = problem_.committed();
+        result = newton_.solve(
+          q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor());
+        result.iterations += iterations;
       }
+    }
     if (result.outcome == NewtonResult::Outcome::not_corrected || result.converged())
+    {
+      const std::string broken = problem_.broken_promise();
+      if (!broken.empty())
       {
-        const std::string broken = problem_.broken_promise();
-        if (!broken.empty())
-          {
-            promise_failed_ = true;
-            return broken;
-          }
+        promise_failed_ = true;
+        return broken;
       }
+    }
     if (!result.converged())
       return explain(result);
 
@@ -132,27 +127,27 @@ namespace deltaform
   }
 
 
-
-  std::string
-  Simulation::explain(const NewtonResult &result) const
+  std::string Simulation::explain(const NewtonResult &result) const
   {
     std::string where;
     if (result.worst_dof < scene_.actors.blank->n_dofs())
       where = " (largest residual at " + scene_.actors.blank->describe_dof(result.worst_dof) + ")";
     switch (result.outcome)
-      {
-        case NewtonResult::Outcome::singular:
-          return "the tangent is singular: a part of the blank is free to move, or a limit load is reached" + where;
-        case NewtonResult::Outcome::inadmissible:
-          return std::string(result.status.cause) + ", cell " + std::to_string(result.status.place);
-        case NewtonResult::Outcome::not_corrected:
-          return "the corrections of the penalty factors did not end after " + std::to_string(result.rounds) + " rounds" + where;
-        default:
-          break;
-      }
+    {
+    case NewtonResult::Outcome::singular:
+      return "the tangent is singular: a part of the blank is free to move, or a limit load is reached" + where;
+    case NewtonResult::Outcome::inadmissible:
+      return std::string(result.status.cause) + ", cell " + std::to_string(result.status.place);
+    case NewtonResult::Outcome::not_corrected:
+      return "the corrections of the penalty factors did not end after " + std::to_string(result.rounds) + " rounds" +
+             where;
+    default:
+      break;
+    }
     std::string residuals;
     for (const double residual : result.residuals)
       residuals += (residuals.empty() ? "" : " ") + text::format(std::round(residual * 1e12) / 1e12);
-    return "Newton did not converge in " + std::to_string(result.iterations) + " iterations" + where + ", relative residuals " + residuals;
+    return "Newton did not converge in " + std::to_string(result.iterations) + " iterations" + where +
+           ", relative residuals " + residuals;
   }
 } // namespace deltaform

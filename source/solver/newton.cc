@@ -9,232 +9,241 @@ namespace deltaform
 
 
   NewtonSettings::NewtonSettings(Section &section)
-    : max_iterations(section.integer("Maximal iterations", 20, 2, 1000, "Newton iterations between two corrections."))
-    , max_rounds(section.integer("Maximal corrections", 20, 0, 1000, "Corrections of the penalty factors per increment."))
-    , force_tolerance(section.number("Force tolerance",
-                                     1e-6,
-                                     Range::inside(0, 1),
-                                     "1",
-                                     "Residual over the sum of absolute nodal forces at which equilibrium is accepted."))
-    , relaxed_tolerance(section.number("Relaxed force tolerance",
-                                       1e-5,
-                                       Range::inside(0, 1),
-                                       "1",
-                                       "Accepted instead after the maximal number of iterations, where lightly loaded nodes keep "
-                                       "changing between contact and no contact."))
-    , displacement_tolerance(section.number("Displacement tolerance",
-                                            1e-3,
-                                            Range::positive(),
-                                            "1",
-                                            "Last Newton step over the increment of displacement (at least 1 % of the thickness)."))
-    , line_search(section.flag("Line search", true, "Search along the Newton step where the residual grows."))
-  {}
+    : max_iterations(section.integer("Maximal iterations", 20, 2, 1000, "Newton iterations between two corrections.")),
+      max_rounds(
+        section.integer("Maximal corrections", 20, 0, 1000, "Corrections of the penalty factors per increment.")),
+      force_tolerance(
+        section.number("Force tolerance",
+                       1e-6,
+                       Range::inside(0, 1),
+                       "1",
+                       "Residual over the sum of absolute nodal forces at which equilibrium is accepted.")),
+      relaxed_tolerance(
+        section.number("Relaxed force tolerance",
+                       1e-5,
+                       Range::inside(0, 1),
+                       "1",
+                       "Accepted instead after the maximal number of iterations, where lightly loaded nodes keep "
+                       "changing between contact and no contact.")),
+      displacement_tolerance(
+        section.number("Displacement tolerance",
+                       1e-3,
+                       Range::positive(),
+                       "1",
+                       "Last Newton step over the increment of displacement (at least 1 % of the thickness).")),
+      line_search(section.flag("Line search", true, "Search along the Newton step where the residual grows."))
+  {
+  }
 
 
-
-  Newton::Newton(NonlinearProblem &         problem,
-                 System &                   system,
-                 const NewtonSettings &     settings,
+  Newton::Newton(NonlinearProblem &problem,
+                 System &system,
+                 const NewtonSettings &settings,
                  const std::vector<double> &scale,
                  const std::vector<double> &size,
-                 Timers &                   timers)
-    : problem_(problem)
-    , system_(system)
-    , settings_(settings)
-    , scale_(scale)
-    , size_(size)
-    , smallest_motion_(.01 * problem.typical_length())
-    , timers_(timers)
-    , timer_solve_(timers.section("11 factorization and solve"))
-  {}
+                 Timers &timers)
+    : problem_(problem), system_(system), settings_(settings), scale_(scale), size_(size),
+      smallest_motion_(.01 * problem.typical_length()), timers_(timers),
+      timer_solve_(timers.section("11 factorization and solve"))
+  {
+  }
 
 
-
-  double
-  Newton::measure(const std::vector<bool> &is_prescribed, const double force_floor, NewtonResult &result) const
+  double Newton::measure(const std::vector<bool> &is_prescribed, const double force_floor, NewtonResult &result) const
   {
     constexpr double epsilon = 8 * std::numeric_limits<double>::epsilon();
-    double           square = 0., magnitude = 0., noise = 0., worst = -1.;
+    double square = 0., magnitude = 0., noise = 0., worst = -1.;
     for (unsigned int i = 0; i < scale_.size(); ++i)
+    {
+      const double m = system_.magnitude()[i] / scale_[i];
+      magnitude += m * m;
+      if (is_prescribed[i])
+        continue;
+      const double round_off = epsilon * system_.diagonal(i) * size_[i] / scale_[i];
+      noise += round_off * round_off;
+      const double r = system_.residual()[i] / scale_[i];
+      square += r * r;
+      if (std::abs(r) > worst)
       {
-        const double m = system_.magnitude()[i] / scale_[i];
-        magnitude += m * m;
-        if (is_prescribed[i])
-          continue;
-        const double round_off = epsilon * system_.diagonal(i) * size_[i] / scale_[i];
-        noise += round_off * round_off;
-        const double r = system_.residual()[i] / scale_[i];
-        square += r * r;
-        if (std::abs(r) > worst)
-          {
-            worst            = std::abs(r);
-            result.worst_dof = i;
-          }
+        worst            = std::abs(r);
+        result.worst_dof = i;
       }
+    }
     last_magnitude_ = std::max({std::sqrt(magnitude), force_floor, std::sqrt(noise) / settings_.force_tolerance});
     return std::sqrt(square) / last_magnitude_;
   }
 
 
-
-  NewtonResult
-  Newton::solve(Vector &                 q,
-                const Vector &           prescribed,
-                const std::vector<bool> &is_prescribed,
-                const Vector &           q_committed,
-                const double             force_floor)
+  NewtonResult Newton::solve(Vector &q,
+                             const Vector &prescribed,
+                             const std::vector<bool> &is_prescribed,
+                             const Vector &q_committed,
+                             const double force_floor)
   {
-    NewtonResult       result;
+    NewtonResult result;
     const unsigned int n = q.size();
-    Vector             increments(n), d(n), start(n);
+    Vector increments(n), d(n), start(n);
     system_.set_prescribed(is_prescribed);
 
     result.status = problem_.assemble(q, true);
     if (!result.status.good())
-      {
-        result.outcome = NewtonResult::Outcome::inadmissible;
-        return result;
-      }
+    {
+      result.outcome = NewtonResult::Outcome::inadmissible;
+      return result;
+    }
     double residual  = measure(is_prescribed, force_floor, result);
     double last_step = std::numeric_limits<double>::infinity();
     result.residuals.push_back(residual);
 
     for (unsigned int iteration = 0;; ++iteration)
+    {
+      // Converged? Then the corrections have their say.
+      double pending = 0., travelled = smallest_motion_;
+      for (unsigned int i = 0; i < n; ++i)
       {
-        // Converged? Then the corrections have their say.
-        double pending = 0., travelled = smallest_motion_;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            if (is_prescribed[i])
-              pending = std::max(pending, std::abs(prescribed[i] - q[i]) * scale_[i]);
-            travelled = std::max(travelled, std::abs(q[i] - q_committed[i]) * scale_[i]);
-          }
-        const bool moved = last_step <= settings_.displacement_tolerance * travelled || last_step <= 1e-14;
-        // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
-        const double tolerance = iteration < settings_.max_iterations ? settings_.force_tolerance : settings_.relaxed_tolerance;
-        const bool   fresh     = iteration == 0 && result.rounds == 0; // forces of the extrapolated start
-        const bool   settled   = moved || residual <= 1e-3 * tolerance || iteration >= settings_.max_iterations;
-        if (!fresh && pending == 0. && residual <= tolerance && problem_.consistent(tolerance * last_magnitude_) && settled)
-          {
-            if (problem_.correct() == 0)
-              {
-                result.outcome = NewtonResult::Outcome::converged;
-                return result;
-              }
-            if (++result.rounds > settings_.max_rounds)
-              {
-                result.outcome = NewtonResult::Outcome::not_corrected;
-                return result;
-              }
-            iteration = 0;
-            result.residuals.clear();
-            result.status = problem_.assemble(q, true);
-            residual      = measure(is_prescribed, force_floor, result);
-          }
-        const bool close = residual < 1e2 * settings_.relaxed_tolerance && iteration < 2 * settings_.max_iterations;
-        if ((iteration >= settings_.max_iterations && !close) || !std::isfinite(residual))
-          {
-            result.outcome = NewtonResult::Outcome::diverged;
-            return result;
-          }
+        if (is_prescribed[i])
+          pending = std::max(pending, std::abs(prescribed[i] - q[i]) * scale_[i]);
+        travelled = std::max(travelled, std::abs(q[i] - q_committed[i]) * scale_[i]);
+      }
+      const bool moved = last_step <= settings_.displacement_tolerance * travelled || last_step <= 1e-14;
+      // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
+      const double tolerance =
+        iteration < settings_.max_iterations ? settings_.force_tolerance : settings_.relaxed_tolerance;
+      const bool fresh   = iteration == 0 && result.rounds == 0; // forces of the extrapolated start
+      const bool settled = moved || residual <= 1e-3 * tolerance || iteration >= settings_.max_iterations;
+      if (!fresh && pending == 0. && residual <= tolerance && problem_.consistent(tolerance * last_magnitude_) &&
+          settled)
+      {
+        if (problem_.correct() == 0)
+        {
+          result.outcome = NewtonResult::Outcome::converged;
+          return result;
+        }
+        if (++result.rounds > settings_.max_rounds)
+        {
+          result.outcome = NewtonResult::Outcome::not_corrected;
+          return result;
+        }
+        iteration = 0;
+        result.residuals.clear();
+        result.status = problem_.assemble(q, true);
+        residual      = measure(is_prescribed, force_floor, result);
+      }
+      const bool close = residual < 1e2 * settings_.relaxed_tolerance && iteration < 2 * settings_.max_iterations;
+      if ((iteration >= settings_.max_iterations && !close) || !std::isfinite(residual))
+      {
+        result.outcome = NewtonResult::Outcome::diverged;
+        return result;
+      }
 
-        for (unsigned int i = 0; i < n; ++i)
-          increments[i] = is_prescribed[i] ? prescribed[i] - q[i] : 0.;
-        ++result.iterations;
-        const auto solve = [&](const double shift) {
-          Timers::Scope timer(timers_, timer_solve_);
-          return system_.factorize(shift) && system_.solve(increments, d);
-        };
-        if (!solve(0.))
-          {
-            // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
-            problem_.assemble(q, true);
-            if (!solve(1e-6))
-              {
-                result.outcome = NewtonResult::Outcome::singular;
-                return result;
-              }
-          }
+      for (unsigned int i = 0; i < n; ++i)
+        increments[i] = is_prescribed[i] ? prescribed[i] - q[i] : 0.;
+      ++result.iterations;
+      const auto solve = [&](const double shift)
+      {
+        Timers::Scope timer(timers_, timer_solve_);
+        return system_.factorize(shift) && system_.solve(increments, d);
+      };
+      if (!solve(0.))
+      {
+        // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
+        problem_.assemble(q, true);
+        if (!solve(1e-6))
+        {
+          result.outcome = NewtonResult::Outcome::singular;
+          return result;
+        }
+      }
 
-        problem_.prepare_step(d);
-        double factor = problem_.admissible_step(q, d);
-        start         = q;
-        double work_start = 0.;
+      problem_.prepare_step(d);
+      double factor     = problem_.admissible_step(q, d);
+      start             = q;
+      double work_start = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        if (!is_prescribed[i])
+          work_start += d[i] * system_.residual()[i];
+
+      const auto go = [&](const double alpha)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          q[i] = alpha == 1. && is_prescribed[i] ? prescribed[i] : start[i] + alpha * d[i];
+        problem_.advance(alpha);
+        result.status = problem_.assemble(q, true);
+      };
+      const auto work_along_step = [&]()
+      {
+        double work = 0.;
         for (unsigned int i = 0; i < n; ++i)
           if (!is_prescribed[i])
-            work_start += d[i] * system_.residual()[i];
-
-        const auto go = [&](const double alpha) {
-          for (unsigned int i = 0; i < n; ++i)
-            q[i] = alpha == 1. && is_prescribed[i] ? prescribed[i] : start[i] + alpha * d[i];
-          problem_.advance(alpha);
-          result.status = problem_.assemble(q, true);
-        };
-        const auto work_along_step = [&]() {
-          double work = 0.;
-          for (unsigned int i = 0; i < n; ++i)
-            if (!is_prescribed[i])
-              work += d[i] * system_.residual()[i];
-          return work;
-        };
-        // Inadmissible states first: go back until the laws can be evaluated.
+            work += d[i] * system_.residual()[i];
+        return work;
+      };
+      // Inadmissible states first: go back until the laws can be evaluated.
+      go(factor);
+      for (unsigned int back = 0; !result.status.good() && back < 6; ++back)
+      {
+        factor *= .25;
+        ++result.line_searches;
         go(factor);
-        for (unsigned int back = 0; !result.status.good() && back < 6; ++back)
-          {
-            factor *= .25;
-            ++result.line_searches;
-            go(factor);
-          }
-        if (!result.status.good())
-          {
-            result.outcome = NewtonResult::Outcome::inadmissible;
-            return result;
-          }
-        double now = measure(is_prescribed, force_floor, result);
-        if (settings_.line_search && pending == 0. && now > residual &&
-            (!problem_.status_changed() || iteration >= problem_.patience()))
-          {
-            // The energy falls as long as the work of the residual along the step is negative: look for its root.
-            // Steps that are shorter lead nowhere: with friction the step need not descend at all, then move on.
-            const double smallest_factor = .02 * factor;
-            const bool   strict          = iteration >= 3;
-            const double wanted = (strict ? .2 : .8) * std::abs(work_start);
-            double       low = 0., high = factor, work_low = work_start, work = work_along_step(), work_high = work;
-            for (unsigned int search = 0; search < 6 && work > wanted && factor > smallest_factor; ++search)
-              {
-                ++result.line_searches;
-                const double ratio = work_low / (work_low - work_high);
-                factor             = std::max(smallest_factor, low + std::clamp(ratio, .1, .9) * (high - low));
-                go(factor);
-                if (!result.status.good())
-                  {
-                    high = factor;
-                    continue;
-                  }
-                work = work_along_step();
-                if (work > 0)
-                  {
-                    high      = factor;
-                    work_high = work;
-                    work_low *= .5; // Illinois
-                  }
-                else
-                  {
-                    low      = factor;
-                    work_low = work;
-                    work_high *= .5;
-                    if (-work > wanted)
-                      work = 2 * wanted; // go on
-                  }
-              }
-            now = measure(is_prescribed, force_floor, result);
-          }
-        residual = now;
-        last_step = 0.;
-        for (unsigned int i = 0; i < n; ++i)
-          last_step = std::max(last_step, factor * std::abs(d[i]) * scale_[i]);
-        result.residuals.push_back(residual);
-        if (std::getenv("DELTAFORM_TRACE")) std::fprintf(stderr, "  it %u res %.3e step %.3e factor %.3e worst %u ch %d\n", iteration, residual, last_step, factor, result.worst_dof, problem_.status_changed());
       }
+      if (!result.status.good())
+      {
+        result.outcome = NewtonResult::Outcome::inadmissible;
+        return result;
+      }
+      double now = measure(is_prescribed, force_floor, result);
+      if (settings_.line_search && pending == 0. && now > residual &&
+          (!problem_.status_changed() || iteration >= problem_.patience()))
+      {
+        // The energy falls as long as the work of the residual along the step is negative: look for its root.
+        // Steps that are shorter lead nowhere: with friction the step need not descend at all, then move on.
+        const double smallest_factor = .02 * factor;
+        const bool strict            = iteration >= 3;
+        const double wanted          = (strict ? .2 : .8) * std::abs(work_start);
+        double low = 0., high = factor, work_low = work_start, work = work_along_step(), work_high = work;
+        for (unsigned int search = 0; search < 6 && work > wanted && factor > smallest_factor; ++search)
+        {
+          ++result.line_searches;
+          const double ratio = work_low / (work_low - work_high);
+          factor             = std::max(smallest_factor, low + std::clamp(ratio, .1, .9) * (high - low));
+          go(factor);
+          if (!result.status.good())
+          {
+            high = factor;
+            continue;
+          }
+          work = work_along_step();
+          if (work > 0)
+          {
+            high      = factor;
+            work_high = work;
+            work_low *= .5; // Illinois
+          }
+          else
+          {
+            low      = factor;
+            work_low = work;
+            work_high *= .5;
+            if (-work > wanted)
+              work = 2 * wanted; // go on
+          }
+        }
+        now = measure(is_prescribed, force_floor, result);
+      }
+      residual  = now;
+      last_step = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        last_step = std::max(last_step, factor * std::abs(d[i]) * scale_[i]);
+      result.residuals.push_back(residual);
+      if (std::getenv("DELTAFORM_TRACE"))
+        std::fprintf(stderr,
+                     "  it %u res %.3e step %.3e factor %.3e worst %u ch %d\n",
+                     iteration,
+                     residual,
+                     last_step,
+                     factor,
+                     result.worst_dof,
+                     problem_.status_changed());
+    }
   }
 } // namespace deltaform

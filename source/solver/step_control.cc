@@ -6,36 +6,33 @@
 namespace deltaform
 {
   StepSettings::StepSettings(Section &section)
-    : target_iterations(section.integer("Target iterations", 8, 1, 1000, "Newton iterations per increment aimed at."))
-    , growth(section.number("Growth", 1.5, Range{1., 10., false, false}, "1", "Largest growth of the increment."))
-    , shrink(section.number("Shrink", .5, Range::inside(0, 1), "1", "Factor of the increment after a failure."))
-    , largest_strain(section.number("Largest strain increment",
+    : target_iterations(section.integer("Target iterations", 8, 1, 1000, "Newton iterations per increment aimed at.")),
+      growth(section.number("Growth", 1.5, Range{1., 10., false, false}, "1", "Largest growth of the increment.")),
+      shrink(section.number("Shrink", .5, Range::inside(0, 1), "1", "Factor of the increment after a failure.")),
+      largest_strain(section.number("Largest strain increment",
                                     .1,
                                     Range::positive(),
                                     "1",
-                                    "An increment that strains any point by more is repeated with a smaller size."))
-    , largest_rotation(section.number("Largest rotation increment",
+                                    "An increment that strains any point by more is repeated with a smaller size.")),
+      largest_rotation(section.number("Largest rotation increment",
                                       .3,
                                       Range::positive(),
                                       "rad",
-                                      "An increment that turns any node by more is repeated with a smaller size."))
-    , extrapolate(section.flag("Extrapolate", true, "Start Newton from the last increment's velocity."))
-  {}
+                                      "An increment that turns any node by more is repeated with a smaller size.")),
+      extrapolate(section.flag("Extrapolate", true, "Start Newton from the last increment's velocity."))
+  {
+  }
 
 
-
-  StepControl::StepControl(const StepSettings &       settings,
-                           const double               begin,
-                           const double               end,
-                           const double               first,
-                           const double               smallest,
-                           const double               largest,
+  StepControl::StepControl(const StepSettings &settings,
+                           const double begin,
+                           const double end,
+                           const double first,
+                           const double smallest,
+                           const double largest,
                            const std::vector<double> &meet)
-    : settings_(settings)
-    , end_(end)
-    , smallest_(smallest)
-    , largest_(largest)
-    , increment_(std::clamp(first, smallest, largest))
+    : settings_(settings), end_(end), smallest_(smallest), largest_(largest),
+      increment_(std::clamp(first, smallest, largest))
   {
     for (const double time : meet)
       if (time > begin && time < end)
@@ -44,9 +41,7 @@ namespace deltaform
   }
 
 
-
-  double
-  StepControl::next(const double time) const
+  double StepControl::next(const double time) const
   {
     const double target = *std::upper_bound(meet_.begin(), meet_.end(), time);
     const double left   = target - time;
@@ -57,23 +52,19 @@ namespace deltaform
   }
 
 
-
-  void
-  StepControl::accept(const unsigned int iterations)
+  void StepControl::accept(const unsigned int iterations)
   {
     if (quiet_ > 0)
-      {
-        --quiet_;
-        return;
-      }
+    {
+      --quiet_;
+      return;
+    }
     const double ratio = std::sqrt(static_cast<double>(settings_.target_iterations) / std::max(iterations, 1u));
-    increment_         = std::clamp(increment_ * std::clamp(ratio, settings_.shrink, settings_.growth), smallest_, largest_);
+    increment_ = std::clamp(increment_ * std::clamp(ratio, settings_.shrink, settings_.growth), smallest_, largest_);
   }
 
 
-
-  bool
-  StepControl::reject(const double tried)
+  bool StepControl::reject(const double tried)
   {
     const double shorter = tried * settings_.shrink;
     if (shorter < smallest_)
@@ -84,9 +75,7 @@ namespace deltaform
   }
 
 
-
-  bool
-  StepControl::finished(const double time) const
+  bool StepControl::finished(const double time) const
   {
     return time >= end_;
   }

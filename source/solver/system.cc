@@ -22,11 +22,12 @@ namespace deltaform
     {
       matrix.reinit(pattern);
       // The wrapper only hands out a const reference to the matrix that it owns.
-      crs           = &const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
-      solution      = std::make_unique<Epetra_Vector>(crs->DomainMap());
-      right_side    = std::make_unique<Epetra_Vector>(crs->RangeMap());
-      problem       = std::make_unique<Epetra_LinearProblem>(crs, solution.get(), right_side.get());
-      factorization = std::unique_ptr<Amesos_BaseSolver>(Amesos().Create(solver == "mumps" ? "Mumps" : "Klu", *problem));
+      crs        = &const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
+      solution   = std::make_unique<Epetra_Vector>(crs->DomainMap());
+      right_side = std::make_unique<Epetra_Vector>(crs->RangeMap());
+      problem    = std::make_unique<Epetra_LinearProblem>(crs, solution.get(), right_side.get());
+      factorization =
+        std::unique_ptr<Amesos_BaseSolver>(Amesos().Create(solver == "mumps" ? "Mumps" : "Klu", *problem));
       AssertThrow(factorization, dealii::ExcMessage("This Trilinos has no Amesos solver '" + solver + "'."));
       Teuchos::ParameterList list;
       list.set("PrintTiming", false);
@@ -35,27 +36,21 @@ namespace deltaform
     }
 
     dealii::TrilinosWrappers::SparseMatrix matrix;
-    Epetra_CrsMatrix *                     crs = nullptr;
-    std::unique_ptr<Epetra_Vector>         solution, right_side;
-    std::unique_ptr<Epetra_LinearProblem>  problem;
-    std::unique_ptr<Amesos_BaseSolver>     factorization;
-    bool                                   analysed = false;
+    Epetra_CrsMatrix *crs = nullptr;
+    std::unique_ptr<Epetra_Vector> solution, right_side;
+    std::unique_ptr<Epetra_LinearProblem> problem;
+    std::unique_ptr<Amesos_BaseSolver> factorization;
+    bool analysed = false;
   };
 
 
-
   System::System(const dealii::DynamicSparsityPattern &pattern, const unsigned int n_border, const std::string &solver)
-    : n_sparse_(pattern.n_rows())
-    , n_border_(n_border)
-    , trilinos_(std::make_unique<Trilinos>(pattern, solver))
-    , prescribed_(n_sparse_ + n_border, false)
-    , residual_(n_sparse_ + n_border)
-    , magnitude_(n_sparse_ + n_border)
-    , border_columns_(n_border, Vector(n_sparse_))
-    , border_rows_(n_border, Vector(n_sparse_))
-    , border_block_(n_border * n_border, 0.)
+    : n_sparse_(pattern.n_rows()), n_border_(n_border), trilinos_(std::make_unique<Trilinos>(pattern, solver)),
+      prescribed_(n_sparse_ + n_border, false), residual_(n_sparse_ + n_border), magnitude_(n_sparse_ + n_border),
+      border_columns_(n_border, Vector(n_sparse_)), border_rows_(n_border, Vector(n_sparse_)),
+      border_block_(n_border * n_border, 0.)
   {
-    int *     start = nullptr, *columns = nullptr;
+    int *start = nullptr, *columns = nullptr;
     const int error = trilinos_->crs->ExtractCrsDataPointers(start, columns, values_);
     AssertThrow(error == 0, dealii::ExcMessage("The matrix has no contiguous storage."));
     row_start_ = start;
@@ -63,21 +58,16 @@ namespace deltaform
   }
 
 
-
   System::~System() = default;
 
 
-
-  unsigned int
-  System::size() const
+  unsigned int System::size() const
   {
     return n_sparse_ + n_border_;
   }
 
 
-
-  void
-  System::clear(const bool tangent)
+  void System::clear(const bool tangent)
   {
     tangent_   = tangent;
     residual_  = 0.;
@@ -91,59 +81,52 @@ namespace deltaform
   }
 
 
-
-  bool
-  System::wants_tangent() const
+  bool System::wants_tangent() const
   {
     return tangent_;
   }
 
 
-
-  double *
-  System::entry(const DofIndex row, const DofIndex column) const
+  double *System::entry(const DofIndex row, const DofIndex column) const
   {
     const int *const first = columns_ + row_start_[row];
     const int *const last  = columns_ + row_start_[row + 1];
     const int *const place = std::lower_bound(first, last, static_cast<int>(column));
-    Assert(place != last && *place == static_cast<int>(column), dealii::ExcMessage("This coupling is not in the pattern."));
+    Assert(place != last && *place == static_cast<int>(column),
+           dealii::ExcMessage("This coupling is not in the pattern."));
     return values_ + (place - columns_);
   }
 
 
-
-  void
-  System::add(const DofIndex *dofs, const unsigned int n, const double *matrix, const double *vector)
+  void System::add(const DofIndex *dofs, const unsigned int n, const double *matrix, const double *vector)
   {
     for (unsigned int i = 0; i < n; ++i)
-      {
-        residual_[dofs[i]] += vector[i];
-        magnitude_[dofs[i]] += std::abs(vector[i]);
-      }
+    {
+      residual_[dofs[i]] += vector[i];
+      magnitude_[dofs[i]] += std::abs(vector[i]);
+    }
     if (matrix == nullptr || !tangent_)
       return;
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
+      {
+        const double value = matrix[i * n + j];
+        if (dofs[i] < n_sparse_ && dofs[j] < n_sparse_)
         {
-          const double value = matrix[i * n + j];
-          if (dofs[i] < n_sparse_ && dofs[j] < n_sparse_)
-            {
-              if (value != 0.)
-                *entry(dofs[i], dofs[j]) += value;
-            }
-          else if (dofs[i] < n_sparse_)
-            border_columns_[dofs[j] - n_sparse_][dofs[i]] += value;
-          else if (dofs[j] < n_sparse_)
-            border_rows_[dofs[i] - n_sparse_][dofs[j]] += value;
-          else
-            border_block_[(dofs[i] - n_sparse_) * n_border_ + dofs[j] - n_sparse_] += value;
+          if (value != 0.)
+            *entry(dofs[i], dofs[j]) += value;
         }
+        else if (dofs[i] < n_sparse_)
+          border_columns_[dofs[j] - n_sparse_][dofs[i]] += value;
+        else if (dofs[j] < n_sparse_)
+          border_rows_[dofs[i] - n_sparse_][dofs[j]] += value;
+        else
+          border_block_[(dofs[i] - n_sparse_) * n_border_ + dofs[j] - n_sparse_] += value;
+      }
   }
 
 
-
-  void
-  System::block(const DofIndex *dofs, const unsigned int n, double *result) const
+  void System::block(const DofIndex *dofs, const unsigned int n, double *result) const
   {
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
@@ -151,39 +134,31 @@ namespace deltaform
   }
 
 
-
-  void
-  System::multiply(const Vector &direction, Vector &result) const
+  void System::multiply(const Vector &direction, Vector &result) const
   {
     for (unsigned int i = 0; i < n_sparse_; ++i)
-      {
-        double sum = 0.;
-        for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
-          sum += values_[k] * direction[columns_[k]];
-        result[i] = sum;
-      }
+    {
+      double sum = 0.;
+      for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
+        sum += values_[k] * direction[columns_[k]];
+      result[i] = sum;
+    }
   }
 
 
-
-  void
-  System::set_prescribed(const std::vector<bool> &prescribed)
+  void System::set_prescribed(const std::vector<bool> &prescribed)
   {
     prescribed_ = prescribed;
   }
 
 
-
-  double
-  System::diagonal(const DofIndex dof) const
+  double System::diagonal(const DofIndex dof) const
   {
     return dof < n_sparse_ ? *entry(dof, dof) : 0.;
   }
 
 
-
-  double
-  System::largest_diagonal() const
+  double System::largest_diagonal() const
   {
     double largest = 0.;
     for (unsigned int i = 0; i < n_sparse_; ++i)
@@ -193,22 +168,20 @@ namespace deltaform
   }
 
 
-
-  bool
-  System::factorize(const double shift)
+  bool System::factorize(const double shift)
   {
     const double scale = largest_diagonal();
     for (unsigned int i = 0; i < n_sparse_; ++i)
+    {
+      double *const diagonal = entry(i, i);
+      if (prescribed_[i])
       {
-        double *const diagonal = entry(i, i);
-        if (prescribed_[i])
-          {
-            std::fill(values_ + row_start_[i], values_ + row_start_[i + 1], 0.);
-            *diagonal = scale > 0 ? scale : 1.;
-          }
-        else if (shift > 0)
-          *diagonal += shift * std::max(std::abs(*diagonal), 1e-12 * scale);
+        std::fill(values_ + row_start_[i], values_ + row_start_[i + 1], 0.);
+        *diagonal = scale > 0 ? scale : 1.;
       }
+      else if (shift > 0)
+        *diagonal += shift * std::max(std::abs(*diagonal), 1e-12 * scale);
+    }
     ++n_factorizations_;
     if (!trilinos_->analysed && trilinos_->factorization->SymbolicFactorization() != 0)
       return false;
@@ -217,9 +190,7 @@ namespace deltaform
   }
 
 
-
-  bool
-  System::solve_sparse(const Vector &right_side, Vector &solution)
+  bool System::solve_sparse(const Vector &right_side, Vector &solution)
   {
     std::copy(right_side.begin(), right_side.begin() + n_sparse_, trilinos_->right_side->Values());
     if (trilinos_->factorization->Solve() != 0)
@@ -233,9 +204,7 @@ namespace deltaform
   }
 
 
-
-  bool
-  System::solve(const Vector &increments, Vector &d)
+  bool System::solve(const Vector &increments, Vector &d)
   {
     Vector right_side(n_sparse_);
     for (unsigned int i = 0; i < n_sparse_; ++i)
@@ -247,41 +216,41 @@ namespace deltaform
 
     // (D - C K^-1 B) w = -R_w - C K^-1 (-R), then d -= K^-1 B w
     std::vector<Vector> eliminated(n_border_, Vector(n_sparse_));
-    Eigen::MatrixXd     schur(n_border_, n_border_);
-    Eigen::VectorXd     load(n_border_);
+    Eigen::MatrixXd schur(n_border_, n_border_);
+    Eigen::VectorXd load(n_border_);
     for (unsigned int b = 0; b < n_border_; ++b)
-      {
-        for (unsigned int i = 0; i < n_sparse_; ++i)
-          right_side[i] = prescribed_[i] ? 0. : border_columns_[b][i];
-        if (!solve_sparse(right_side, eliminated[b]))
-          return false;
-      }
+    {
+      for (unsigned int i = 0; i < n_sparse_; ++i)
+        right_side[i] = prescribed_[i] ? 0. : border_columns_[b][i];
+      if (!solve_sparse(right_side, eliminated[b]))
+        return false;
+    }
     for (unsigned int a = 0; a < n_border_; ++a)
+    {
+      load[a] = -residual_[n_sparse_ + a];
+      for (unsigned int i = 0; i < n_sparse_; ++i)
+        load[a] -= border_rows_[a][i] * d[i];
+      for (unsigned int b = 0; b < n_border_; ++b)
+        schur(a, b) = border_block_[a * n_border_ + b] - border_rows_[a] * eliminated[b];
+      if (prescribed_[n_sparse_ + a])
       {
-        load[a] = -residual_[n_sparse_ + a];
-        for (unsigned int i = 0; i < n_sparse_; ++i)
-          load[a] -= border_rows_[a][i] * d[i];
-        for (unsigned int b = 0; b < n_border_; ++b)
-          schur(a, b) = border_block_[a * n_border_ + b] - border_rows_[a] * eliminated[b];
-        if (prescribed_[n_sparse_ + a])
-          {
-            schur.row(a).setZero();
-            schur(a, a) = 1.;
-            load[a]     = increments[n_sparse_ + a];
-          }
+        schur.row(a).setZero();
+        schur(a, a) = 1.;
+        load[a]     = increments[n_sparse_ + a];
       }
+    }
     const Eigen::FullPivLU<Eigen::MatrixXd> lu(schur);
     if (!lu.isInvertible())
       return false;
     const Eigen::VectorXd w = lu.solve(load);
     for (unsigned int b = 0; b < n_border_; ++b)
-      {
-        if (!std::isfinite(w[b]))
-          return false;
-        d[n_sparse_ + b] = w[b];
-        for (unsigned int i = 0; i < n_sparse_; ++i)
-          d[i] -= eliminated[b][i] * w[b];
-      }
+    {
+      if (!std::isfinite(w[b]))
+        return false;
+      d[n_sparse_ + b] = w[b];
+      for (unsigned int i = 0; i < n_sparse_; ++i)
+        d[i] -= eliminated[b][i] * w[b];
+    }
     return true;
   }
 } // namespace deltaform

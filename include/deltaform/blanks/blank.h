@@ -34,116 +34,93 @@ namespace deltaform
   public:
     /// @name Set up
     ///@{
-    virtual unsigned int
-    n_dofs() const = 0;
+    virtual unsigned int n_dofs() const = 0;
 
-    unsigned int
-    n_contact_dofs() const override
+    unsigned int n_contact_dofs() const override
     {
       return n_dofs();
     }
 
     /// Enter the couplings between unknowns.
-    virtual void
-    add_couplings(dealii::DynamicSparsityPattern &pattern) const = 0;
+    virtual void add_couplings(dealii::DynamicSparsityPattern &pattern) const = 0;
 
     /// Unknowns that stay zero: symmetry at the axis r = 0, rotations of a membrane.
-    virtual std::vector<DofIndex>
-    fixed_dofs() const = 0;
+    virtual std::vector<DofIndex> fixed_dofs() const = 0;
 
-    /// Unknowns of one component on a named part of the boundary. @throws std::invalid_argument if there is no such part.
-    virtual std::vector<DofIndex>
-    boundary_dofs(const std::string &boundary, Component component) const = 0;
+    /// Unknowns of one component on a named part of the boundary. @throws std::invalid_argument if there is no such
+    /// part.
+    virtual std::vector<DofIndex> boundary_dofs(const std::string &boundary, Component component) const = 0;
 
     /// Names of the parts of the boundary.
-    virtual std::vector<std::string>
-    boundaries() const = 0;
+    virtual std::vector<std::string> boundaries() const = 0;
 
     /// Current measure of a part of the boundary: circumference of an edge (shell), by which line loads are multiplied.
-    virtual double
-    reference_measure(const std::string &boundary) const = 0;
+    virtual double reference_measure(const std::string &boundary) const = 0;
 
     /// A typical length that makes unknowns comparable: 1 for displacements, the thickness for rotations.
-    virtual double
-    dof_scale(DofIndex dof) const = 0;
+    virtual double dof_scale(DofIndex dof) const = 0;
 
     /// "node 12 at r = 0.53, rotation", for messages.
-    virtual std::string
-    describe_dof(DofIndex dof) const = 0;
+    virtual std::string describe_dof(DofIndex dof) const = 0;
 
     /// A typical stiffness, force over length: Young's modulus times the thickness.
-    virtual double
-    stiffness_scale() const = 0;
+    virtual double stiffness_scale() const = 0;
 
-    virtual bool
-    axisymmetric() const = 0;
+    virtual bool axisymmetric() const = 0;
 
-    virtual double
-    initial_thickness() const = 0;
+    virtual double initial_thickness() const = 0;
     ///@}
 
     /// @name In every iteration
     ///@{
     /// Add internal forces and, if wanted, their tangent at @p q. The trial history starts from the committed one.
-    virtual Status
-    assemble(const Vector &q, AssemblyTarget &target) = 0;
+    virtual Status assemble(const Vector &q, AssemblyTarget &target) = 0;
 
-    /// Add the forces of a pressure on the whole blank, positive along the outward normal of the bottom face (upward, for
-    /// a flat blank). Following: on the current area along the current normal; dead: on the initial area and normal.
-    virtual void
-    assemble_pressure(const Vector &q, double pressure, bool following, AssemblyTarget &target) const = 0;
+    /// Add the forces of a pressure on the whole blank, positive along the outward normal of the bottom face (upward,
+    /// for a flat blank). Following: on the current area along the current normal; dead: on the initial area and
+    /// normal.
+    virtual void assemble_pressure(const Vector &q, double pressure, bool following, AssemblyTarget &target) const = 0;
 
     /// Largest factor in (0, 1] by which @p dq may be taken so that no cell is turned inside out or rotated too far.
-    virtual double
-    admissible_step(const Vector &q, const Vector &dq) const = 0;
+    virtual double admissible_step(const Vector &q, const Vector &dq) const = 0;
     ///@}
 
     /// @name Once per accepted increment
     ///@{
     /// Largest change of logarithmic strain of any point since the last commit.
-    virtual double
-    largest_strain_increment() const = 0;
+    virtual double largest_strain_increment() const = 0;
 
     /// Largest change of rotation in a displacement increment.
-    virtual double
-    largest_rotation(const Vector &dq) const = 0;
+    virtual double largest_rotation(const Vector &dq) const = 0;
 
     /// Accept the trial state that belongs to @p q: history, thickness, energies.
-    virtual void
-    commit(const Vector &q) = 0;
+    virtual void commit(const Vector &q) = 0;
 
-    /// Contact pressure on the nodes of one side of the accepted state; used by the next increments (transverse stress).
-    virtual void
-    set_contact_pressure(Side side, const std::vector<double> &pressure) = 0;
+    /// Contact pressure on the nodes of one side of the accepted state; used by the next increments (transverse
+    /// stress).
+    virtual void set_contact_pressure(Side side, const std::vector<double> &pressure) = 0;
 
-    virtual BlankEnergy
-    energy() const = 0;
+    virtual BlankEnergy energy() const = 0;
 
-    virtual double
-    smallest_thickness() const = 0;
+    virtual double smallest_thickness() const = 0;
     ///@}
 
     /// @name Results of the accepted state
     ///@{
     /// Values along the blank, one row per node.
-    virtual Table
-    profile(const Vector &q) const = 0;
+    virtual Table profile(const Vector &q) const = 0;
 
     /// Picture for ParaView; @p nodal are further values per contact node (one per node), spread over the thickness.
-    virtual Drawing
-    draw(const Vector &q, const std::vector<DrawnField> &nodal) const = 0;
+    virtual Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const = 0;
 
     /// Positions of the nodes: r and z.
-    virtual std::vector<Point2>
-    positions(const Vector &q) const = 0;
+    virtual std::vector<Point2> positions(const Vector &q) const = 0;
     ///@}
 
     /// @name Restart
     ///@{
-    virtual void
-    save(std::ostream &stream) const = 0;
-    virtual void
-    load(std::istream &stream) = 0;
+    virtual void save(std::ostream &stream) const = 0;
+    virtual void load(std::istream &stream)       = 0;
     ///@}
   };
 } // namespace deltaform

@@ -24,59 +24,56 @@ namespace deltaform
   /// What stays the same at a quadrature point on the meridian of a shell.
   struct ShellPoint
   {
-    std::array<double, 3> shape{}, gradient{};     ///< N_a and dN_a/dS
-    double                radius      = 1;         ///< R (plane strain: 1)
-    double                angle       = 0;         ///< of the reference tangent
-    double                angle_prime = 0;         ///< reference curvature
-    double                lambda = 1, gamma = 0;   ///< reference values of Lambda and Gamma
-    double                weight = 0;              ///< 2 pi dS (plane strain: dS)
+    std::array<double, 3> shape{}, gradient{}; ///< N_a and dN_a/dS
+    double radius      = 1;                    ///< R (plane strain: 1)
+    double angle       = 0;                    ///< of the reference tangent
+    double angle_prime = 0;                    ///< reference curvature
+    double lambda = 1, gamma = 0;              ///< reference values of Lambda and Gamma
+    double weight = 0;                         ///< 2 pi dS (plane strain: dS)
   };
 
   /**
    * Shell of revolution, or strip in plane strain, on a Triangulation<1,2>: unknowns u_r, u_z and the rotation at each
-   * node, finite rotations and membrane strains, layers through the thickness in plane stress. Reduced integration along
-   * the meridian (degree points) makes it free of locking. Derivation: doc/theory/shell.md.
+   * node, finite rotations and membrane strains, layers through the thickness in plane stress. Reduced integration
+   * along the meridian (degree points) makes it free of locking. Derivation: doc/theory/shell.md.
    */
   class Shell : public Blank
   {
   public:
     explicit Shell(Section &section);
 
-    unsigned int                             n_dofs() const override;
-    void                                     add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
-    std::vector<DofIndex>                    fixed_dofs() const override;
-    std::vector<DofIndex>                    boundary_dofs(const std::string &boundary, Component component) const override;
-    std::vector<std::string>                 boundaries() const override;
-    double                                   reference_measure(const std::string &boundary) const override;
-    double                                   dof_scale(DofIndex dof) const override;
-    std::string                              describe_dof(DofIndex dof) const override;
-    double                                   stiffness_scale() const override;
-    bool                                     axisymmetric() const override;
-    double                                   initial_thickness() const override;
-    Status                                   assemble(const Vector &q, AssemblyTarget &target) override;
-    void                                     assemble_pressure(const Vector &  q,
-                                                               double          pressure,
-                                                               bool            following,
-                                                               AssemblyTarget &target) const override;
-    double                                   admissible_step(const Vector &q, const Vector &dq) const override;
-    unsigned int                             n_contact_nodes(Side side) const override;
-    void                                     contact_node(const Vector &   q,
-                                                          Side             side,
-                                                          unsigned int     node,
-                                                          ContactThickness thickness,
-                                                          ContactNode &    result) const override;
+    unsigned int n_dofs() const override;
+    void add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
+    std::vector<DofIndex> fixed_dofs() const override;
+    std::vector<DofIndex> boundary_dofs(const std::string &boundary, Component component) const override;
+    std::vector<std::string> boundaries() const override;
+    double reference_measure(const std::string &boundary) const override;
+    double dof_scale(DofIndex dof) const override;
+    std::string describe_dof(DofIndex dof) const override;
+    double stiffness_scale() const override;
+    bool axisymmetric() const override;
+    double initial_thickness() const override;
+    Status assemble(const Vector &q, AssemblyTarget &target) override;
+    void assemble_pressure(const Vector &q, double pressure, bool following, AssemblyTarget &target) const override;
+    double admissible_step(const Vector &q, const Vector &dq) const override;
+    unsigned int n_contact_nodes(Side side) const override;
+    void contact_node(const Vector &q,
+                      Side side,
+                      unsigned int node,
+                      ContactThickness thickness,
+                      ContactNode &result) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
-    double                                          largest_strain_increment() const override;
-    double                                          largest_rotation(const Vector &dq) const override;
-    void                                            commit(const Vector &q) override;
-    void        set_contact_pressure(Side side, const std::vector<double> &pressure) override;
+    double largest_strain_increment() const override;
+    double largest_rotation(const Vector &dq) const override;
+    void commit(const Vector &q) override;
+    void set_contact_pressure(Side side, const std::vector<double> &pressure) override;
     BlankEnergy energy() const override;
-    double      smallest_thickness() const override;
-    Table       profile(const Vector &q) const override;
-    Drawing     draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
+    double smallest_thickness() const override;
+    Table profile(const Vector &q) const override;
+    Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
     std::vector<Point2> positions(const Vector &q) const override;
-    void                save(std::ostream &stream) const override;
-    void                load(std::istream &stream) override;
+    void save(std::ostream &stream) const override;
+    void load(std::istream &stream) override;
 
   private:
     void set_up_dofs();
@@ -106,43 +103,43 @@ namespace deltaform
     std::vector<double> to_nodes(const std::vector<double> &point_values) const;
 
     // As read
-    unsigned int              degree_;
-    bool                      axisymmetric_, membrane_, transverse_normal_stress_;
-    double                    thickness_, shear_factor_;
-    unsigned int              n_layers_;
-    ContactPoint              contact_point_;
-    ShellMesh                 mesh_;
+    unsigned int degree_;
+    bool axisymmetric_, membrane_, transverse_normal_stress_;
+    double thickness_, shear_factor_;
+    unsigned int n_layers_;
+    ContactPoint contact_point_;
+    ShellMesh mesh_;
     std::unique_ptr<Material> material_;
 
     // Discretization
-    dealii::Triangulation<1, 2>              triangulation_;
-    std::unique_ptr<dealii::FESystem<1, 2>>  element_;
-    dealii::DoFHandler<1, 2>                 dof_handler_;
-    std::vector<std::array<DofIndex, 3>>     node_dofs_;
-    std::vector<bool>                        is_rotation_;
+    dealii::Triangulation<1, 2> triangulation_;
+    std::unique_ptr<dealii::FESystem<1, 2>> element_;
+    dealii::DoFHandler<1, 2> dof_handler_;
+    std::vector<std::array<DofIndex, 3>> node_dofs_;
+    std::vector<bool> is_rotation_;
     std::vector<std::array<unsigned int, 3>> edges_;
-    std::vector<double>                      node_angle_; ///< of the reference tangent, averaged at kinks
-    std::vector<double>                      node_weight_;
-    std::vector<bool>                        weightless_; ///< nodes whose tributary area vanishes: no pair
-    unsigned int                             n_points_per_cell_ = 1;
-    std::vector<ShellPoint>                  points_; ///< cell by cell
+    std::vector<double> node_angle_; ///< of the reference tangent, averaged at kinks
+    std::vector<double> node_weight_;
+    std::vector<bool> weightless_; ///< nodes whose tributary area vanishes: no pair
+    unsigned int n_points_per_cell_ = 1;
+    std::vector<ShellPoint> points_; ///< cell by cell
     /// Point of the quadrature of loads: shape functions, their derivatives on the unit cell, weight.
     struct LoadPoint
     {
       std::array<double, 3> shape{}, gradient{};
-      double                weight = 0;
+      double weight = 0;
     };
     std::vector<LoadPoint> load_quadrature_;
-    std::vector<double>                      layer_position_, layer_weight_; ///< zeta and its weight, times the thickness
+    std::vector<double> layer_position_, layer_weight_; ///< zeta and its weight, times the thickness
 
     // State: committed and, where it differs, trial
-    PointHistory        history_;
+    PointHistory history_;
     std::vector<Mandel> strain_, stress_, committed_strain_, committed_stress_;
-    std::vector<double> thickness_ratio_;  ///< committed, per quadrature point
-    std::vector<double> node_thickness_;   ///< committed
+    std::vector<double> thickness_ratio_;                 ///< committed, per quadrature point
+    std::vector<double> node_thickness_;                  ///< committed
     std::array<std::vector<double>, 2> contact_pressure_; ///< committed, per side and node
-    std::vector<double> third_stress_;     ///< per layer point of the whole blank
-    BlankEnergy         energy_;
+    std::vector<double> third_stress_;                    ///< per layer point of the whole blank
+    BlankEnergy energy_;
     mutable std::vector<double> node_area_; ///< of the last assembled configuration
   };
 } // namespace deltaform

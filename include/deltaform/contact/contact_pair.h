@@ -23,237 +23,197 @@ namespace deltaform
 
     std::unique_ptr<Enforcement> enforcement;
     std::unique_ptr<PenaltyRule> rule;
-    TimeFunction                 allowed_penetration;
-    TimeFunction                 allowed_slip;
-    double                       tangential_factor;
-    double                       tangential_floor;
+    TimeFunction allowed_penetration;
+    TimeFunction allowed_slip;
+    double tangential_factor;
+    double tangential_floor;
   };
 
   /**
-   * One side of the blank against one tool: the loop over the nodes, with trial and committed state. Forces on the blank
-   * are lambda N - t s tau with N the normal, tau the tangent of the tool and s = d(foot point)/d(node): derivation of
-   * residual and tangent in doc/theory/contact.md.
+   * One side of the blank against one tool: the loop over the nodes, with trial and committed state. Forces on the
+   * blank are lambda N - t s tau with N the normal, tau the tangent of the tool and s = d(foot point)/d(node):
+   * derivation of residual and tangent in doc/theory/contact.md.
    */
   class ContactPair
   {
   public:
     ContactPair(const ContactSurface &surface, Tool &tool, const ContactSettings &settings, Section tool_section);
 
-    const Tool &
-    tool() const
+    const Tool &tool() const
     {
       return tool_;
     }
 
-    DofIndex
-    travel_dof() const
+    DofIndex travel_dof() const
     {
       return travel_dof_;
     }
 
-    unsigned int
-    n_nodes() const
+    unsigned int n_nodes() const
     {
       return committed_.size();
     }
 
-    /// Number the unknowns of this pair: the travel of a force-driven tool, and one multiplier per node if the enforcement has them.
-    void
-    set_dofs(DofIndex travel, DofIndex first_multiplier);
+    /// Number the unknowns of this pair: the travel of a force-driven tool, and one multiplier per node if the
+    /// enforcement has them.
+    void set_dofs(DofIndex travel, DofIndex first_multiplier);
 
     /// Begin a stage at @p q and @p time: remember where the nodes are, so that the slip of a first touch is known.
-    void
-    begin_stage(const Vector &q, double time);
+    void begin_stage(const Vector &q, double time);
 
     /// Start an increment that ends at @p time: trial state from the committed one, allowed penetrations.
-    void
-    begin_increment(double time);
+    void begin_increment(double time);
 
-    /// Continuation: pairs that did not touch at the start of the increment begin with this share of their factor (active
-    /// set: of their nodal stiffness) and are stiffened to the full after each converged solve.
-    void
-    soften(const double share)
+    /// Continuation: pairs that did not touch at the start of the increment begin with this share of their factor
+    /// (active set: of their nodal stiffness) and are stiffened to the full after each converged solve.
+    void soften(const double share)
     {
       softening_ = share;
     }
 
     /// Store the blank's nodal stiffness blocks for the rule; contact has not yet been added to @p stiffness.
-    void
-    read_stiffness(const Vector &q, const StiffnessView &stiffness);
+    void read_stiffness(const Vector &q, const StiffnessView &stiffness);
 
     /// Add C (p - delta) of the touching pairs, for the rule's coupling.
-    void
-    add_mismatch(const Vector &q, Vector &direction) const;
+    void add_mismatch(const Vector &q, Vector &direction) const;
 
     /// Give every touching pair its factor: @p coupling = K C (p - delta), or null if no rule needs it.
-    void
-    predict_factors(const Vector &q, const Vector *coupling);
+    void predict_factors(const Vector &q, const Vector *coupling);
 
     /// Residual and tangent of all pairs at @p q.
-    void
-    assemble(const Vector &q, AssemblyTarget &target);
+    void assemble(const Vector &q, AssemblyTarget &target);
 
     /// A Newton step @p d was computed from the last assembled state: what it makes of the forces.
-    void
-    prepare_step(const Vector &d);
+    void prepare_step(const Vector &d);
 
     /// The step is taken by this factor; the next assembly is at the new place.
-    void
-    advance(double factor);
+    void advance(double factor);
 
     /// Did a node gain or lose contact in the last assembly?
-    bool
-    status_changed() const
+    bool status_changed() const
     {
       return status_changed_;
     }
 
     /// Is no force tensile? Otherwise the state is not a solution, however small the residual.
-    bool
-    consistent(double allowed_tension) const;
+    bool consistent(double allowed_tension) const;
 
     /**
      * After convergence: let the rule correct the factors. @return the number of pairs whose factor has changed.
      */
-    unsigned int
-    correct_factors();
+    unsigned int correct_factors();
 
     /// The pair that breaks the promise most: node and p/delta - 1 beyond round-off (invalid_index: none does).
-    std::pair<unsigned int, double>
-    broken_promise() const;
+    std::pair<unsigned int, double> broken_promise() const;
 
-    void
-    commit(const Vector &q);
+    void commit(const Vector &q);
 
     /// After the blank's thickness was updated: new gaps at the same positions.
-    void
-    refresh(const Vector &q);
+    void refresh(const Vector &q);
 
     /// Where the tool is: travel at the trial state.
-    double
-    travel(const Vector &q) const;
+    double travel(const Vector &q) const;
 
     /// Force of the blank on the tool in the trial state (full circumference or per unit width).
-    const Tensor1 &
-    tool_force() const
+    const Tensor1 &tool_force() const
     {
       return tool_force_;
     }
 
     /// Trial and committed state of every node, and the nodes' description.
-    const std::vector<PairState> &
-    trial() const
+    const std::vector<PairState> &trial() const
     {
       return trial_;
     }
 
-    const std::vector<PairState> &
-    committed() const
+    const std::vector<PairState> &committed() const
     {
       return committed_;
     }
 
-    ContactEnergy
-    energy() const;
+    ContactEnergy energy() const;
 
     /// Largest penetration anywhere along the edges, not only at the nodes.
-    double
-    penetration_between_nodes(const Vector &q) const;
+    double penetration_between_nodes(const Vector &q) const;
 
     /// Contact pressure of every node (committed force over current tributary area).
-    std::vector<double>
-    pressure(const Vector &q) const;
+    std::vector<double> pressure(const Vector &q) const;
 
-    unsigned int
-    n_touching() const;
+    unsigned int n_touching() const;
 
     /// Is the floor larger than what delta asks for at this node?
-    bool
-    governed_by_floor(unsigned int node) const;
+    bool governed_by_floor(unsigned int node) const;
 
-    ContactNode
-    node(const Vector &q, unsigned int i) const;
+    ContactNode node(const Vector &q, unsigned int i) const;
 
     /// Node with the smallest gap in the initial configuration, and that gap.
-    std::pair<unsigned int, double>
-    deepest_at_start() const;
+    std::pair<unsigned int, double> deepest_at_start() const;
 
     /// A tool that is absent in a stage has no pairs: forget all contact.
-    void
-    clear();
+    void clear();
 
     template <class Archive>
-    void
-    serialize(Archive &archive, unsigned int)
+    void serialize(Archive &archive, unsigned int)
     {
       archive &committed_ &energy_.friction &energy_.epsilon &energy_.thickness &committed_x_;
     }
 
   private:
     /// Is the contact point certainly clear of the tool? The distance changes at most as fast as the point moves.
-    bool
-    certainly_clear(unsigned int i, const Point2 &relative, double offset) const;
+    bool certainly_clear(unsigned int i, const Point2 &relative, double offset) const;
 
     /// K_nn (or K_tt) = (J^T n)^T K (J^T n) with the nodal block of the blank's tangent.
-    double
-    nodal_stiffness(unsigned int i, const ContactNode &node, const Tensor1 &direction) const;
+    double nodal_stiffness(unsigned int i, const ContactNode &node, const Tensor1 &direction) const;
 
-    double
-    neighbour_factor(unsigned int i) const;
+    double neighbour_factor(unsigned int i) const;
 
-    PenaltyInput
-    input(unsigned int i, const PairState &state, double coupling) const;
+    PenaltyInput input(unsigned int i, const PairState &state, double coupling) const;
 
     /// Tangential factor from the allowed elastic slip.
-    double
-    tangential_factor(const PairState &state, double stiffness) const;
+    double tangential_factor(const PairState &state, double stiffness) const;
 
     /// First touch of a pair within this increment: factors, and where its slip starts.
-    void
-    touch(unsigned int i, const ContactNode &node, const Projection &projection);
+    void touch(unsigned int i, const ContactNode &node, const Projection &projection);
 
     /// By how much a penetration may exceed delta before the promise is broken: 1e-6 delta or round-off.
-    double
-    tolerance(unsigned int i) const;
+    double tolerance(unsigned int i) const;
 
-    void
-    update_stored_energy();
+    void update_stored_energy();
 
-    void
-    add_pair(unsigned int            i,
-             const ContactNode &     node,
-             const Projection &      projection,
-             const NormalResponse &  normal,
-             const FrictionResponse &friction,
-             AssemblyTarget &        target);
+    void add_pair(unsigned int i,
+                  const ContactNode &node,
+                  const Projection &projection,
+                  const NormalResponse &normal,
+                  const FrictionResponse &friction,
+                  AssemblyTarget &target);
 
-    const ContactSurface &       surface_;
-    Tool &                       tool_;
-    const ContactSettings &      settings_;
+    const ContactSurface &surface_;
+    Tool &tool_;
+    const ContactSettings &settings_;
     std::unique_ptr<FrictionLaw> friction_;
-    ContactThickness             thickness_;
+    ContactThickness thickness_;
 
     DofIndex travel_dof_       = dealii::numbers::invalid_dof_index;
     DofIndex first_multiplier_ = dealii::numbers::invalid_dof_index;
-    double   time_             = 0;
+    double time_               = 0;
 
-    std::vector<PairState>             committed_, trial_;
-    std::vector<double>                area_;            ///< of the last assembled configuration
-    std::vector<std::array<double, 9>> stiffness_;       ///< nodal blocks of the blank's tangent
-    std::vector<Point2>                committed_x_;     ///< contact point relative to the tool at the last commit
-    std::vector<Point2>                projected_x_;     ///< the same at the last projection
-    std::vector<double>                projected_gap_;   ///< distance then; -1: none known
-    std::vector<unsigned int>          hint_;            ///< segment of the last projection
-    bool                               status_changed_ = false;
-    double                             median_factor_ = 0;
-    double                             softening_     = 1; ///< share of the factor of first touches, see soften()
-    double                             slip_limit_    = 0; ///< allowed elastic slip at the end of the increment
-    std::vector<ContactNode>           description_;     ///< of touching nodes at the last assembly
-    std::vector<Tensor1>               normal_;          ///< the same
-    std::vector<double>                base_multiplier_, step_multiplier_; ///< estimates of lambda along a Newton step
-    std::vector<double>                factor_at_start_; ///< after the prediction, before corrections
-    double                             energy_of_changes_ = 0; ///< of the corrections within this increment
-    Tensor1                            tool_force_;
-    ContactEnergy                      energy_;
+    std::vector<PairState> committed_, trial_;
+    std::vector<double> area_;                     ///< of the last assembled configuration
+    std::vector<std::array<double, 9>> stiffness_; ///< nodal blocks of the blank's tangent
+    std::vector<Point2> committed_x_;              ///< contact point relative to the tool at the last commit
+    std::vector<Point2> projected_x_;              ///< the same at the last projection
+    std::vector<double> projected_gap_;            ///< distance then; -1: none known
+    std::vector<unsigned int> hint_;               ///< segment of the last projection
+    bool status_changed_  = false;
+    double median_factor_ = 0;
+    double softening_     = 1;                              ///< share of the factor of first touches, see soften()
+    double slip_limit_    = 0;                              ///< allowed elastic slip at the end of the increment
+    std::vector<ContactNode> description_;                  ///< of touching nodes at the last assembly
+    std::vector<Tensor1> normal_;                           ///< the same
+    std::vector<double> base_multiplier_, step_multiplier_; ///< estimates of lambda along a Newton step
+    std::vector<double> factor_at_start_;                   ///< after the prediction, before corrections
+    double energy_of_changes_ = 0;                          ///< of the corrections within this increment
+    Tensor1 tool_force_;
+    ContactEnergy energy_;
   };
 } // namespace deltaform

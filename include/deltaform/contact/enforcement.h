@@ -7,19 +7,20 @@ namespace deltaform
   /// Normal force of a pair and what it depends on.
   struct NormalResponse
   {
-    bool   touching   = false;
-    double force      = 0; ///< lambda; negative only between iterations
-    double derivative = 0; ///< d lambda / d gap <= 0 (0 if the force is an unknown of its own)
-    bool   tied       = false; ///< multiplier: gap + compliance lambda = 0 is demanded, else lambda = 0
-    double compliance = 0; ///< not zero during the continuation of a first touch only
+    bool touching     = false;
+    double force      = 0;     ///< lambda; negative only between iterations
+    double derivative = 0;     ///< d lambda / d gap <= 0 (0 if the force is an unknown of its own)
+    bool tied         = false; ///< multiplier: gap + compliance lambda = 0 is demanded, else lambda = 0
+    double compliance = 0;     ///< not zero during the continuation of a first touch only
   };
 
   /**
    * How the constraint gap >= 0, lambda >= 0, gap lambda = 0 is imposed on one pair.
    *
-   * Whether a pair is in contact is decided by the sign of multiplier - c gap, c > 0, not by the gap alone (semi-smooth Newton,
-   * Hintermueller, Ito, Kunisch 2003): a pair whose reaction is compressive does not lose contact because a step along the
-   * tangent of a curved tool has opened the gap by more than delta. c only weighs the two; at the solution both agree.
+   * Whether a pair is in contact is decided by the sign of multiplier - c gap, c > 0, not by the gap alone (semi-smooth
+   * Newton, Hintermueller, Ito, Kunisch 2003): a pair whose reaction is compressive does not lose contact because a
+   * step along the tangent of a curved tool has opened the gap by more than delta. c only weighs the two; at the
+   * solution both agree.
    */
   class Enforcement
   {
@@ -32,21 +33,17 @@ namespace deltaform
      * @param multiplier current estimate of lambda: of the last linear solve, or the pair's own unknown
      */
     /// c of a pair: its share of the nodal stiffness.
-    static double
-    weight(const PairState &state)
+    static double weight(const PairState &state)
     {
       return 1e-2 * state.stiffness;
     }
 
-    virtual NormalResponse
-    respond(const PairState &state, double gap, double multiplier) const = 0;
+    virtual NormalResponse respond(const PairState &state, double gap, double multiplier) const = 0;
 
     /// Does every pair have an unknown of its own, its force?
-    virtual bool
-    has_multiplier() const = 0;
+    virtual bool has_multiplier() const = 0;
 
     /// Does it use the penalty rule?
-    virtual bool
-    uses_penalty() const = 0;
+    virtual bool uses_penalty() const = 0;
   };
 } // namespace deltaform

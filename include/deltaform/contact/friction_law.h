@@ -8,7 +8,7 @@ namespace deltaform
     double force      = 0; ///< t
     double slip_rate  = 0; ///< dt/d slip
     double force_rate = 0; ///< dt/d lambda
-    bool   sticking   = true;
+    bool sticking     = true;
   };
 
   /// Tangential force from the normal force and the slip of an increment.
@@ -27,7 +27,6 @@ namespace deltaform
     update(double normal_force, double committed, double slip_increment, double stiffness) const = 0;
 
     /// Largest |t| at a normal force.
-    virtual double
-    limit(double normal_force) const = 0;
+    virtual double limit(double normal_force) const = 0;
   };
 } // namespace deltaform

@@ -21,32 +21,27 @@ namespace deltaform
   public:
     virtual ~PenaltyRule() = default;
 
-    /// Factor at the start of an increment, or (force and previous_epsilon zero) when the pair touches for the first time.
-    virtual double
-    predict(const PenaltyInput &input) const = 0;
+    /// Factor at the start of an increment, or (force and previous_epsilon zero) when the pair touches for the first
+    /// time.
+    virtual double predict(const PenaltyInput &input) const = 0;
 
     /// Factor after a converged solve. Returning previous_epsilon accepts the pair as it is.
-    virtual double
-    correct(const PenaltyInput &input) const = 0;
+    virtual double correct(const PenaltyInput &input) const = 0;
 
     /// Lower bound of the factor that does not come from delta (for the reported share of the floor); 0: none.
-    virtual double
-    floor(const PenaltyInput &input) const = 0;
+    virtual double floor(const PenaltyInput &input) const = 0;
 
     /// Does the rule promise p <= delta? If so, a violation ends the run with exit status 3.
-    virtual bool
-    promises() const = 0;
+    virtual bool promises() const = 0;
 
     /// Is predict() called in every Newton iteration with the current force, penetration and coupling?
-    virtual bool
-    in_every_iteration() const
+    virtual bool in_every_iteration() const
     {
       return false;
     }
 
     /// Does it need the coupling?
-    virtual bool
-    needs_coupling() const
+    virtual bool needs_coupling() const
     {
       return false;
     }

@@ -15,19 +15,19 @@ namespace deltaform
     virtual ~ContactSurface() = default;
 
     /// Number of unknowns that positions may depend on.
-    virtual unsigned int
-    n_contact_dofs() const = 0;
+    virtual unsigned int n_contact_dofs() const = 0;
 
-    virtual unsigned int
-    n_contact_nodes(Side side) const = 0;
+    virtual unsigned int n_contact_nodes(Side side) const = 0;
 
     /// Describe node @p node of one side at @p q.
-    virtual void
-    contact_node(const Vector &q, Side side, unsigned int node, ContactThickness thickness, ContactNode &result) const = 0;
+    virtual void contact_node(const Vector &q,
+                              Side side,
+                              unsigned int node,
+                              ContactThickness thickness,
+                              ContactNode &result) const = 0;
 
     /// Nodes of each edge along the side: its ends, then a middle node (invalid_index: none). Between them the contact
     /// point is interpolated by Lagrange polynomials.
-    virtual const std::vector<std::array<unsigned int, 3>> &
-    contact_edges(Side side) const = 0;
+    virtual const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const = 0;
   };
 } // namespace deltaform

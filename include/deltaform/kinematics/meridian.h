@@ -16,14 +16,12 @@ namespace deltaform
     double arc_start = 0; ///< arc length of the meridian at the start of the piece
 
     /// Angle of the tangent at @p s in [0, length].
-    double
-    angle_at(const double s) const
+    double angle_at(const double s) const
     {
       return angle + curvature * s;
     }
 
-    Point2
-    point_at(double s) const;
+    Point2 point_at(double s) const;
   };
 
   /**
@@ -31,6 +29,5 @@ namespace deltaform
    * @param radii one per point; the first and the last are ignored; 0 is a kink
    * @throws std::invalid_argument naming the corner if a fillet does not fit or two points coincide
    */
-  std::vector<MeridianPiece>
-  build_meridian(const std::vector<Point2> &points, const std::vector<double> &radii);
+  std::vector<MeridianPiece> build_meridian(const std::vector<Point2> &points, const std::vector<double> &radii);
 } // namespace deltaform

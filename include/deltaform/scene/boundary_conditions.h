@@ -13,13 +13,12 @@ namespace deltaform
   {
     Support(const std::string &name, Section section, const Blank &blank);
 
-    bool
-    acts_in(const std::string &stage) const;
+    bool acts_in(const std::string &stage) const;
 
-    std::string              name;
-    std::vector<DofIndex>    dofs;
-    TimeFunction             value;
-    bool                     hold; ///< keep the value that the unknown has when the stage begins
+    std::string name;
+    std::vector<DofIndex> dofs;
+    TimeFunction value;
+    bool hold; ///< keep the value that the unknown has when the stage begins
     std::vector<std::string> stages;
   };
 
@@ -35,22 +34,19 @@ namespace deltaform
 
     Load(const std::string &name, Section section, const Blank &blank);
 
-    bool
-    acts_in(const std::string &stage) const;
+    bool acts_in(const std::string &stage) const;
 
     /// Add its forces (with their sign in the residual) at a time.
-    void
-    assemble(const Blank &blank, const Vector &q, double time, AssemblyTarget &target) const;
+    void assemble(const Blank &blank, const Vector &q, double time, AssemblyTarget &target) const;
 
-    std::string              name;
-    Kind                     kind;
-    std::vector<DofIndex>    dofs;
-    double                   measure = 1; ///< of the edge
-    TimeFunction             value;
+    std::string name;
+    Kind kind;
+    std::vector<DofIndex> dofs;
+    double measure = 1; ///< of the edge
+    TimeFunction value;
     std::vector<std::string> stages;
   };
 
   /// Does a list of stages (empty: all) hold a stage?
-  bool
-  listed(const std::vector<std::string> &stages, const std::string &stage);
+  bool listed(const std::vector<std::string> &stages, const std::string &stage);
 } // namespace deltaform

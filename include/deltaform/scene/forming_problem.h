@@ -16,13 +16,13 @@ namespace deltaform
   /// What the scene names, built in dependency order; shared by the parts that run it.
   struct Actors
   {
-    std::unique_ptr<Blank>                    blank;
-    std::vector<std::unique_ptr<Tool>>        tools;
-    std::unique_ptr<ContactSettings>          contact;
+    std::unique_ptr<Blank> blank;
+    std::vector<std::unique_ptr<Tool>> tools;
+    std::unique_ptr<ContactSettings> contact;
     std::vector<std::unique_ptr<ContactPair>> pairs; ///< one per tool, in the order of the tools
-    std::vector<Support>                      supports;
-    std::vector<Load>                         loads;
-    std::vector<Stage>                        stages;
+    std::vector<Support> supports;
+    std::vector<Load> loads;
+    std::vector<Stage> stages;
   };
 
   /// Work done on the blank since the start, other than by its own energies.
@@ -33,8 +33,8 @@ namespace deltaform
   };
 
   /**
-   * The equations of one increment: blank, loads, released forces and the contact pairs of the current stage, in the order
-   * of DESIGN's Newton iteration. Knows which unknowns are prescribed and what is committed.
+   * The equations of one increment: blank, loads, released forces and the contact pairs of the current stage, in the
+   * order of DESIGN's Newton iteration. Knows which unknowns are prescribed and what is committed.
    */
   class FormingProblem : public NonlinearProblem
   {
@@ -43,149 +43,118 @@ namespace deltaform
 
     /// @name NonlinearProblem
     ///@{
-    double
-    typical_length() const override;
-    Status
-    assemble(const Vector &q, bool tangent) override;
-    double
-    admissible_step(const Vector &q, const Vector &d) const override;
-    void
-    prepare_step(const Vector &d) override;
-    void
-    advance(double factor) override;
-    bool
-    status_changed() const override;
-    unsigned int
-    patience() const override;
-    bool
-    consistent(double allowed_tension) const override;
-    unsigned int
-    correct() override;
+    double typical_length() const override;
+    Status assemble(const Vector &q, bool tangent) override;
+    double admissible_step(const Vector &q, const Vector &d) const override;
+    void prepare_step(const Vector &d) override;
+    void advance(double factor) override;
+    bool status_changed() const override;
+    unsigned int patience() const override;
+    bool consistent(double allowed_tension) const override;
+    unsigned int correct() override;
     ///@}
 
     /// A stage begins: tools, loads and supports that end with the last stage become forces that fade out.
-    void
-    begin_stage(const Stage &stage);
+    void begin_stage(const Stage &stage);
 
     /// An increment that ends at @p time begins.
-    void
-    begin_increment(double time);
+    void begin_increment(double time);
 
     /// Where the promise p <= delta is broken in the trial state, in words; empty if it is kept or none was made.
-    std::string
-    broken_promise() const;
+    std::string broken_promise() const;
 
     /// Start the continuation of first touches. @return false if no pair exists
-    bool
-    soften(double share);
+    bool soften(double share);
 
     /// Accept @p q as the state at the end of the increment.
-    void
-    commit(const Vector &q);
+    void commit(const Vector &q);
 
-    System &
-    system()
+    System &system()
     {
       return *system_;
     }
 
-    const std::vector<double> &
-    scale() const
+    const std::vector<double> &scale() const
     {
       return scale_;
     }
 
     /// Of the numbers from which forces are computed, see Newton.
-    const std::vector<double> &
-    size() const
+    const std::vector<double> &size() const
     {
       return size_;
     }
 
-    const std::vector<bool> &
-    is_prescribed() const
+    const std::vector<bool> &is_prescribed() const
     {
       return is_prescribed_;
     }
 
     /// Values of the prescribed unknowns at the end of the increment.
-    const Vector &
-    prescribed() const
+    const Vector &prescribed() const
     {
       return prescribed_;
     }
 
-    const Vector &
-    committed() const
+    const Vector &committed() const
     {
       return committed_;
     }
 
     /// Forces below this are round-off.
-    double
-    force_floor() const;
+    double force_floor() const;
 
     /// Contact pairs that exist in the current stage.
-    const std::vector<ContactPair *> &
-    active_pairs() const
+    const std::vector<ContactPair *> &active_pairs() const
     {
       return active_pairs_;
     }
 
-    const Work &
-    work() const
+    const Work &work() const
     {
       return work_;
     }
 
     /// Force of the blank on each tool, committed.
-    const std::vector<Tensor1> &
-    tool_forces() const
+    const std::vector<Tensor1> &tool_forces() const
     {
       return tool_forces_;
     }
 
-    double
-    travel(unsigned int tool) const;
+    double travel(unsigned int tool) const;
 
-    void
-    save(std::ostream &stream) const;
-    void
-    load(std::istream &stream);
+    void save(std::ostream &stream) const;
+    void load(std::istream &stream);
 
   private:
-    void
-    number_unknowns(const std::string &linear_solver);
+    void number_unknowns(const std::string &linear_solver);
 
-    void
-    assemble_loads(const Vector &q, AssemblyTarget &target) const;
+    void assemble_loads(const Vector &q, AssemblyTarget &target) const;
 
     /// Forces on the unknowns of the blank from what ends with the last stage.
-    void
-    collect_released(const std::string &next_stage);
+    void collect_released(const std::string &next_stage);
 
-    double
-    release_factor() const;
+    double release_factor() const;
 
-    Actors &                      actors_;
-    Timers &                      timers_;
-    Timers::Index                 timer_blank_, timer_contact_, timer_commit_;
-    std::unique_ptr<System>       system_;
-    std::vector<double>           scale_, size_;
-    std::vector<bool>             is_fixed_, is_prescribed_;
-    Vector                        committed_, prescribed_, hold_;
-    Vector                        released_;
-    bool                          any_released_ = false;
-    std::string                   stage_name_;
-    double                        stage_begin_ = 0, stage_end_ = 1, time_ = 0;
-    std::vector<std::size_t>      visited_; ///< sets of active constraints met in this solve
-    bool                          cycling_     = false;
-    bool                          factors_due_ = false; ///< the rule has to predict in the next assembly
-    std::vector<ContactPair *>    active_pairs_;
-    std::vector<Tensor1>          tool_forces_;
-    std::vector<double>           travels_;
-    Vector                        load_forces_; ///< committed: loads, supports, released
-    Work                          work_;
-    mutable double                largest_force_ = 0;
+    Actors &actors_;
+    Timers &timers_;
+    Timers::Index timer_blank_, timer_contact_, timer_commit_;
+    std::unique_ptr<System> system_;
+    std::vector<double> scale_, size_;
+    std::vector<bool> is_fixed_, is_prescribed_;
+    Vector committed_, prescribed_, hold_;
+    Vector released_;
+    bool any_released_ = false;
+    std::string stage_name_;
+    double stage_begin_ = 0, stage_end_ = 1, time_ = 0;
+    std::vector<std::size_t> visited_; ///< sets of active constraints met in this solve
+    bool cycling_     = false;
+    bool factors_due_ = false; ///< the rule has to predict in the next assembly
+    std::vector<ContactPair *> active_pairs_;
+    std::vector<Tensor1> tool_forces_;
+    std::vector<double> travels_;
+    Vector load_forces_; ///< committed: loads, supports, released
+    Work work_;
+    mutable double largest_force_ = 0;
   };
 } // namespace deltaform

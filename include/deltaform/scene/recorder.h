@@ -16,12 +16,14 @@ namespace deltaform
     ~Recorder();
 
     /// An increment was accepted.
-    void
-    record(const FormingProblem &problem, const Stage &stage, double time, unsigned int increment, const IncrementCost &cost);
+    void record(const FormingProblem &problem,
+                const Stage &stage,
+                double time,
+                unsigned int increment,
+                const IncrementCost &cost);
 
     /// The run has ended.
-    void
-    finish(int exit_status, const FormingProblem &problem, unsigned int increments, unsigned int iterations);
+    void finish(int exit_status, const FormingProblem &problem, unsigned int increments, unsigned int iterations);
 
   private:
     struct Files;

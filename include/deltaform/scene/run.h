@@ -5,6 +5,5 @@
 namespace deltaform
 {
   /// Do what the command line asks for. @return the exit status. @throws SceneError, UsageError
-  int
-  run_command(const CommandLine &command);
+  int run_command(const CommandLine &command);
 } // namespace deltaform

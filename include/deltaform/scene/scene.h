@@ -22,29 +22,23 @@ namespace deltaform
     explicit Scene(ParameterTree &tree);
 
     ParameterTree &tree;
-    std::string    title, units, linear_solver;
-    Actors         actors;
+    std::string title, units, linear_solver;
+    Actors actors;
 
     std::unique_ptr<NewtonSettings> newton;
-    std::unique_ptr<StepSettings>   steps;
+    std::unique_ptr<StepSettings> steps;
     std::unique_ptr<OutputSettings> output;
 
   private:
-    void
-    build_tools(Section root);
+    void build_tools(Section root);
 
     /// Things that are wrong although every entry is allowed: overlaps, stages in which nothing changes, ...
-    void
-    check(Section root) const;
-    void
-    check_tools(Section root) const;
-    void
-    check_stages(Section root) const;
-    void
-    check_delta(Section root) const;
+    void check(Section root) const;
+    void check_tools(Section root) const;
+    void check_stages(Section root) const;
+    void check_delta(Section root) const;
   };
 
   /// Make every registered object once, so that the tree knows all parameters there are.
-  void
-  declare_everything(ParameterTree &tree);
+  void declare_everything(ParameterTree &tree);
 } // namespace deltaform

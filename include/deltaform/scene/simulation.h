@@ -21,32 +21,28 @@ namespace deltaform
     Simulation(Scene &scene, Recorder &recorder, Journal &journal, Timers &timers);
 
     /// @return exit status: done, not_converged or promise_broken
-    int
-    run();
+    int run();
 
   private:
     /// One stage. @return exit status
-    int
-    run_stage(const Stage &stage);
+    int run_stage(const Stage &stage);
 
     /// Try the increment from the committed state to @p time. @return empty if accepted, else the cause of the failure
-    std::string
-    attempt(double time, Vector &q, NewtonResult &result);
+    std::string attempt(double time, Vector &q, NewtonResult &result);
 
     /// Why a Newton solve failed, in words.
-    std::string
-    explain(const NewtonResult &result) const;
+    std::string explain(const NewtonResult &result) const;
 
-    Scene &        scene_;
-    Recorder &     recorder_;
-    Journal &      journal_;
-    Timers &       timers_;
+    Scene &scene_;
+    Recorder &recorder_;
+    Journal &journal_;
+    Timers &timers_;
     FormingProblem problem_;
-    Newton         newton_;
+    Newton newton_;
 
-    double       time_ = 0, last_increment_ = 0;
+    double time_ = 0, last_increment_ = 0;
     unsigned int increment_ = 0, total_iterations_ = 0, failed_iterations_ = 0;
-    bool         promise_failed_ = false;
-    Vector       before_; ///< the solution one increment before the committed one
+    bool promise_failed_ = false;
+    Vector before_; ///< the solution one increment before the committed one
   };
 } // namespace deltaform

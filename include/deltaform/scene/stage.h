@@ -11,11 +11,10 @@ namespace deltaform
   struct Stage
   {
     std::string name;
-    double      begin = 0, end = 1;
-    double      first_increment, smallest_increment, largest_increment;
+    double begin = 0, end = 1;
+    double first_increment, smallest_increment, largest_increment;
   };
 
   /// Read the stages, in their order, from section Steps.
-  std::vector<Stage>
-  read_stages(Section &section);
+  std::vector<Stage> read_stages(Section &section);
 } // namespace deltaform

@@ -17,41 +17,34 @@ namespace deltaform
     virtual ~NonlinearProblem() = default;
 
     /// A length of the problem (the thickness): displacements of 1 % of it are large enough to measure steps by.
-    virtual double
-    typical_length() const = 0;
+    virtual double typical_length() const = 0;
 
     /// Residual, and tangent if wanted, at @p q into the system.
-    virtual Status
-    assemble(const Vector &q, bool tangent) = 0;
+    virtual Status assemble(const Vector &q, bool tangent) = 0;
 
     /// Largest factor in (0, 1] of the step @p d that is admissible from @p q.
-    virtual double
-    admissible_step(const Vector &q, const Vector &d) const = 0;
+    virtual double admissible_step(const Vector &q, const Vector &d) const = 0;
 
     /// A step @p d was computed from the state that was assembled last.
-    virtual void
-    prepare_step(const Vector &d) = 0;
+    virtual void prepare_step(const Vector &d) = 0;
 
     /// It is taken by @p factor; the assembly at the new place follows.
-    virtual void
-    advance(double factor) = 0;
+    virtual void advance(double factor) = 0;
 
-    /// Did the last assembly belong to another set of active constraints than the one before? Their residuals do not compare.
-    virtual bool
-    status_changed() const = 0;
+    /// Did the last assembly belong to another set of active constraints than the one before? Their residuals do not
+    /// compare.
+    virtual bool status_changed() const = 0;
 
     /// For how many iterations a residual may grow with a changed set before the line search is used all the same.
-    virtual unsigned int
-    patience() const = 0;
+    virtual unsigned int patience() const = 0;
 
-    /// Is the assembled state admissible as a solution if its residual is small enough? Contact forces may be tensile up to
+    /// Is the assembled state admissible as a solution if its residual is small enough? Contact forces may be tensile
+    /// up to
     /// @p allowed_tension.
-    virtual bool
-    consistent(double allowed_tension) const = 0;
+    virtual bool consistent(double allowed_tension) const = 0;
 
     /// After convergence: @return how many parameters (penalty factors) were changed, so that the solve must go on.
-    virtual unsigned int
-    correct() = 0;
+    virtual unsigned int correct() = 0;
   };
 
   /// Tolerances and limits of the Newton iteration.
@@ -61,8 +54,8 @@ namespace deltaform
 
     unsigned int max_iterations;
     unsigned int max_rounds;
-    double       force_tolerance, relaxed_tolerance, displacement_tolerance;
-    bool         line_search;
+    double force_tolerance, relaxed_tolerance, displacement_tolerance;
+    bool line_search;
   };
 
   /// What a Newton solve did.
@@ -77,14 +70,13 @@ namespace deltaform
       not_corrected ///< converged, but the corrections did not end
     };
 
-    Outcome             outcome    = Outcome::diverged;
-    unsigned int        iterations = 0, rounds = 0, line_searches = 0;
-    Status              status;
-    unsigned int        worst_dof = invalid_index; ///< largest share of the residual
-    std::vector<double> residuals;                 ///< relative, of every iteration since the last correction
+    Outcome outcome         = Outcome::diverged;
+    unsigned int iterations = 0, rounds = 0, line_searches = 0;
+    Status status;
+    unsigned int worst_dof = invalid_index; ///< largest share of the residual
+    std::vector<double> residuals;          ///< relative, of every iteration since the last correction
 
-    bool
-    converged() const
+    bool converged() const
     {
       return outcome == Outcome::converged;
     }
@@ -99,16 +91,17 @@ namespace deltaform
   {
   public:
     /**
-     * @param scale of every unknown: makes rotations comparable with displacements (scale * q) and moments with forces (R / scale)
-     * @param size  of the numbers from which the forces of an unknown are computed (coordinates, angles): its unit in the
-     *              last place times the stiffness is the round-off of the residual, below which nothing converges
+     * @param scale of every unknown: makes rotations comparable with displacements (scale * q) and moments with forces
+     * (R / scale)
+     * @param size  of the numbers from which the forces of an unknown are computed (coordinates, angles): its unit in
+     * the last place times the stiffness is the round-off of the residual, below which nothing converges
      */
-    Newton(NonlinearProblem &         problem,
-           System &                   system,
-           const NewtonSettings &     settings,
+    Newton(NonlinearProblem &problem,
+           System &system,
+           const NewtonSettings &settings,
            const std::vector<double> &scale,
            const std::vector<double> &size,
-           Timers &                   timers);
+           Timers &timers);
 
     /**
      * @param q          in: start; out: solution
@@ -117,25 +110,23 @@ namespace deltaform
      * @param q_committed start of the increment, for the scale of the displacements
      * @param force_floor forces below this are round-off
      */
-    NewtonResult
-    solve(Vector &                 q,
-          const Vector &           prescribed,
-          const std::vector<bool> &is_prescribed,
-          const Vector &           q_committed,
-          double                   force_floor);
+    NewtonResult solve(Vector &q,
+                       const Vector &prescribed,
+                       const std::vector<bool> &is_prescribed,
+                       const Vector &q_committed,
+                       double force_floor);
 
   private:
     /// Relative residual; remembers the worst unknown.
-    double
-    measure(const std::vector<bool> &is_prescribed, double force_floor, NewtonResult &result) const;
+    double measure(const std::vector<bool> &is_prescribed, double force_floor, NewtonResult &result) const;
 
-    NonlinearProblem &         problem_;
-    System &                   system_;
-    const NewtonSettings &     settings_;
+    NonlinearProblem &problem_;
+    System &system_;
+    const NewtonSettings &settings_;
     const std::vector<double> &scale_, &size_;
-    double                     smallest_motion_; ///< displacements below are not a scale to measure steps by
-    mutable double             last_magnitude_ = 0; ///< the scale of the last measured residual
-    Timers &                   timers_;
-    Timers::Index              timer_solve_;
+    double smallest_motion_;            ///< displacements below are not a scale to measure steps by
+    mutable double last_magnitude_ = 0; ///< the scale of the last measured residual
+    Timers &timers_;
+    Timers::Index timer_solve_;
   };
 } // namespace deltaform

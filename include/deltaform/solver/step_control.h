@@ -13,14 +13,14 @@ namespace deltaform
     explicit StepSettings(Section &section);
 
     unsigned int target_iterations;
-    double       growth, shrink;
-    double       largest_strain, largest_rotation;
-    bool         extrapolate;
+    double growth, shrink;
+    double largest_strain, largest_rotation;
+    bool extrapolate;
   };
 
   /**
-   * Size of the next increment of a stage: aims at a number of Newton iterations, is cut after a failure, grows again, and
-   * meets the times at which results are asked for exactly.
+   * Size of the next increment of a stage: aims at a number of Newton iterations, is cut after a failure, grows again,
+   * and meets the times at which results are asked for exactly.
    */
   class StepControl
   {
@@ -30,39 +30,34 @@ namespace deltaform
      * @param first, smallest, largest increments
      * @param meet        times that must be met, ascending
      */
-    StepControl(const StepSettings &       settings,
-                double                     begin,
-                double                     end,
-                double                     first,
-                double                     smallest,
-                double                     largest,
+    StepControl(const StepSettings &settings,
+                double begin,
+                double end,
+                double first,
+                double smallest,
+                double largest,
                 const std::vector<double> &meet);
 
     /// End of the next increment that starts at @p time.
-    double
-    next(double time) const;
+    double next(double time) const;
 
     /// The increment was accepted with this many iterations.
-    void
-    accept(unsigned int iterations);
+    void accept(unsigned int iterations);
 
     /// The increment failed. @return false if the smallest increment is reached
-    bool
-    reject(double tried);
+    bool reject(double tried);
 
-    double
-    increment() const
+    double increment() const
     {
       return increment_;
     }
 
-    bool
-    finished(double time) const;
+    bool finished(double time) const;
 
   private:
     const StepSettings &settings_;
-    double              end_, smallest_, largest_, increment_;
+    double end_, smallest_, largest_, increment_;
     std::vector<double> meet_;
-    unsigned int        quiet_ = 0; ///< accepted increments that have to pass before it grows again
+    unsigned int quiet_ = 0; ///< accepted increments that have to pass before it grows again
   };
 } // namespace deltaform

@@ -15,8 +15,8 @@ namespace deltaform
   /**
    * The linear system of a Newton iteration. Unknowns [0, n_sparse) live in an Epetra matrix whose pattern and symbolic
    * factorization are kept for the whole run; the few behind them (travels of force-driven tools) couple to many others
-   * and are eliminated as blocks with the same factorization. Prescribed unknowns get a row of their own (d = value) and
-   * keep their column, so that a prescribed increment moves its neighbours in the same iteration.
+   * and are eliminated as blocks with the same factorization. Prescribed unknowns get a row of their own (d = value)
+   * and keep their column, so that a prescribed increment moves its neighbours in the same iteration.
    */
   class System : public AssemblyTarget, public StiffnessView
   {
@@ -29,68 +29,54 @@ namespace deltaform
     System(const dealii::DynamicSparsityPattern &pattern, unsigned int n_border, const std::string &solver);
     ~System() override;
 
-    unsigned int
-    size() const;
+    unsigned int size() const;
 
     /// Set everything to zero and start a pass.
-    void
-    clear(bool tangent);
+    void clear(bool tangent);
 
-    void
-    add(const DofIndex *dofs, unsigned int n, const double *matrix, const double *vector) override;
+    void add(const DofIndex *dofs, unsigned int n, const double *matrix, const double *vector) override;
 
-    bool
-    wants_tangent() const override;
+    bool wants_tangent() const override;
 
-    void
-    block(const DofIndex *dofs, unsigned int n, double *result) const override;
+    void block(const DofIndex *dofs, unsigned int n, double *result) const override;
 
-    void
-    multiply(const Vector &direction, Vector &result) const override;
+    void multiply(const Vector &direction, Vector &result) const override;
 
     /// Which unknowns are prescribed.
-    void
-    set_prescribed(const std::vector<bool> &prescribed);
+    void set_prescribed(const std::vector<bool> &prescribed);
 
     /// R, with the reactions in the rows of prescribed unknowns.
-    const Vector &
-    residual() const
+    const Vector &residual() const
     {
       return residual_;
     }
 
     /// Sum of the absolute contributions to each row: the scale against which R is judged.
-    const Vector &
-    magnitude() const
+    const Vector &magnitude() const
     {
       return magnitude_;
     }
 
     /// Diagonal entry of the tangent of a sparse unknown; 0 for the others.
-    double
-    diagonal(DofIndex dof) const;
+    double diagonal(DofIndex dof) const;
 
     /// Largest diagonal entry of the tangent.
-    double
-    largest_diagonal() const;
+    double largest_diagonal() const;
 
     /**
      * Factorize the assembled tangent. @param shift is added to the diagonal (scaled by the diagonal), 0 in general; it
      * changes the path to the solution, not the solution.
      * @return false if the matrix is singular
      */
-    bool
-    factorize(double shift = 0.);
+    bool factorize(double shift = 0.);
 
     /**
      * Solve K d = -R with d = @p increments on prescribed unknowns.
      * @return false if a number is not finite, or if the border is singular (a force-driven tool that nothing resists)
      */
-    bool
-    solve(const Vector &increments, Vector &d);
+    bool solve(const Vector &increments, Vector &d);
 
-    unsigned int
-    n_factorizations() const
+    unsigned int n_factorizations() const
     {
       return n_factorizations_;
     }
@@ -98,22 +84,20 @@ namespace deltaform
   private:
     struct Trilinos;
 
-    double *
-    entry(DofIndex row, DofIndex column) const;
+    double *entry(DofIndex row, DofIndex column) const;
 
-    bool
-    solve_sparse(const Vector &right_side, Vector &solution);
+    bool solve_sparse(const Vector &right_side, Vector &solution);
 
-    unsigned int              n_sparse_, n_border_;
+    unsigned int n_sparse_, n_border_;
     std::unique_ptr<Trilinos> trilinos_;
-    const int *               row_start_ = nullptr;
-    const int *               columns_   = nullptr;
-    double *                  values_    = nullptr;
-    bool                      tangent_   = true;
-    std::vector<bool>         prescribed_;
-    Vector                    residual_, magnitude_;
-    std::vector<Vector>       border_columns_, border_rows_; ///< couplings of the border with the sparse unknowns
-    std::vector<double>       border_block_;
-    unsigned int              n_factorizations_ = 0;
+    const int *row_start_ = nullptr;
+    const int *columns_   = nullptr;
+    double *values_       = nullptr;
+    bool tangent_         = true;
+    std::vector<bool> prescribed_;
+    Vector residual_, magnitude_;
+    std::vector<Vector> border_columns_, border_rows_; ///< couplings of the border with the sparse unknowns
+    std::vector<double> border_block_;
+    unsigned int n_factorizations_ = 0;
   };
 } // namespace deltaform

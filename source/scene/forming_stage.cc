@@ -1,0 +1,147 @@
+// What happens between the increments: stages begin, what has ended fades out, states are accepted.
+#include <deltaform/scene/forming_problem.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Collects the residual of a part of the problem.
+    class Collector : public AssemblyTarget
+    {
+    public:
+      explicit Collector(const unsigned int n) : residual(n)
+      {
+      }
+
+      void add(const DofIndex *dofs, const unsigned int n, const double *, const double *vector) override
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          residual[dofs[i]] += vector[i];
+      }
+
+      bool wants_tangent() const override
+      {
+        return false;
+      }
+
+      Vector residual;
+    };
+  } // namespace
+
+
+  void FormingProblem::collect_released(const std::string &next_stage)
+  {
+    Collector ending(committed_.size());
+    for (auto *pair : active_pairs_)
+      if (!pair->tool().exists_in(next_stage))
+      {
+        pair->begin_increment(time_);
+        pair->assemble(committed_, ending);
+        pair->clear();
+      }
+    for (const auto &load : actors_.loads)
+      if (load.acts_in(stage_name_) && !load.acts_in(next_stage))
+        load.assemble(*actors_.blank, committed_, time_, ending);
+    // Reactions of supports that end: what the rest leaves unbalanced at their unknowns.
+    for (const auto &support : actors_.supports)
+      if (support.acts_in(stage_name_) && !support.acts_in(next_stage))
+        for (const auto dof : support.dofs)
+          ending.residual[dof] = -load_forces_[dof];
+    for (unsigned int i = 0; i < actors_.blank->n_dofs(); ++i)
+    {
+      released_[i] = -ending.residual[i];
+      any_released_ |= released_[i] != 0.;
+    }
+  }
+
+
+  void FormingProblem::begin_stage(const Stage &stage)
+  {
+    any_released_ = false;
+    released_     = 0.;
+    if (!stage_name_.empty())
+      collect_released(stage.name);
+    stage_name_  = stage.name;
+    stage_begin_ = stage.begin;
+    stage_end_   = stage.end;
+    time_        = stage.begin;
+
+    active_pairs_.clear();
+    for (auto &pair : actors_.pairs)
+      if (pair->tool().exists_in(stage.name))
+      {
+        active_pairs_.push_back(pair.get());
+        pair->begin_stage(committed_, stage.begin);
+      }
+    is_prescribed_ = is_fixed_;
+    for (const auto &support : actors_.supports)
+      if (support.acts_in(stage.name))
+        for (const auto dof : support.dofs)
+        {
+          is_prescribed_[dof] = true;
+          hold_[dof]          = committed_[dof];
+        }
+    // The travel of a force-driven tool that is absent does not change.
+    for (auto &pair : actors_.pairs)
+      if (pair->tool().force_driven() && !pair->tool().exists_in(stage.name))
+        is_prescribed_[pair->travel_dof()] = true;
+  }
+
+
+  void FormingProblem::commit(const Vector &q)
+  {
+    Timers::Scope timer(timers_, timer_commit_);
+    // Work of loads, of released forces, and of supports, whose reactions are what the residual shows in their rows.
+    Collector loads(committed_.size());
+    assemble_loads(q, loads);
+    for (unsigned int i = 0; i < committed_.size(); ++i)
+    {
+      const double force = is_prescribed_[i] ? system_->residual()[i] - loads.residual[i] : -loads.residual[i];
+      if (i < actors_.blank->n_dofs())
+        work_.loads += .5 * (force + load_forces_[i]) * (q[i] - committed_[i]);
+      load_forces_[i] = force;
+    }
+    for (unsigned int i = 0; i < actors_.tools.size(); ++i)
+    {
+      auto &pair          = *actors_.pairs[i];
+      const bool active   = std::find(active_pairs_.begin(), active_pairs_.end(), &pair) != active_pairs_.end();
+      const Tensor1 force = active ? pair.tool_force() : Tensor1();
+      const double travel = active ? pair.travel(q) : travels_[i];
+      work_.tools -= .5 * (force + tool_forces_[i]) * actors_.tools[i]->direction() * (travel - travels_[i]);
+      tool_forces_[i] = force;
+      travels_[i]     = travel;
+      if (actors_.tools[i]->force_driven())
+        actors_.tools[i]->set_travel(travel);
+    }
+
+    for (auto *pair : active_pairs_)
+      pair->commit(q);
+    actors_.blank->commit(q);
+    committed_ = q;
+
+    double square = 0.;
+    for (unsigned int i = 0; i < scale_.size(); ++i)
+      square += std::pow(system_->magnitude()[i] / scale_[i], 2);
+    largest_force_ = std::max(largest_force_, std::sqrt(square));
+
+    // The thickness has changed: new gaps, and the contact pressure that the next increments see.
+    std::array<std::vector<double>, 2> pressure;
+    for (auto *pair : active_pairs_)
+    {
+      pair->refresh(q);
+      const auto own = pair->pressure(q);
+      auto &side     = pressure[static_cast<unsigned int>(pair->tool().side())];
+      if (side.empty())
+        side = own;
+      else
+        for (unsigned int i = 0; i < own.size(); ++i)
+          side[i] += own[i];
+    }
+    for (const Side side : {Side::bottom, Side::top})
+      if (!pressure[static_cast<unsigned int>(side)].empty())
+        actors_.blank->set_contact_pressure(side, pressure[static_cast<unsigned int>(side)]);
+  }
+} // namespace deltaform

@@ -1,0 +1,199 @@
+// What stands in the rows, tables and pictures.
+#include "recorder_files.h"
+
+#include <deltaform/base/text.h>
+#include <deltaform/results/table_file.h>
+#include <deltaform/results/vtu.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace deltaform
+{
+  HistoryRow Recorder::Files::row(const FormingProblem &problem,
+                                  const Stage &stage,
+                                  const double time,
+                                  const unsigned int increment,
+                                  const IncrementCost &cost) const
+  {
+    HistoryRow row;
+    row.increment         = increment;
+    row.stage             = stage.name;
+    row.time              = time;
+    row.newton_iterations = cost.iterations;
+    row.penalty_rounds    = cost.rounds;
+    row.cutbacks          = cost.cutbacks;
+    for (unsigned int i = 0; i < scene.actors.tools.size(); ++i)
+      row.tools.push_back({problem.travel(i), problem.tool_forces()[i][1], problem.tool_forces()[i][0]});
+
+    unsigned int governed = 0;
+    ContactEnergy contact;
+    row.min_epsilon = std::numeric_limits<double>::infinity();
+    for (const auto *pair : problem.active_pairs())
+    {
+      for (unsigned int i = 0; i < pair->n_nodes(); ++i)
+      {
+        const PairState &state = pair->committed()[i];
+        if (!state.touching)
+          continue;
+        ++row.contact_pairs;
+        row.max_penetration            = std::max(row.max_penetration, state.penetration());
+        row.max_penetration_over_delta = std::max(row.max_penetration_over_delta, state.penetration() / state.delta);
+        row.min_epsilon                = std::min(row.min_epsilon, state.epsilon);
+        row.max_epsilon                = std::max(row.max_epsilon, state.epsilon);
+        governed += pair->governed_by_floor(i);
+      }
+      row.max_penetration_between_nodes =
+        std::max(row.max_penetration_between_nodes, pair->penetration_between_nodes(problem.committed()));
+    }
+    for (const auto &pair : scene.actors.pairs)
+      contact += pair->energy();
+    if (row.contact_pairs == 0)
+      row.min_epsilon = 0.;
+    else
+      row.floor_share = static_cast<double>(governed) / row.contact_pairs;
+
+    const BlankEnergy blank = scene.actors.blank->energy();
+    row.min_thickness       = scene.actors.blank->smallest_thickness();
+    row.tool_work           = problem.work().tools;
+    row.load_work           = problem.work().loads;
+    row.elastic_energy      = blank.elastic;
+    row.plastic_energy      = blank.plastic;
+    row.friction_energy     = contact.friction;
+    row.contact_energy      = contact.stored;
+    row.epsilon_work        = contact.epsilon;
+    row.thickness_work      = contact.thickness + blank.normal;
+    const double in         = row.tool_work + row.load_work + row.epsilon_work + row.thickness_work;
+    const double out        = row.elastic_energy + row.plastic_energy + row.friction_energy + row.contact_energy;
+    const double size       = std::max({std::abs(row.tool_work), std::abs(row.load_work), std::abs(out)});
+    row.energy_error        = size > 0 ? (in - out) / size : 0.;
+    return row;
+  }
+
+
+  void Recorder::Files::write_tables(const FormingProblem &problem, const double travel, const std::string &stage)
+  {
+    // A stage in which the main tool rests must not overwrite the tables of the one before.
+    std::string label = text::format(std::round(travel * 1e6) / 1e6);
+    if (!labels.insert(label).second)
+      labels.insert(label += "_" + stage);
+    auto head = comments;
+    head.push_back("stage " + stage + ", travel of the main tool (or time): " + text::format(travel));
+    write_table(folder + "/profile_" + label + ".csv", head, scene.actors.blank->profile(problem.committed()), units);
+    if (scene.actors.tools.empty())
+      return;
+    write_contact(problem, label, head);
+
+    double reach = 0.;
+    for (const auto &x : scene.actors.blank->positions(problem.committed()))
+      reach = std::max(reach, x.norm());
+    CsvWriter tools(
+      folder + "/tools_" + label + ".csv", head, {{"tool", "1"}, {"r", units.of("length")}, {"z", units.of("length")}});
+    for (const auto *pair : problem.active_pairs())
+      for (const auto &x : pair->tool().polyline(pair->travel(problem.committed()), reach))
+        tools.row_of_cells({pair->tool().name(), x[0], x[1]});
+  }
+
+
+  void Recorder::Files::write_contact(const FormingProblem &problem,
+                                      const std::string &label,
+                                      const std::vector<std::string> &head) const
+  {
+    CsvWriter file(folder + "/contact_" + label + ".csv",
+                   head,
+                   {{"tool", "1"},
+                    {"R0", units.of("length")},
+                    {"penetration", units.of("length")},
+                    {"delta", units.of("length")},
+                    {"epsilon", units.of("force/length")},
+                    {"normal_force", units.of("force")},
+                    {"pressure", units.of("stress")},
+                    {"slip", units.of("length")},
+                    {"tangential_force", units.of("force")},
+                    {"status", "1"}});
+    for (const auto *pair : problem.active_pairs())
+      for (unsigned int i = 0; i < pair->n_nodes(); ++i)
+      {
+        const PairState &state = pair->committed()[i];
+        if (!state.touching)
+          continue;
+        const ContactNode node = pair->node(problem.committed(), i);
+        file.row_of_cells({pair->tool().name(),
+                           node.reference_coordinate,
+                           state.penetration(),
+                           state.delta,
+                           state.epsilon,
+                           state.force,
+                           node.area > 0 ? state.force / node.area : 0.,
+                           state.slip,
+                           state.tangential_force,
+                           std::string(pair->tool().friction_coefficient() == 0 ? "frictionless"
+                                       : state.sticking                         ? "stick"
+                                                                                : "slip")});
+      }
+  }
+
+
+  void Recorder::Files::write_picture(const FormingProblem &problem, const double time)
+  {
+    const auto &blank = *scene.actors.blank;
+    std::vector<DrawnField> fields;
+    if (!scene.actors.tools.empty())
+    {
+      const unsigned int n = blank.n_contact_nodes(Side::top);
+      fields               = {{"penalty_factor", "force/length", true, 1, std::vector<double>(n, 0.)},
+                              {"penetration_over_delta", "1", true, 1, std::vector<double>(n, 0.)},
+                              {"contact_pressure", "stress", true, 1, std::vector<double>(n, 0.)},
+                              {"contact_status", "0 free 1 slip 2 stick", true, 1, std::vector<double>(n, 0.)}};
+      for (const auto *pair : problem.active_pairs())
+      {
+        const auto pressure = pair->pressure(problem.committed());
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          const PairState &state = pair->committed()[i];
+          if (!state.touching)
+            continue;
+          fields[0].values[i] = std::max(fields[0].values[i], state.epsilon);
+          fields[1].values[i] = std::max(fields[1].values[i], state.penetration() / state.delta);
+          fields[2].values[i] = std::max(fields[2].values[i], pressure[i]);
+          fields[3].values[i] = std::max(fields[3].values[i], state.sticking ? 2. : 1.);
+        }
+      }
+    }
+    char number[16];
+    std::snprintf(number, sizeof number, "_%04u.vtu", pictures.size());
+    std::vector<std::string> parts{std::string("blank") + number};
+    write_vtu(folder + "/" + parts[0], blank.draw(problem.committed(), fields), units);
+
+    double reach = 0.;
+    for (const auto &x : blank.positions(problem.committed()))
+      reach = std::max(reach, x.norm());
+    Drawing tools;
+    tools.points_per_cell = 2;
+    DrawnField index{"tool", "index", false, 1, {}};
+    double which = -1.;
+    for (const auto *pair : problem.active_pairs())
+    {
+      const auto points = pair->tool().polyline(pair->travel(problem.committed()), reach);
+      which += 1.;
+      for (unsigned int i = 0; i < points.size(); ++i)
+      {
+        if (i > 0)
+        {
+          tools.cells.push_back(tools.points.size() - 1);
+          tools.cells.push_back(tools.points.size());
+          index.values.push_back(which);
+        }
+        tools.points.push_back(points[i]);
+      }
+    }
+    if (!tools.cells.empty())
+    {
+      tools.fields.push_back(index);
+      parts.push_back(std::string("tools") + number);
+      write_vtu(folder + "/" + parts[1], tools, units);
+    }
+    pictures.add(time, parts);
+  }
+} // namespace deltaform

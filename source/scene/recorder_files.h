@@ -1,0 +1,63 @@
+#pragma once
+// The open files of a recorder, and what they need; private to the two files that implement it.
+#include <deltaform/results/history.h>
+#include <deltaform/results/picture_series.h>
+#include <deltaform/results/units.h>
+#include <deltaform/scene/recorder.h>
+#include <deltaform/scene/simulation.h>
+
+#include <set>
+
+namespace deltaform
+{
+  /// The open files, and what they need.
+  struct Recorder::Files
+  {
+    Files(Scene &the_scene, std::string the_folder, Journal &the_journal, Timers &the_timers)
+      : scene(the_scene), folder(std::move(the_folder)), journal(the_journal), timers(the_timers),
+        timer(timers.section("13 output")), units(scene.units), pictures(folder + "/scene.pvd")
+    {
+      const bool round = scene.actors.blank->axisymmetric();
+      comments         = {scene.title,
+                          std::string("deltaform ") + DELTAFORM_VERSION + ", units: " + scene.units,
+                          std::string("Forces are those of the blank on the tool, ") +
+                            (round ? "for the full circumference (2 pi)." : "per unit width (plane strain).")};
+      std::vector<std::string> names;
+      for (const auto &tool : scene.actors.tools)
+        names.push_back(tool->name());
+      history = std::make_unique<History>(folder + "/history.csv", comments, names, units);
+    }
+
+    HistoryRow row(const FormingProblem &problem,
+                   const Stage &stage,
+                   double time,
+                   unsigned int increment,
+                   const IncrementCost &cost) const;
+
+    void write_tables(const FormingProblem &problem, double travel, const std::string &stage);
+    void
+    write_contact(const FormingProblem &problem, const std::string &label, const std::vector<std::string> &head) const;
+    void write_picture(const FormingProblem &problem, double time);
+    void show_progress(const HistoryRow &row) const;
+
+    /// Travel of the main tool, or time where there is none.
+    double main_travel(const FormingProblem &problem, const double time) const
+    {
+      return scene.output->main_tool == invalid_index ? time : problem.travel(scene.output->main_tool);
+    }
+
+    Scene &scene;
+    std::string folder;
+    Journal &journal;
+    Timers &timers;
+    Timers::Index timer;
+    Units units;
+    std::vector<std::string> comments;
+    std::unique_ptr<History> history;
+    PictureSeries pictures;
+    unsigned int next_frame = 0, iterations = 0, cutbacks = 0, rounds = 0;
+    HistoryRow last;
+    double worst_promise = 0, largest_force = 0, worst_between = 0;
+    std::set<std::string> labels; ///< of the tables written so far
+  };
+} // namespace deltaform
