@@ -137,23 +137,26 @@ namespace deltaform
   }
 
 
-  std::pair<unsigned int, double> ContactPair::deepest_at_start() const
+
+  std::pair<unsigned int, double>
+  ContactPair::closest(const Vector &q, const double travel) const
   {
-    Vector zero(surface_.n_contact_dofs());
-    const double travel_then = tool_.travel(0.);
-    std::pair<unsigned int, double> worst(invalid_index, std::numeric_limits<double>::infinity());
+    std::pair<unsigned int, double> result(invalid_index, std::numeric_limits<double>::infinity());
     for (unsigned int i = 0; i < committed_.size(); ++i)
-    {
-      const ContactNode description = node(zero, i);
-      const double gap              = tool_.project(description.x, travel_then).distance - description.offset;
-      if (gap < worst.second)
-        worst = {i, gap};
-    }
-    return worst;
+      {
+        const ContactNode description = node(q, i);
+        if (!(description.area > 0))
+          continue;
+        const double gap = tool_.project(description.x, travel).distance - description.offset;
+        if (gap < result.second)
+          result = {i, gap};
+      }
+    return result;
   }
 
 
-  void ContactPair::clear()
+
+void ContactPair::clear()
   {
     for (auto &state : committed_)
       state = PairState();

@@ -176,7 +176,12 @@ namespace deltaform
 
   double FormingProblem::admissible_step(const Vector &q, const Vector &d) const
   {
-    return actors_.blank->admissible_step(q, d);
+    double factor = actors_.blank->admissible_step(q, d);
+    // A tool that has lost contact for a moment must not fly away.
+    for (const auto *pair : active_pairs_)
+      if (pair->tool().force_driven())
+        factor = std::min(factor, typical_length() / std::max(std::abs(d[pair->travel_dof()]), 1e-300));
+    return factor;
   }
 
 

@@ -58,6 +58,20 @@ namespace deltaform
   }
 
 
+  void FormingProblem::bring_into_contact(const ContactPair &pair)
+  {
+    // A force without resistance has no equilibrium. The distance is Lipschitz: going by the gap never goes too far.
+    const double reach = 1e3 * (1. + size_[0]);
+    for (unsigned int step = 0; step < 1000; ++step)
+    {
+      const double gap = pair.closest(committed_, committed_[pair.travel_dof()]).second;
+      if (!(gap < reach) || gap <= 1e-12 * size_[0])
+        return;
+      committed_[pair.travel_dof()] += gap;
+    }
+  }
+
+
   void FormingProblem::begin_stage(const Stage &stage)
   {
     any_released_ = false;
@@ -74,6 +88,8 @@ namespace deltaform
       if (pair->tool().exists_in(stage.name))
       {
         active_pairs_.push_back(pair.get());
+        if (pair->tool().force_driven() && pair->n_touching() == 0)
+          bring_into_contact(*pair);
         pair->begin_stage(committed_, stage.begin);
       }
     is_prescribed_ = is_fixed_;

@@ -28,7 +28,7 @@ namespace deltaform
     {
       const Tool &tool       = *actors.tools[i];
       Section section        = root.sub("Tools").sub(tool.name());
-      const auto [node, gap] = actors.pairs[i]->deepest_at_start();
+      const auto [node, gap] = actors.pairs[i]->closest(zero, tool.travel(0.));
       if (gap < -1e-9 * h)
       {
         const ContactNode description = actors.pairs[i]->node(zero, node);

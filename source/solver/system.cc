@@ -182,6 +182,7 @@ namespace deltaform
       else if (shift > 0)
         *diagonal += shift * std::max(std::abs(*diagonal), 1e-12 * scale);
     }
+    shift_ = shift;
     ++n_factorizations_;
     if (!trilinos_->analysed && trilinos_->factorization->SymbolicFactorization() != 0)
       return false;

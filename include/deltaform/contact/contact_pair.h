@@ -146,8 +146,8 @@ namespace deltaform
 
     ContactNode node(const Vector &q, unsigned int i) const;
 
-    /// Node with the smallest gap in the initial configuration, and that gap.
-    std::pair<unsigned int, double> deepest_at_start() const;
+    /// Node with the smallest gap at @p q when the tool has travelled @p travel, and that gap.
+    std::pair<unsigned int, double> closest(const Vector &q, double travel) const;
 
     /// A tool that is absent in a stage has no pairs: forget all contact.
     void clear();

@@ -131,6 +131,9 @@ namespace deltaform
 
     void assemble_loads(const Vector &q, AssemblyTarget &target) const;
 
+    /// Move a force-driven tool that touches nothing along its direction until it does.
+    void bring_into_contact(const ContactPair &pair);
+
     /// Forces on the unknowns of the blank from what ends with the last stage.
     void collect_released(const std::string &next_stage);
 

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""Measures the speed of deltaform and prints it as Markdown.
+
+    scripts/benchmark.py [--write doc/speed.md] [--build FOLDER] [--runs N]
+
+1. The whole process of the main job (the cup of 50 elements to a travel of 1 in, all default outputs) against an empty
+   program that is linked to the same libraries and starts and ends MPI with the same settings; alternating runs.
+2. The cost of a Newton iteration from 50 to 3200 elements, and the exponent n of cost ~ elements^n.
+
+Builds what it needs. Standard library only; about two minutes.
+"""
+import argparse
+import json
+import math
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+ELEMENTS = [50, 100, 200, 400, 800, 1600, 3200]
+
+
+def call(command):
+    """Wall and processor seconds of a whole process."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    start = time.perf_counter()
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, cwd=ROOT)
+    wall = time.perf_counter() - start
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return wall, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def load(folder, name):
+    with open(os.path.join(folder, name), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def whole_process(program, empty, folder, runs):
+    """Lines of a table: medians over alternating runs."""
+    command = [program, "prm/cup.prm", "--output", folder]
+    call(command), call([empty])  # libraries into the page cache
+    cup, nothing, computing = [], [], []
+    for _ in range(runs):
+        nothing.append(call([empty]))
+        cup.append(call(command))
+        computing.append(load(folder, "timing.json")["total"])
+    summary = load(folder, "summary.json")
+    wall, processor = ([statistics.median(run[k] for run in of) for of in (cup, nothing)] for k in (0, 1))
+    return [
+        f"The cup of `prm/cup.prm` ({summary['increments']:g} increments, {summary['newton_iterations']:g} Newton iterations, "
+        f"{runs} alternating runs, medians):",
+        "",
+        "| | whole process [s] | fastest [s] | processor time [s] |",
+        "|---|---|---|---|",
+        f"| deltaform prm/cup.prm, all default outputs | {wall[0]:.3f} | {min(r[0] for r in cup):.3f} | {processor[0]:.3f} |",
+        f"| empty program, same libraries, MPI started and ended | {wall[1]:.3f} | {min(r[0] for r in nothing):.3f} | {processor[1]:.3f} |",
+        f"| **ratio** (asked: at most 3) | **{wall[0] / wall[1]:.2f}** | {min(r[0] for r in cup) / min(r[0] for r in nothing):.2f} "
+        f"| {processor[0] / processor[1]:.2f} |",
+        f"| of which deltaform computes and writes (`timing.json`, total) | {statistics.median(computing):.3f} | {min(computing):.3f} | |",
+    ]
+
+
+def per_iteration(program, folder, repetitions):
+    """Lines of a table: milliseconds per Newton iteration, the least of some runs, and the fitted exponent."""
+    lines = [
+        "A Newton iteration of the cup to a travel of 0.1 in (the named steps 3 to 11 of `timing.json`, failed iterations and",
+        "line searches included; the least of some runs, because other work on the machine only ever adds):",
+        "",
+        "| elements | Newton iterations | assemblies per iteration | time per iteration [ms] | blank | contact | linear solve | "
+        "per element [us] |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    costs = []
+    for n in ELEMENTS:
+        best = None
+        for _ in range(repetitions if n < 1600 else 1):
+            call([program, "prm/cup.prm", "--quiet", "--output", folder, "--set", f"Blank/Elements={n}",
+                  "--set", "Steps/form/End time=0.1", "--set", "Output/Pictures=0"])
+            iterations = load(folder, "summary.json")["newton_iterations"]
+            sections = load(folder, "timing.json")["sections"]
+            blank, contact, solve = (next(s for s in sections if s["name"].startswith(number)) for number in ("3-6", "7-9", "11"))
+            parts = [1e3 * part["seconds"] / iterations for part in (blank, contact, solve)]
+            if best is None or sum(parts) < sum(best):
+                best, assemblies = parts, blank["calls"] / iterations
+        costs.append(sum(best))
+        lines.append(f"| {n} | {iterations:g} | {assemblies:.2f} | {sum(best):.3f} | {best[0]:.3f} | {best[1]:.3f} | {best[2]:.3f} | "
+                     f"{1e3 * sum(best) / n:.2f} |")
+    x, y = [math.log(n) for n in ELEMENTS], [math.log(cost) for cost in costs]
+    mean_x, mean_y = statistics.fmean(x), statistics.fmean(y)
+    exponent = sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / sum((a - mean_x) ** 2 for a in x)
+    return [*lines, "", f"Fitted: cost ~ elements^**{exponent:.2f}** (asked: at most 1.1)."]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", default=os.path.join(ROOT, "build", "release"), help="build folder")
+    parser.add_argument("--runs", type=int, default=15, help="alternating runs of the whole process")
+    parser.add_argument("--repetitions", type=int, default=3, help="runs per mesh")
+    parser.add_argument("--write", metavar="FILE", help="write the page here as well")
+    options = parser.parse_args()
+
+    build = os.path.abspath(options.build)
+    subprocess.run([os.path.join(ROOT, "scripts", "build.sh"), build, "deltaform", "empty_process"], check=True, stdout=sys.stderr)
+    program, empty = os.path.join(build, "deltaform"), os.path.join(build, "tests", "benchmark", "empty_process")
+    with tempfile.TemporaryDirectory() as folder:
+        lines = ["# Speed", "", "Printed by `scripts/benchmark.py`; Release, one process, one thread.", "",
+                 "## The main job", "", *whole_process(program, empty, folder, options.runs), "",
+                 "## Cost of an iteration", "", *per_iteration(program, folder, options.repetitions)]
+    print("\n".join(lines))
+    if options.write:
+        with open(options.write, "w", encoding="utf-8") as file:
+            file.write("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()
