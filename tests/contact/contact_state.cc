@@ -355,6 +355,25 @@ BOOST_AUTO_TEST_CASE(results_of_a_pair)
     BOOST_TEST(pressure == 0.);
 }
 
+BOOST_AUTO_TEST_CASE(a_blank_that_rests_on_a_tool_touches_it)
+{
+  // Whatever the last digit of the gap says, also at the origin: a tool driven by a force would find nothing to lean on.
+  for (const std::string radius : {".3", ".5", "1", "1.7", "50"})
+    for (const double height : {0., .4, -3.})
+      BOOST_TEST_CONTEXT("radius " << radius << ", height " << height)
+      {
+        FakeSurface surface(1, 0., .0175);
+        surface.X[0] = Point2(0., height);
+        std::ostringstream position;
+        position << "Position z=" << std::setprecision(17) << height - .0175;
+        PairFixture fixture(surface, constant, {"Shape=hemispherical punch", "Side=bottom", "Radius=" + radius, position.str()});
+        fixture.pair.begin_stage(Vector(fixture.n), 0.);
+        fixture.begin_increment(Vector(fixture.n), 1., stiffness);
+        fixture.assemble(Vector(fixture.n));
+        BOOST_TEST(fixture.pair.n_touching() == 1u);
+      }
+}
+
 BOOST_AUTO_TEST_CASE(nodes_without_area_have_no_pair)
 {
   FakeSurface surface = row(1);

@@ -4,10 +4,15 @@ differential equations that know nothing of deltaform. Standard library only.
 
     python3 tests/scenes/reference_values.py
 """
+import cmath
 import math
 
 TWO_BRANCH = lambda e: 5.4 + min(27.8 * e**0.504, 24.4 * e**0.375)
 SWIFT = lambda e: 589. * (1e-4 + e)**0.216
+SWIFT_SLOPE = lambda e: 589. * .216 * (1e-4 + e)**(.216 - 1)
+
+# Springback of the strip t = 1, E = 210e3, nu = .3, s = 200 bent to R = 50, as printed by main(): the second takes minutes.
+SPRINGBACK_GARDINER, SPRINGBACK_FIBRES = 58.7965493, 58.79363
 
 
 def bisect(function, low, high):
@@ -46,13 +51,13 @@ def uniaxial_stretch(law, young, poisson, strain):
     return law(e), e, math.exp(-poisson * law(e) / young - e / 2)
 
 
-def plane_strain_stretch(law, slope, young, poisson, strain, steps=200000):
+def plane_strain_stretch(law, slope, young, poisson, strain, steps=4000):
     """J2 flow in plane stress with no strain across: the rate equations over the plastic strain, from first yield on.
-    Stress along, stress across, e."""
-    shape = math.sqrt(1 - poisson + poisson**2)
-    first = law(0.) / shape
-    # State: stresses and the logarithmic strain along, over e.
+    Stress along, e, thickness over the initial one, stress across."""
+    first = law(0.) / math.sqrt(1 - poisson + poisson**2)
+
     def rate(e, y):
+        """Of the stresses and of the logarithmic strain along."""
         s1, s2, _ = y
         s = law(e)
         n1, n2 = (2 * s1 - s2) / (2 * s), (2 * s2 - s1) / (2 * s)
@@ -60,14 +65,30 @@ def plane_strain_stretch(law, slope, young, poisson, strain, steps=200000):
         ds1 = (slope(e) + young * n2 * n2) / (n1 + poisson * n2)
         ds2 = poisson * ds1 - young * n2
         return [ds1, ds2, (ds1 - poisson * ds2) / young + n1]
-    start = [first, poisson * first, first * (1 - poisson**2) / young]
-    end = bisect(lambda e: rk4(rate, start, 0., e, 2000)[2] - strain, 0., 1.2 * strain)
-    return (*rk4(rate, start, 0., end, steps)[:2], end)
+
+    def state(end):
+        # e = end x^4 puts most steps where the stress ratio turns.
+        return rk4(lambda x, y: [4 * end * x**3 * v for v in rate(end * x**4, y)],
+                   [first, poisson * first, first * (1 - poisson**2) / young], 0., 1., steps)
+
+    low, high = .8 * strain, 1.2 * strain
+    while high - low > 1e-12:
+        middle = .5 * (low + high)
+        if state(middle)[2] < strain:
+            low = middle
+        else:
+            high = middle
+    s1, s2, _ = state(low)
+    return s1, low, math.exp((1 - 2 * poisson) * (s1 + s2) / young - strain), s2
 
 
-def cylinder_edge(radius, thickness, young, poisson, moment, shear, factor=5. / 6.):
+def plane_strain_swift():
+    return plane_strain_stretch(SWIFT, SWIFT_SLOPE, 69004., .3, .8)
+
+
+def cylinder_edge(radius, thickness, young, poisson, moment, shear, place=0., factor=5. / 6.):
     """A half-infinite cylinder with a moment and a radial force per length on its edge: radial displacement at the edge
-    of a thin shell (Kirchhoff), and of the shell with shear deformation whose hoop strain is w / (R + zeta)."""
+    of a thin shell (Kirchhoff); at a place, of the shell with shear deformation whose hoop strain is w / (R + zeta)."""
     stiffness = young * thickness**3 / (12 * (1 - poisson**2))
     b = (3 * (1 - poisson**2))**.25 / math.sqrt(radius * thickness)
     thin = moment / (2 * b * b * stiffness) + shear / (2 * b**3 * stiffness)
@@ -92,16 +113,15 @@ def cylinder_edge(radius, thickness, young, poisson, moment, shear, factor=5. / 
         m = square**.5
         roots.append(m if m.real > 0 else -m)
     ratio = [(C - k * m * m) / ((B - k) * m) for m in roots]  # psi / w
-    # At x = 0, outward normal -x: moment -(A psi' + B w) = R moment', force -k (w' + psi) = R shear
+    # At x = 0, outward normal -x, a moment doing work on psi: -(A psi' + B w) = R moment, -k (w' + psi) = R shear
     rows = [[(A * m * r - B) for m, r in zip(roots, ratio)], [k * (m - r) for m, r in zip(roots, ratio)]]
     det = rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]
     def edge(m_edge, q_edge):
         right = (radius * m_edge, radius * q_edge)
         w0 = (right[0] * rows[1][1] - right[1] * rows[0][1]) / det
         w1 = (rows[0][0] * right[1] - rows[1][0] * right[0]) / det
-        return (w0 + w1).real
-    # The moment that turns the edge so that w grows: work moment * (-psi).
-    return b, thin, edge(-moment, shear)
+        return (w0 * cmath.exp(-roots[0] * place) + w1 * cmath.exp(-roots[1] * place)).real
+    return b, thin, edge(moment, shear)
 
 
 def springback(thickness, young, poisson, flow_stress, radius, fibres=400, steps=400):
@@ -170,6 +190,21 @@ def clamped_plate_linear(load, radius, thickness, young, poisson, factor=5. / 6.
     return load * radius**4 / (64 * stiffness), load * radius**2 / (4 * factor * young / (2 * (1 + poisson)) * thickness)
 
 
+def elastica(load, steps=4000):
+    """Tip deflection over length of a cantilever with a dead load, load = P L^2 / (E I): theta'' = -load cos theta, with the
+    slope at the root that leaves none of the curvature at the tip."""
+    rate = lambda s, y: [y[1], -load * math.cos(y[0]), math.sin(y[0])]
+    root = bisect(lambda k: rk4(rate, [0., k, 0.], 0., 1., 200)[1], 0., load)
+    low, high = root - 1e-6 * load, root + 1e-6 * load
+    for _ in range(40):
+        middle = .5 * (low + high)
+        if rk4(rate, [0., middle, 0.], 0., 1., steps // 10)[1] < 0:
+            low = middle
+        else:
+            high = middle
+    return rk4(rate, [0., .5 * (low + high), 0.], 0., 1., steps)[2]
+
+
 def capstan(friction, angle, radius, thickness):
     """Ratio of the tensions, which act at the mid-surface of the strip while the friction acts on its face."""
     return math.exp(friction * angle / (1 + thickness / (2 * radius)))
@@ -192,20 +227,22 @@ def main():
     print("   equibiaxial  two-branch power, E = 13393", *("%.9g" % v for v in equibiaxial_stretch(TWO_BRANCH, 13393., .3, strain)))
     for name, law in laws.items():
         print("   uniaxial    ", name, *("%.9g" % v for v in uniaxial_stretch(law, young, poisson, strain)))
-    slope = lambda e: 589. * .216 * (1e-4 + e)**(.216 - 1)
-    result = plane_strain_stretch(SWIFT, slope, young, poisson, strain)
+    result = plane_strain_swift()
     print("   plane strain swift 589 1e-4 .216", *("%.9g" % v for v in result),
-          " 2/sqrt(3) s(e): %.9g" % (2 / math.sqrt(3) * SWIFT(result[2])))
+          "(the last: stress across); 2/sqrt(3) s(e): %.9g" % (2 / math.sqrt(3) * SWIFT(result[1])))
     print("5  clamped plate q = 1, a = 1, h = .1, E = 1: bending, shear, sum", *("%.9g" % v for v in clamped_plate_linear(1, 1, .1, 1, .3)),
           "%.9g" % sum(clamped_plate_linear(1, 1, .1, 1, .3)))
     for ratio in (100., 1000.):
         for name, moment, force in (("moment", 1., 0.), ("force", 0., 1.)):
             b, thin, thick = cylinder_edge(100., 100. / ratio, 2.1e5, .3, moment, force)
             print("6  cylinder R/h = %g, edge %s 1: b %.9g, thin shell %.9g, with shear deformation %.9g" % (ratio, name, b, thin, thick))
-    print("9  springback: Gardiner %.9g, fibre by fibre %.7g" % springback(1., 210e3, .3, 200., 50.))
+    for load in (1, 2, 5, 10):
+        print("7  elastica P = %g: %.9f" % (load, elastica(load)))
     for friction in (.1, .2, .3):
         for degrees in (90, 180):
             print("16 capstan mu %g, %d degrees, h/R = .02: %.9g" % (friction, degrees, capstan(friction, math.radians(degrees), 50., 1.)))
+    print("9  springback, some minutes ...", flush=True)
+    print("   Gardiner %.9g, fibre by fibre %.7g" % springback(1., 210e3, .3, 200., 50.))
 
 
 if __name__ == "__main__":

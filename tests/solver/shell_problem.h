@@ -1,0 +1,183 @@
+#pragma once
+// A shell with pressure and one tool, without a scene: enough to see how Newton's method converges.
+#include "../blanks/any_blank.h"
+#include "../contact/fake_surface.h"
+#include "convergence.h"
+
+namespace deltaform
+{
+  namespace testing
+  {
+    class ShellProblem : public NonlinearProblem
+    {
+    public:
+      /// A flat disc or strip of radius 1, clamped at its edge. @p contact and @p tool: see PairFixture; none: no contact
+      ShellProblem(const Entries &blank_entries, const Entries &contact, const Entries &tool)
+        : blank(make_blank("shell",
+                           Entries{"Blank/Points=0 0; 1 0", "Blank/Thickness=.05", "Blank/Elements=20",
+                                   "Material/Young's modulus=2e3", "Material/Poisson's ratio=.3"} +
+                             blank_entries))
+      {
+        n = blank->n_dofs();
+        if (!tool.empty())
+          {
+            fixture = std::make_unique<PairFixture>(*blank, contact, tool);
+            n       = fixture->n;
+          }
+        const unsigned int n_border = fixture ? fixture->tool.force_driven() : 0;
+        dealii::DynamicSparsityPattern pattern(n - n_border, n - n_border);
+        blank->add_couplings(pattern);
+        for (unsigned int i = 0; i < n - n_border; ++i)
+          pattern.add(i, i);
+        if (fixture && fixture->settings.enforcement->has_multiplier())
+          for (unsigned int i = 0; i < fixture->pair.n_nodes(); ++i)
+            {
+              const ContactNode node = fixture->pair.node(Vector(n), i);
+              for (unsigned int k = 0; k < node.n_dofs; ++k)
+                {
+                  pattern.add(node.dofs[k], blank->n_dofs() + i);
+                  pattern.add(blank->n_dofs() + i, node.dofs[k]);
+                }
+            }
+        system = std::make_unique<System>(pattern, n_border, "klu");
+
+        prescribed.assign(n, false);
+        for (const auto dof : blank->fixed_dofs())
+          prescribed[dof] = true;
+        for (const auto component : {Component::r, Component::z, Component::rotation})
+          prescribed[blank->boundary_dofs("end", component).front()] = true;
+        if (!blank->axisymmetric())
+          for (const auto component : {Component::r, Component::rotation})
+            prescribed[blank->boundary_dofs("start", component).front()] = true;
+        scale.assign(n, 1.);
+        size.assign(n, 1.);
+        for (unsigned int i = 0; i < blank->n_dofs(); ++i)
+          scale[i] = blank->dof_scale(i);
+        for (unsigned int i = blank->n_dofs(); i < n - n_border; ++i)
+          scale[i] = 1. / blank->stiffness_scale();
+        committed.reinit(n);
+        if (fixture)
+          fixture->pair.begin_stage(committed, 0.);
+      }
+
+      Status
+      assemble(const Vector &q, const bool tangent) override
+      {
+        system->clear(tangent);
+        const Status status = blank->assemble(q, *system);
+        if (!status.good())
+          return status;
+        if (fixture && factors_due)
+          {
+            fixture->pair.read_stiffness(q, *system);
+            fixture->pair.predict_factors(q, nullptr);
+            factors_due = false;
+          }
+        blank->assemble_pressure(q, pressure, true, *system);
+        if (fixture)
+          fixture->pair.assemble(q, *system);
+        return status;
+      }
+
+      double
+      admissible_step(const Vector &q, const Vector &d) const override
+      {
+        return blank->admissible_step(q, d);
+      }
+
+      void
+      prepare_step(const Vector &d) override
+      {
+        if (fixture)
+          fixture->pair.prepare_step(d);
+      }
+
+      void
+      advance(const double factor) override
+      {
+        if (fixture)
+          fixture->pair.advance(factor);
+      }
+
+      bool
+      status_changed() const override
+      {
+        return fixture && fixture->pair.status_changed();
+      }
+
+      unsigned int
+      patience() const override
+      {
+        return 2;
+      }
+
+      bool
+      consistent() const override
+      {
+        return !fixture || fixture->pair.consistent();
+      }
+
+      unsigned int
+      correct() override
+      {
+        return fixture ? fixture->pair.correct_factors() : 0;
+      }
+
+      /**
+       * Solve the increment that ends at @p time under @p new_pressure and commit it; if that fails, once more with soft first
+       * touches, and then in two halves.
+       */
+      NewtonResult
+      increment(const double time, const double new_pressure, const unsigned int depth = 0)
+      {
+        const double         time_before = last_time, pressure_before = pressure;
+        const NewtonSettings settings = newton_settings({"Force tolerance=1e-12", "Maximal iterations=40"});
+        Timers               timers;
+        Newton               newton(*this, *system, settings, scale, size, timers);
+        NewtonResult         result;
+        Vector               q;
+        for (const double share : {1., 1e-4})
+          {
+            if (share < 1. && (!fixture || result.converged()))
+              break;
+            pressure    = new_pressure;
+            factors_due = true;
+            if (fixture)
+              {
+                fixture->pair.begin_increment(time);
+                fixture->pair.soften(share);
+              }
+            q      = committed;
+            result = newton.solve(q, committed, prescribed, committed, 0.);
+          }
+        if (!result.converged())
+          {
+            BOOST_TEST_REQUIRE(depth < 5u,
+                               "at time " << time << " (" << static_cast<int>(result.outcome)
+                                          << "):" << listed_residuals(result.residuals));
+            pressure = pressure_before;
+            increment(.5 * (time_before + time), .5 * (pressure_before + new_pressure), depth + 1);
+            return increment(time, new_pressure, depth + 1);
+          }
+        if (fixture)
+          fixture->pair.commit(q);
+        blank->commit(q);
+        if (fixture)
+          fixture->pair.refresh(q);
+        committed = q;
+        last_time = time;
+        return result;
+      }
+
+      unsigned int                 n;
+      std::unique_ptr<Blank>       blank;
+      std::unique_ptr<PairFixture> fixture;
+      std::unique_ptr<System>      system;
+      std::vector<bool>            prescribed;
+      std::vector<double>          scale, size;
+      Vector                       committed;
+      double                       pressure = 0., last_time = 0.;
+      bool                         factors_due = true;
+    };
+  } // namespace testing
+} // namespace deltaform
