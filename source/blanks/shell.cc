@@ -243,6 +243,7 @@ namespace deltaform
     result.x                    = position(q, node);
     result.area                 = node_area_[node];
     result.reference_coordinate = mesh_.nodes()[node][0];
+    result.arc_coordinate       = mesh_.arc_length()[node];
     result.thickness            = node_thickness_[node];
     result.jacobian[0]          = Tensor1({1., 0.});
     result.jacobian[1]          = Tensor1({0., 1.});

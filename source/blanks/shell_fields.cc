@@ -36,6 +36,7 @@ namespace deltaform
                    "stress_hoop_bottom",
                    "stress_hoop_mid",
                    "stress_hoop_top",
+                   "S0",
                    "u_r",
                    "u_z"};
     table.units = {"length",
@@ -53,6 +54,7 @@ namespace deltaform
                    "stress",
                    "stress",
                    "stress",
+                   "length",
                    "length",
                    "length"};
 
@@ -85,6 +87,7 @@ namespace deltaform
       std::vector<double> row{mesh_.nodes()[i][0], x[0], x[1], rotation(q, i)};
       for (const auto &column : values)
         row.push_back(column[i]);
+      row.push_back(mesh_.arc_length()[i]);
       // Displacements on their own: coordinates do not print enough digits of small ones.
       row.push_back(q[node_dofs_[i][0]]);
       row.push_back(q[node_dofs_[i][1]]);

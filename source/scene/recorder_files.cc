@@ -111,7 +111,8 @@ namespace deltaform
                     {"pressure", units.of("stress")},
                     {"slip", units.of("length")},
                     {"tangential_force", units.of("force")},
-                    {"status", "1"}});
+                    {"status", "1"},
+                    {"S0", units.of("length")}});
     for (const auto *pair : problem.active_pairs())
       for (unsigned int i = 0; i < pair->n_nodes(); ++i)
       {
@@ -130,7 +131,8 @@ namespace deltaform
                            state.tangential_force,
                            std::string(pair->tool().friction_coefficient() == 0 ? "frictionless"
                                        : state.sticking                         ? "stick"
-                                                                                : "slip")});
+                                                                                : "slip"),
+                           node.arc_coordinate});
       }
   }
 

@@ -32,5 +32,6 @@ namespace deltaform
     double area                 = 0;          ///< tributary area: full circumference, or per unit width
     double reference_coordinate = 0;          ///< R0, for output and messages
     double thickness            = 0;          ///< current, for output and messages
+    double arc_coordinate       = 0;          ///< S0, arc length along the undeformed blank from its start, for output
   };
 } // namespace deltaform
