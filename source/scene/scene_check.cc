@@ -9,10 +9,45 @@ namespace deltaform
 {
   void Scene::check(Section root) const
   {
+    check_functions(root);
     check_tools(root);
     check_stages(root);
     if (!actors.tools.empty())
       check_delta(root);
+  }
+
+
+  void Scene::check_functions(Section root) const
+  {
+    // NaN passes most comparisons: look for it where a function of time is used.
+    const auto inspect = [](const auto &function, const Stage &stage, const Section &section, const std::string &entry)
+    {
+      constexpr unsigned int n_samples = 50;
+      for (unsigned int k = 0; k <= n_samples; ++k)
+      {
+        const double time = stage.begin + (stage.end - stage.begin) * k / n_samples;
+        if (!std::isfinite(function(time)))
+          section.fail(entry, "is no finite number at t = " + text::format(time));
+      }
+    };
+    for (const auto &stage : actors.stages)
+    {
+      for (const auto &tool : actors.tools)
+        if (tool->exists_in(stage.name))
+        {
+          const Section section = root.sub("Tools").sub(tool->name());
+          if (tool->force_driven())
+            inspect([&](const double time) { return tool->force(time); }, stage, section, "Force");
+          else
+            inspect([&](const double time) { return tool->travel(time); }, stage, section, "Motion");
+        }
+      for (const auto &support : actors.supports)
+        if (support.acts_in(stage.name) && !support.hold)
+          inspect(support.value, stage, root.sub("Supports").sub(support.name), "Value");
+      for (const auto &load : actors.loads)
+        if (load.acts_in(stage.name))
+          inspect(load.value, stage, root.sub("Loads").sub(load.name), "Value");
+    }
   }
 
 

@@ -1,10 +1,11 @@
-// What deltaform cannot be faster than: a program that is linked to the same libraries, starts MPI with the same settings
-// as a single deltaform process, and ends it. scripts/benchmark.py compares the two.
+// What deltaform cannot be faster than: a program that is linked to the same libraries, starts MPI with the same
+// settings as a single deltaform process, and ends it. scripts/benchmark.py compares the two.
 #include <deal.II/base/mpi.h>
 
 #include <cstdlib>
 
-int main(int argc, char *argv[])
+int
+main(int argc, char *argv[])
 {
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   setenv("OMPI_MCA_btl", "self", 0);

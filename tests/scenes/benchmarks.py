@@ -58,13 +58,13 @@ def error(value, reference):
     return "%.1e" % (value / reference - 1)
 
 
-def series(sizes, errors):
-    """Error and observed order of each member."""
+def series(sizes, errors, floor=0.):
+    """Error and observed order of each member; no order where an error is below the floor that others set."""
     cells, before = [], None
     for size, value in zip(sizes, errors):
         if value is None:
             cells.append("failed")
-        elif before is None or not before[1] or not value:
+        elif before is None or not min(abs(before[1]), abs(value)) > floor:
             cells.append("%.1e" % value)
         else:
             cells.append("%.1e (%.1f)" % (value, math.log(abs(before[1] / value)) / math.log(size / before[0])))
@@ -72,7 +72,7 @@ def series(sizes, errors):
     return cells
 
 
-def mesh_table(run, scene, sizes, quantities, extra=()):
+def mesh_table(run, scene, sizes, quantities, floor, extra=()):
     """Errors over the number of elements for degrees 1 and 2; a quantity is (title, file, function of rows, reference)."""
     rows = []
     for degree in (1, 2):
@@ -81,7 +81,7 @@ def mesh_table(run, scene, sizes, quantities, extra=()):
             tables = run(scene, [q[1] for q in quantities], "Blank/Degree=%d" % degree, "Blank/Elements=%d" % n, *extra)
             for i, (_, _, value, reference) in enumerate(quantities):
                 errors[i].append(value(tables[i]) / reference - 1 if tables else None)
-        columns = [series(sizes, e) for e in errors]
+        columns = [series(sizes, e, floor) for e in errors]
         for i, n in enumerate(sizes):
             rows.append([str(degree), str(n)] + [column[i] for column in columns])
     return markdown(["degree", "elements"] + [q[0] for q in quantities], rows)
@@ -119,12 +119,12 @@ def plate_large(run):
     centre = lambda rows: rows[0]["u_z"] / 1e-3
     return mesh_table(run, "clamped_plate_large", (5, 10, 20, 40, 80),
                       [("P = %d" % p, "profile_%d.csv" % p, centre, w)
-                       for p, w in ((1, .168034), (5, .679604), (10, 1.051956), (20, 1.493792))])
+                       for p, w in ((1, .168034), (5, .679604), (10, 1.051956), (20, 1.493792))], 1e-5)
 
 
 def plate_linear(run):
     return mesh_table(run, "clamped_plate_linear", (5, 10, 20, 40, 80),
-                      [("w0 with shear", "profile_1.csv", lambda rows: rows[0]["u_z"] / 1e-7, 178.425)])
+                      [("w0 with shear", "profile_1.csv", lambda rows: rows[0]["u_z"] / 1e-7, 178.425)], 1e-8)
 
 
 def cylinder(run):
@@ -136,7 +136,7 @@ def cylinder(run):
         for place in (0., 8.):
             quantities.append(("%s, z = %g" % (name, place), file, at(place),
                                exact.cylinder_edge(100., 1., 2.1e5, .3, moment, force, place)[2]))
-    return mesh_table(run, "cylinder_edge_loads", (10, 20, 40, 80, 160), quantities, ["Blank/Grading=1"])
+    return mesh_table(run, "cylinder_edge_loads", (10, 20, 40, 80, 160), quantities, 1e-6, ["Blank/Grading=1"])
 
 
 def cylinder_thickness(run):
@@ -154,7 +154,7 @@ def cylinder_thickness(run):
 def elastica(run):
     tip = lambda rows: rows[-1]["u_z"]
     return mesh_table(run, "elastica", (5, 10, 20, 40, 80),
-                      [("P = %d" % p, "profile_%d.csv" % p, tip, exact.elastica(p)) for p in (1, 2, 5, 10)])
+                      [("P = %d" % p, "profile_%d.csv" % p, tip, exact.elastica(p)) for p in (1, 2, 5, 10)], 5e-6)
 
 
 def springback(run):
@@ -196,7 +196,7 @@ def capstan_series(run):
                             "Loads/tension/Value=0: 0, 1: -1, 2: -1", "Supports/draw/Value=0: 0, 1: 0, 2: 5e-4",
                             "Contact/Allowed elastic slip=1e-5*thickness", "Contact/Allowed penetration=%s*thickness" % delta)
                 errors.append(ratio_of(table, 90) * 100 / reference - 1 if table else None)
-            columns.append(series(sizes, errors))
+            columns.append(series(sizes, errors, 1.5e-5))
         rows += [[str(degree), str(n)] + [column[i] for column in columns] for i, n in enumerate(sizes)]
     return markdown(["degree", "elements"] + ["delta = %s h" % delta for delta in deltas], rows)
 

@@ -2,8 +2,8 @@
 //
 //   compare_scene [--update] DELTAFORM SCENE WORK
 //
-// WORK is emptied first. --update writes the references of the COMPARE lines instead of comparing. Exit status: 0 all as
-// expected, 1 something is not, 2 the test itself is wrong.
+// WORK is emptied first. --update writes the references of the COMPARE lines instead of comparing. Exit status: 0 all
+// as expected, 1 something is not, 2 the test itself is wrong.
 #include "csv_table.h"
 #include "directives.h"
 
@@ -27,9 +27,7 @@ namespace
   unsigned int n_checks = 0, n_failed = 0;
 
 
-
-  void
-  report(const bool good, const std::string &what)
+  void report(const bool good, const std::string &what)
   {
     ++n_checks;
     n_failed += !good;
@@ -37,9 +35,7 @@ namespace
   }
 
 
-
-  std::string
-  shown(const double value, const char *const format = "%.9g")
+  std::string shown(const double value, const char *const format = "%.9g")
   {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, format, value);
@@ -47,9 +43,7 @@ namespace
   }
 
 
-
-  double
-  selected(const CsvTable &table, const Check &check)
+  double selected(const CsvTable &table, const Check &check)
   {
     const auto &values = table.column(check.column);
     if (check.select.substr(0, 3) == "max" || check.select == "min")
@@ -65,35 +59,31 @@ namespace
     if (check.select == "min")
       return *std::min_element(values.begin(), values.end());
     if (check.select == "maxabs")
-      return std::abs(*std::max_element(values.begin(), values.end(), [](const double a, const double b) {
-        return std::abs(a) < std::abs(b);
-      }));
+      return std::abs(*std::max_element(
+        values.begin(), values.end(), [](const double a, const double b) { return std::abs(a) < std::abs(b); }));
     return interpolate(table.column(check.at_column), values, check.at);
   }
 
 
-
-  void
-  evaluate(const Check &check, const fs::path &work)
+  void evaluate(const Check &check, const fs::path &work)
   {
     const double value = selected(CsvTable::read((work / check.file).string()), check);
     if (check.kind != Check::Kind::within)
-      {
-        const bool below = check.kind == Check::Kind::below;
-        report(below ? value < check.reference : value > check.reference,
-               check.text + ": " + shown(value) + (below ? ", below " : ", above ") + shown(check.reference));
-        return;
-      }
+    {
+      const bool below = check.kind == Check::Kind::below;
+      report(below ? value < check.reference : value > check.reference,
+             check.text + ": " + shown(value) + (below ? ", below " : ", above ") + shown(check.reference));
+      return;
+    }
     const double error = std::abs(value - check.reference) / (check.relative ? std::abs(check.reference) : 1.);
     report(error <= check.tolerance,
-           check.text + ": " + shown(value) + ", reference " + shown(check.reference) + ", error " + shown(error, "%.2e") +
-             (check.relative ? " relative" : "") + ", allowed " + shown(check.tolerance, "%.2e"));
+           check.text + ": " + shown(value) + ", reference " + shown(check.reference) + ", error " +
+             shown(error, "%.2e") + (check.relative ? " relative" : "") + ", allowed " +
+             shown(check.tolerance, "%.2e"));
   }
 
 
-
-  void
-  write_reference(const Comparison &comparison, const CsvTable &table, const fs::path &file)
+  void write_reference(const Comparison &comparison, const CsvTable &table, const fs::path &file)
   {
     CsvTable some;
     some.names = comparison.columns;
@@ -107,74 +97,67 @@ namespace
   }
 
 
-
-  void
-  evaluate(const Comparison &comparison, const fs::path &work, const fs::path &references, const bool update)
+  void evaluate(const Comparison &comparison, const fs::path &work, const fs::path &references, const bool update)
   {
     const auto table = CsvTable::read((work / comparison.file).string());
     if (update)
-      {
-        write_reference(comparison, table, references / comparison.reference);
-        return;
-      }
+    {
+      write_reference(comparison, table, references / comparison.reference);
+      return;
+    }
     const auto reference = CsvTable::read((references / comparison.reference).string());
     for (const auto &name : comparison.columns)
+    {
+      const auto &expected = reference.column(name);
+      const auto &found    = table.column(name);
+      const double largest = std::abs(*std::max_element(
+        expected.begin(), expected.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+      double error         = 0.;
+      std::size_t worst    = 0;
+      if (comparison.over.empty() && expected.size() != found.size())
+        throw std::runtime_error(comparison.file + " has " + std::to_string(found.size()) + " rows, the reference " +
+                                 std::to_string(expected.size()));
+      for (std::size_t i = 0; i < expected.size(); ++i)
       {
-        const auto & expected = reference.column(name);
-        const auto & found    = table.column(name);
-        const double largest  = std::abs(*std::max_element(expected.begin(), expected.end(), [](double a, double b) {
-          return std::abs(a) < std::abs(b);
-        }));
-        double       error    = 0.;
-        std::size_t  worst    = 0;
-        if (comparison.over.empty() && expected.size() != found.size())
-          throw std::runtime_error(comparison.file + " has " + std::to_string(found.size()) + " rows, the reference " +
-                                   std::to_string(expected.size()));
-        for (std::size_t i = 0; i < expected.size(); ++i)
-          {
-            const double value =
-              comparison.over.empty() ?
-                found[i] :
-                interpolate(table.column(comparison.over), found, reference.column(comparison.over)[i]);
-            double now = std::abs(value - expected[i]) / (comparison.relative && largest > 0 ? largest : 1.);
-            if (std::isnan(now))
-              now = std::numeric_limits<double>::infinity();
-            if (now > error)
-              {
-                error = now;
-                worst = i;
-              }
-          }
-        report(error <= comparison.tolerance,
-               comparison.file + " " + name + " as in " + comparison.reference + ": largest error " + shown(error, "%.2e") +
-                 (comparison.relative ? " of the largest value" : "") + " in row " + std::to_string(worst + 1) + ", allowed " +
-                 shown(comparison.tolerance, "%.2e"));
+        const double value =
+          comparison.over.empty()
+            ? found[i]
+            : interpolate(table.column(comparison.over), found, reference.column(comparison.over)[i]);
+        double now = std::abs(value - expected[i]) / (comparison.relative && largest > 0 ? largest : 1.);
+        if (std::isnan(now))
+          now = std::numeric_limits<double>::infinity();
+        if (now > error)
+        {
+          error = now;
+          worst = i;
+        }
       }
+      report(error <= comparison.tolerance,
+             comparison.file + " " + name + " as in " + comparison.reference + ": largest error " +
+               shown(error, "%.2e") + (comparison.relative ? " of the largest value" : "") + " in row " +
+               std::to_string(worst + 1) + ", allowed " + shown(comparison.tolerance, "%.2e"));
+    }
   }
 
 
-
-  std::string
-  content(const fs::path &file)
+  std::string content(const fs::path &file)
   {
-    std::ifstream     stream(file);
+    std::ifstream stream(file);
     std::stringstream text;
     text << stream.rdbuf();
     return text.str();
   }
 
 
-
-  void
-  run(const fs::path &program, const fs::path &scene, const fs::path &work, const bool update)
+  void run(const fs::path &program, const fs::path &scene, const fs::path &work, const bool update)
   {
     const auto expected = Directives::read(scene.string(), work.string());
     fs::remove_all(work);
     fs::create_directories(work);
-    const fs::path    log    = work / "console.txt";
-    const std::string call   = "'" + program.string() + "' " + expected.command + " >'" + log.string() + "' 2>&1";
-    const int         result = std::system(call.c_str()); // NOLINT: the commands are those of the test scenes
-    const std::string said   = content(log);
+    const fs::path log     = work / "console.txt";
+    const std::string call = "'" + program.string() + "' " + expected.command + " >'" + log.string() + "' 2>&1";
+    const int result       = std::system(call.c_str()); // NOLINT: the commands are those of the test scenes
+    const std::string said = content(log);
     std::cout << scene.filename().string() << ": deltaform " << expected.command << '\n';
 
     const int status = WIFEXITED(result) ? WEXITSTATUS(result) : -1;
@@ -194,30 +177,29 @@ namespace
 } // namespace
 
 
-
 int
 main(int argc, char *argv[])
 {
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool               update = !arguments.empty() && arguments.front() == "--update";
+  const bool update = !arguments.empty() && arguments.front() == "--update";
   if (update)
     arguments.erase(arguments.begin());
   if (arguments.size() != 3)
-    {
-      std::cerr << "usage: compare_scene [--update] DELTAFORM SCENE WORK\n";
-      return 2;
-    }
+  {
+    std::cerr << "usage: compare_scene [--update] DELTAFORM SCENE WORK\n";
+    return 2;
+  }
   try
-    {
-      run(fs::absolute(arguments[0]), fs::absolute(arguments[1]), fs::absolute(arguments[2]), update);
-    }
+  {
+    run(fs::absolute(arguments[0]), fs::absolute(arguments[1]), fs::absolute(arguments[2]), update);
+  }
   catch (const std::exception &error)
-    {
-      report(false, error.what());
-      std::cout << "  cannot go on\n";
-      return 2;
-    }
-  std::cout << (n_failed == 0 ? "all " + std::to_string(n_checks) + " checks passed\n" :
-                                std::to_string(n_failed) + " of " + std::to_string(n_checks) + " checks failed\n");
+  {
+    report(false, error.what());
+    std::cout << "  cannot go on\n";
+    return 2;
+  }
+  std::cout << (n_failed == 0 ? "all " + std::to_string(n_checks) + " checks passed\n"
+                              : std::to_string(n_failed) + " of " + std::to_string(n_checks) + " checks failed\n");
   return n_failed == 0 ? 0 : 1;
 }

@@ -7,8 +7,7 @@
 
 namespace
 {
-  std::string
-  replaced(std::string text, const std::string &what, const std::string &by)
+  std::string replaced(std::string text, const std::string &what, const std::string &by)
   {
     for (std::size_t place = 0; (place = text.find(what, place)) != std::string::npos; place += by.size())
       text.replace(place, what.size(), by);
@@ -16,17 +15,15 @@ namespace
   }
 
 
-
   /// The words of a directive, taken one by one.
   class Words
   {
   public:
-    explicit Words(const std::string &text)
-      : stream_(text)
-    {}
+    explicit Words(const std::string &text) : stream_(text)
+    {
+    }
 
-    std::string
-    next(const std::string &meaning)
+    std::string next(const std::string &meaning)
     {
       std::string word;
       if (!(stream_ >> word))
@@ -34,23 +31,20 @@ namespace
       return word;
     }
 
-    void
-    expect(const std::string &word)
+    void expect(const std::string &word)
     {
       if (next("'" + word + "'") != word)
         throw std::runtime_error("'" + word + "' is expected");
     }
 
-    double
-    number(const std::string &meaning)
+    double number(const std::string &meaning)
     {
       return to_number(next(meaning), meaning);
     }
 
-    static double
-    to_number(const std::string &word, const std::string &meaning)
+    static double to_number(const std::string &word, const std::string &meaning)
     {
-      char *       end   = nullptr;
+      char *end          = nullptr;
       const double value = std::strtod(word.c_str(), &end);
       if (end == word.c_str() || *end != '\0')
         throw std::runtime_error("'" + word + "' is no number (" + meaning + ")");
@@ -58,10 +52,9 @@ namespace
     }
 
     /// Anything left but a remark in parentheses?
-    bool
-    followed_by(const std::string &word)
+    bool followed_by(const std::string &word)
     {
-      const auto  place = stream_.tellg();
+      const auto place = stream_.tellg();
       std::string found;
       if (stream_ >> found && found == word)
         return true;
@@ -70,8 +63,7 @@ namespace
       return false;
     }
 
-    void
-    end()
+    void end()
     {
       std::string found;
       if (stream_ >> found && found.front() != '(')
@@ -83,9 +75,7 @@ namespace
   };
 
 
-
-  Check
-  read_check(const std::string &text)
+  Check read_check(const std::string &text)
   {
     const auto colon = text.find(':');
     if (colon == std::string::npos)
@@ -97,14 +87,14 @@ namespace
     check.column = what.next("the column");
     check.select = what.next("first, last, max, min, maxabs or at");
     if (check.select == "at")
-      {
-        const auto place = what.next("'column=value'");
-        const auto equal = place.find('=');
-        if (equal == std::string::npos)
-          throw std::runtime_error("'at' needs 'column=value'");
-        check.at_column = place.substr(0, equal);
-        check.at        = Words::to_number(place.substr(equal + 1), "place");
-      }
+    {
+      const auto place = what.next("'column=value'");
+      const auto equal = place.find('=');
+      if (equal == std::string::npos)
+        throw std::runtime_error("'at' needs 'column=value'");
+      check.at_column = place.substr(0, equal);
+      check.at        = Words::to_number(place.substr(equal + 1), "place");
+    }
     else if (check.select != "first" && check.select != "last" && check.select != "max" && check.select != "min" &&
              check.select != "maxabs")
       throw std::runtime_error("'" + check.select + "' is none of first, last, max, min, maxabs, at");
@@ -117,19 +107,17 @@ namespace
       check.kind = Check::Kind::above;
     check.reference = expected.number("reference");
     if (check.kind == Check::Kind::within)
-      {
-        expected.expect("within");
-        check.tolerance = expected.number("tolerance");
-        check.relative  = expected.followed_by("relative");
-      }
+    {
+      expected.expect("within");
+      check.tolerance = expected.number("tolerance");
+      check.relative  = expected.followed_by("relative");
+    }
     expected.end();
     return check;
   }
 
 
-
-  Comparison
-  read_comparison(const std::string &text)
+  Comparison read_comparison(const std::string &text)
   {
     Comparison comparison;
     comparison.text = text;
@@ -137,7 +125,7 @@ namespace
     comparison.file = words.next("the file");
     words.expect("columns");
     std::istringstream names(words.next("names of columns, separated by commas"));
-    std::string        name;
+    std::string name;
     while (std::getline(names, name, ','))
       comparison.columns.push_back(name);
     if (words.followed_by("over"))
@@ -153,7 +141,6 @@ namespace
 } // namespace
 
 
-
 Directives
 Directives::read(const std::string &scene, const std::string &work)
 {
@@ -161,15 +148,16 @@ Directives::read(const std::string &scene, const std::string &work)
   if (!file)
     throw std::runtime_error("cannot read " + scene);
   std::vector<std::string> lines;
-  std::string              line, here;
+  std::string line, here;
   while (std::getline(file, line))
-    {
-      lines.push_back(line);
-      if (line.find("# <-- here") != std::string::npos)
-        here = scene + ":" + std::to_string(lines.size());
-    }
+  {
+    lines.push_back(line);
+    if (line.find("# <-- here") != std::string::npos)
+      here = scene + ":" + std::to_string(lines.size());
+  }
 
-  const auto expand = [&](const std::string &text) {
+  const auto expand = [&](const std::string &text)
+  {
     if (text.find("{here}") != std::string::npos && here.empty())
       throw std::runtime_error("no line is marked with '# <-- here'");
     return replaced(replaced(replaced(text, "{here}", here), "{scene}", scene), "{work}", work);
@@ -178,35 +166,35 @@ Directives::read(const std::string &scene, const std::string &work)
   result.command = expand("'{scene}' --quiet --output '{work}'");
   bool anything  = false;
   for (unsigned int i = 0; i < lines.size(); ++i)
+  {
+    std::istringstream words(lines[i]);
+    std::string hash, keyword, rest;
+    if (!(words >> hash >> keyword) || hash != "#")
+      continue;
+    std::getline(words >> std::ws, rest);
+    try
     {
-      std::istringstream words(lines[i]);
-      std::string        hash, keyword, rest;
-      if (!(words >> hash >> keyword) || hash != "#")
+      if (keyword == "EXIT")
+        result.exit_status = static_cast<int>(Words::to_number(rest, "exit status"));
+      else if (keyword == "COMMAND")
+        result.command = expand(rest);
+      else if (keyword == "MESSAGE")
+        result.messages.push_back(expand(rest));
+      else if (keyword == "FILE")
+        result.files.push_back(rest);
+      else if (keyword == "CHECK")
+        result.checks.push_back(read_check(rest));
+      else if (keyword == "COMPARE")
+        result.comparisons.push_back(read_comparison(rest));
+      else
         continue;
-      std::getline(words >> std::ws, rest);
-      try
-        {
-          if (keyword == "EXIT")
-            result.exit_status = static_cast<int>(Words::to_number(rest, "exit status"));
-          else if (keyword == "COMMAND")
-            result.command = expand(rest);
-          else if (keyword == "MESSAGE")
-            result.messages.push_back(expand(rest));
-          else if (keyword == "FILE")
-            result.files.push_back(rest);
-          else if (keyword == "CHECK")
-            result.checks.push_back(read_check(rest));
-          else if (keyword == "COMPARE")
-            result.comparisons.push_back(read_comparison(rest));
-          else
-            continue;
-          anything = true;
-        }
-      catch (const std::runtime_error &error)
-        {
-          throw std::runtime_error(scene + ":" + std::to_string(i + 1) + ": " + error.what());
-        }
+      anything = true;
     }
+    catch (const std::runtime_error &error)
+    {
+      throw std::runtime_error(scene + ":" + std::to_string(i + 1) + ": " + error.what());
+    }
+  }
   if (!anything)
     throw std::runtime_error(scene + " expects nothing: no CHECK, COMPARE, MESSAGE, FILE or EXIT in its comments");
   return result;

@@ -17,20 +17,21 @@ struct Check
   std::string file, column;
   std::string select;    ///< first, last, max, min, maxabs or at
   std::string at_column; ///< of 'at'
-  double      at        = 0;
-  Kind        kind      = Kind::within;
-  double      reference = 0, tolerance = 0;
-  bool        relative = false;
+  double at        = 0;
+  Kind kind        = Kind::within;
+  double reference = 0, tolerance = 0;
+  bool relative = false;
 };
 
-/// "# COMPARE history.csv columns a,b over time with cup.csv tolerance 1e-6 relative"; relative to the largest of a column
+/// "# COMPARE history.csv columns a,b over time with cup.csv tolerance 1e-6 relative"; relative to the largest of a
+/// column
 struct Comparison
 {
-  std::string              text;
-  std::string              file, over, reference; ///< over: empty compares row by row
+  std::string text;
+  std::string file, over, reference; ///< over: empty compares row by row
   std::vector<std::string> columns;
-  double                   tolerance = 0;
-  bool                     relative  = false;
+  double tolerance = 0;
+  bool relative    = false;
 };
 
 /**
@@ -45,12 +46,11 @@ struct Comparison
 struct Directives
 {
   /// @throws std::runtime_error for a line that cannot be understood, or if nothing is expected
-  static Directives
-  read(const std::string &scene, const std::string &work);
+  static Directives read(const std::string &scene, const std::string &work);
 
-  int                      exit_status = 0;
-  std::string              command;
+  int exit_status = 0;
+  std::string command;
   std::vector<std::string> messages, files;
-  std::vector<Check>       checks;
-  std::vector<Comparison>  comparisons;
+  std::vector<Check> checks;
+  std::vector<Comparison> comparisons;
 };

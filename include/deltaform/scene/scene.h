@@ -34,6 +34,7 @@ namespace deltaform
 
     /// Things that are wrong although every entry is allowed: overlaps, stages in which nothing changes, ...
     void check(Section root) const;
+    void check_functions(Section root) const;
     void check_tools(Section root) const;
     void check_stages(Section root) const;
     void check_delta(Section root) const;
