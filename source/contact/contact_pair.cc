@@ -176,7 +176,9 @@ namespace deltaform
       projected_gap_[i]           = std::isfinite(projection.distance) ? projection.distance : -1.;
       double gap                  = projection.distance - node.offset;
       // A blank that just rests on a tool touches it, whatever the last digit says.
-      if (gap > 0 && gap < 16 * std::numeric_limits<double>::epsilon() * relative.norm())
+      const double size =
+        relative.norm() + node.offset + (projection.turning != 0 ? 1 / std::abs(projection.turning) : 0.);
+      if (gap > 0 && gap < 16 * std::numeric_limits<double>::epsilon() * size)
         gap = 0.;
       state.gap        = gap;
       state.arc_length = projection.arc_length;

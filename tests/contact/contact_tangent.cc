@@ -104,7 +104,7 @@ namespace
       }
     if (fixture.settings.enforcement->has_multiplier())
       for (unsigned int i = 0; i < where.size(); ++i)
-        q[fixture.n_blank + i] = before[fixture.n_blank + i] = i % 6 == 5 ? .01 : 1. + .1 * i; // .01: not tied at gap .01
+        q[fixture.n_blank + i] = before[fixture.n_blank + i] = i % 6 == 5 ? -.5 : 1. + .1 * i; // tension: not tied
 
     fixture.pair.begin_stage(before, 0.);
     if (what.second)

@@ -60,6 +60,12 @@ namespace deltaform
           fixture->pair.begin_stage(committed, 0.);
       }
 
+      double
+      typical_length() const override
+      {
+        return blank->initial_thickness();
+      }
+
       Status
       assemble(const Vector &q, const bool tangent) override
       {
@@ -112,9 +118,9 @@ namespace deltaform
       }
 
       bool
-      consistent() const override
+      consistent(const double allowed_tension) const override
       {
-        return !fixture || fixture->pair.consistent();
+        return !fixture || fixture->pair.consistent(allowed_tension);
       }
 
       unsigned int
