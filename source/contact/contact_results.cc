@@ -137,26 +137,23 @@ namespace deltaform
   }
 
 
-
-  std::pair<unsigned int, double>
-  ContactPair::closest(const Vector &q, const double travel) const
+  std::pair<unsigned int, double> ContactPair::closest(const Vector &q, const double travel) const
   {
     std::pair<unsigned int, double> result(invalid_index, std::numeric_limits<double>::infinity());
     for (unsigned int i = 0; i < committed_.size(); ++i)
-      {
-        const ContactNode description = node(q, i);
-        if (!(description.area > 0))
-          continue;
-        const double gap = tool_.project(description.x, travel).distance - description.offset;
-        if (gap < result.second)
-          result = {i, gap};
-      }
+    {
+      const ContactNode description = node(q, i);
+      if (!(description.area > 0))
+        continue;
+      const double gap = tool_.project(description.x, travel).distance - description.offset;
+      if (gap < result.second)
+        result = {i, gap};
+    }
     return result;
   }
 
 
-
-void ContactPair::clear()
+  void ContactPair::clear()
   {
     for (auto &state : committed_)
       state = PairState();

@@ -15,25 +15,29 @@ namespace deltaform
     using Entries = std::vector<std::string>;
 
     /// A registered blank with the parameters of its documentation, changed by @p overrides "Section/entry=value".
-    inline std::unique_ptr<Blank>
-    make_blank(const std::string &name, const Entries &overrides)
+    inline std::unique_ptr<Blank> make_blank(const std::string &name, const Entries &overrides)
     {
-      Entries entries = documented_entries([&](ParameterTree &tree) {
-        Section section = tree.root().sub("Blank");
-        Registry<Blank>::make(name, section);
-      });
+      Entries entries = documented_entries(
+        [&](ParameterTree &tree)
+        {
+          Section section = tree.root().sub("Blank");
+          Registry<Blank>::make(name, section);
+        });
       entries.insert(entries.end(), overrides.begin(), overrides.end());
-      ParameterTree tree    = ParameterTree::parse("", "test", entries);
-      Section       section = tree.root().sub("Blank");
+      ParameterTree tree = ParameterTree::parse("", "test", entries);
+      Section section    = tree.root().sub("Blank");
       return Registry<Blank>::make(name, section);
     }
 
     /// A blank with a curved meridian from the axis; entries that a blank does not know do not hurt.
-    inline Entries
-    curved(const Entries &more = {})
+    inline Entries curved(const Entries &more = {})
     {
-      Entries result = {"Blank/Points=0 .2; .6 .35; 1 -.1", "Blank/Fillet radii=0, .2, 0", "Blank/Thickness=.04",
-                        "Blank/Elements=6",                 "Blank/Layers=5",              "Material/Young's modulus=2e3"};
+      Entries result = {"Blank/Points=0 .2; .6 .35; 1 -.1",
+                        "Blank/Fillet radii=0, .2, 0",
+                        "Blank/Thickness=.04",
+                        "Blank/Elements=6",
+                        "Blank/Layers=5",
+                        "Material/Young's modulus=2e3"};
       result.insert(result.end(), more.begin(), more.end());
       return result;
     }
@@ -45,44 +49,42 @@ namespace deltaform
                                     "Material/Hardening/Hardening modulus=20"};
 
     /// @p body for every registered blank, degree, symmetry, bending or not, and contact point that go together.
-    inline void
-    for_all_blanks(const Entries &base, const std::function<void(Blank &, const Entries &)> &body)
+    inline void for_all_blanks(const Entries &base, const std::function<void(Blank &, const Entries &)> &body)
     {
       for (const auto &name : Registry<Blank>::names())
-        {
-          unsigned int n_made = 0;
-          for (const std::string degree : {"1", "2"})
-            for (const std::string symmetry : {"axisymmetric", "plane strain"})
-              for (const std::string membrane : {"false", "true"})
-                for (const std::string point : {"normal offset", "outer fibre"})
-                  {
-                    Entries entries = base;
-                    entries.insert(entries.end(),
-                                   {"Blank/Degree=" + degree,
-                                    "Blank/Symmetry=" + symmetry,
-                                    "Blank/Membrane=" + membrane,
-                                    "Blank/Contact point=" + point});
-                    std::unique_ptr<Blank> blank;
-                    try
-                      {
-                        blank = make_blank(name, entries);
-                      }
-                    catch (const SceneError &error)
-                      {
-                        BOOST_TEST(std::string(error.what()).find("Contact point") != std::string::npos, error.what());
-                        continue; // what does not go together
-                      }
-                    ++n_made;
-                    BOOST_TEST_CONTEXT(name << ", degree " << degree << ", " << symmetry << ", membrane " << membrane << ", "
-                                            << point)
-                    body(*blank, entries);
-                  }
-          BOOST_TEST(n_made >= 8);
-        }
+      {
+        unsigned int n_made = 0;
+        for (const std::string degree : {"1", "2"})
+          for (const std::string symmetry : {"axisymmetric", "plane strain"})
+            for (const std::string membrane : {"false", "true"})
+              for (const std::string point : {"normal offset", "outer fibre"})
+              {
+                Entries entries = base;
+                entries.insert(entries.end(),
+                               {"Blank/Degree=" + degree,
+                                "Blank/Symmetry=" + symmetry,
+                                "Blank/Membrane=" + membrane,
+                                "Blank/Contact point=" + point});
+                std::unique_ptr<Blank> blank;
+                try
+                {
+                  blank = make_blank(name, entries);
+                }
+                catch (const SceneError &error)
+                {
+                  BOOST_TEST(std::string(error.what()).find("Contact point") != std::string::npos, error.what());
+                  continue; // what does not go together
+                }
+                ++n_made;
+                BOOST_TEST_CONTEXT(name << ", degree " << degree << ", " << symmetry << ", membrane " << membrane
+                                        << ", " << point)
+                body(*blank, entries);
+              }
+        BOOST_TEST(n_made >= 8);
+      }
     }
 
-    inline std::vector<double>
-    scales(const Blank &blank)
+    inline std::vector<double> scales(const Blank &blank)
     {
       std::vector<double> result;
       for (unsigned int i = 0; i < blank.n_dofs(); ++i)
@@ -91,11 +93,10 @@ namespace deltaform
     }
 
     /// Displacements of about @p size and rotations of about ten times as much (rad), none where they are fixed.
-    inline Vector
-    random_state(const Blank &blank, std::mt19937 &generator, const double size)
+    inline Vector random_state(const Blank &blank, std::mt19937 &generator, const double size)
     {
       std::uniform_real_distribution<double> uniform(-size, size);
-      Vector                                 q(blank.n_dofs());
+      Vector q(blank.n_dofs());
       for (unsigned int i = 0; i < q.size(); ++i)
         q[i] = uniform(generator) * (blank.dof_scale(i) == 1. ? 1. : 10.);
       for (const auto dof : blank.fixed_dofs())
@@ -103,15 +104,13 @@ namespace deltaform
       return q;
     }
 
-    inline void
-    assemble(Blank &blank, const Vector &q, AssemblyTarget &target)
+    inline void assemble(Blank &blank, const Vector &q, AssemblyTarget &target)
     {
       const Status status = blank.assemble(q, target);
       BOOST_TEST_REQUIRE(status.good(), status.cause);
     }
 
-    inline Eigen::VectorXd
-    residual(Blank &blank, const Vector &q)
+    inline Eigen::VectorXd residual(Blank &blank, const Vector &q)
     {
       DenseTarget target(blank.n_dofs(), false);
       assemble(blank, q, target);
@@ -125,21 +124,20 @@ namespace deltaform
     };
 
     /// Found by moving each unknown alone.
-    inline std::vector<DofRole>
-    roles(const Blank &blank)
+    inline std::vector<DofRole> roles(const Blank &blank)
     {
       std::vector<DofRole> result(blank.n_dofs());
-      const auto           start = blank.positions(Vector(blank.n_dofs()));
+      const auto start = blank.positions(Vector(blank.n_dofs()));
       for (unsigned int i = 0; i < blank.n_dofs(); ++i)
-        {
-          Vector q(blank.n_dofs());
-          q[i]             = 1.;
-          const auto moved = blank.positions(q);
-          for (unsigned int n = 0; n < moved.size(); ++n)
-            for (unsigned int k = 0; k < 2; ++k)
-              if (std::abs(moved[n][k] - start[n][k]) > .5)
-                result[i] = {n, k};
-        }
+      {
+        Vector q(blank.n_dofs());
+        q[i]             = 1.;
+        const auto moved = blank.positions(q);
+        for (unsigned int n = 0; n < moved.size(); ++n)
+          for (unsigned int k = 0; k < 2; ++k)
+            if (std::abs(moved[n][k] - start[n][k]) > .5)
+              result[i] = {n, k};
+      }
       return result;
     }
   } // namespace testing

@@ -1,4 +1,5 @@
-// What every registered blank has to fulfil at one state, in every variant: forces, tangents, rigid motions, contact nodes.
+// What every registered blank has to fulfil at one state, in every variant: forces, tangents, rigid motions, contact
+// nodes.
 #include "any_blank.h"
 
 using namespace deltaform;
@@ -6,46 +7,43 @@ using namespace deltaform::testing;
 
 namespace
 {
-  Assembly
-  internal_forces(Blank &blank)
+  Assembly internal_forces(Blank &blank)
   {
     return [&](const Vector &q, AssemblyTarget &target) { assemble(blank, q, target); };
   }
 
-  Assembly
-  with_pressure(Blank &blank, const double pressure, const bool following)
+  Assembly with_pressure(Blank &blank, const double pressure, const bool following)
   {
-    return [&blank, pressure, following](const Vector &q, AssemblyTarget &target) {
+    return [&blank, pressure, following](const Vector &q, AssemblyTarget &target)
+    {
       assemble(blank, q, target);
       blank.assemble_pressure(q, pressure, following, target);
     };
   }
 
   /// The same pressure of contact on all nodes of the top, and another one on the bottom.
-  void
-  press(Blank &blank, const double top, const double bottom)
+  void press(Blank &blank, const double top, const double bottom)
   {
     blank.set_contact_pressure(Side::top, std::vector<double>(blank.n_contact_nodes(Side::top), top));
     blank.set_contact_pressure(Side::bottom, std::vector<double>(blank.n_contact_nodes(Side::bottom), bottom));
   }
 
   /// Turn the state @p q about the origin by @p angle and move it by @p shift.
-  Vector
-  moved_rigidly(const Blank &blank, const Vector &q, const double angle, const Tensor1 &shift)
+  Vector moved_rigidly(const Blank &blank, const Vector &q, const double angle, const Tensor1 &shift)
   {
-    const auto   role = roles(blank);
-    const auto   X = blank.positions(Vector(q.size())), x = blank.positions(q);
+    const auto role = roles(blank);
+    const auto X = blank.positions(Vector(q.size())), x = blank.positions(q);
     const double c = std::cos(angle), s = std::sin(angle);
-    Vector       result(q.size());
+    Vector result(q.size());
     for (unsigned int i = 0; i < q.size(); ++i)
       if (role[i].node == invalid_index)
         result[i] = q[i] + angle;
       else
-        {
-          const Point2 &from = x[role[i].node];
-          const Tensor1 to({c * from[0] - s * from[1], s * from[0] + c * from[1]});
-          result[i] = to[role[i].axis] + shift[role[i].axis] - X[role[i].node][role[i].axis];
-        }
+      {
+        const Point2 &from = x[role[i].node];
+        const Tensor1 to({c * from[0] - s * from[1], s * from[0] + c * from[1]});
+        result[i] = to[role[i].axis] + shift[role[i].axis] - X[role[i].node][role[i].axis];
+      }
     for (const auto dof : blank.fixed_dofs())
       result[dof] = 0.;
     return result;
@@ -57,151 +55,169 @@ BOOST_AUTO_TEST_SUITE(blank_conformance)
 BOOST_AUTO_TEST_CASE(no_forces_without_displacements)
 {
   for (const auto &material : {elastic, plastic})
-    for_all_blanks(curved(material), [](Blank &blank, const Entries &) {
-      DenseTarget target(blank.n_dofs());
-      assemble(blank, Vector(blank.n_dofs()), target);
-      BOOST_TEST(target.residual.lpNorm<Eigen::Infinity>() <= 1e-14 * blank.stiffness_scale());
-    });
+    for_all_blanks(curved(material),
+                   [](Blank &blank, const Entries &)
+                   {
+                     DenseTarget target(blank.n_dofs());
+                     assemble(blank, Vector(blank.n_dofs()), target);
+                     BOOST_TEST(target.residual.lpNorm<Eigen::Infinity>() <= 1e-14 * blank.stiffness_scale());
+                   });
 }
 
 BOOST_AUTO_TEST_CASE(elastic_tangent)
 {
   std::mt19937 generator(1);
-  for_all_blanks(curved(elastic), [&](Blank &blank, const Entries &) {
-    for (const double size : {1e-3, .02})
-      {
-        const Vector q = random_state(blank, generator, size);
-        BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-4) < 1e-8);
-        DenseTarget target(blank.n_dofs());
-        assemble(blank, q, target);
-        BOOST_TEST((target.matrix - target.matrix.transpose()).norm() <= 1e-13 * target.matrix.norm());
-      }
-  });
+  for_all_blanks(curved(elastic),
+                 [&](Blank &blank, const Entries &)
+                 {
+                   for (const double size : {1e-3, .02})
+                   {
+                     const Vector q = random_state(blank, generator, size);
+                     BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-4) < 1e-8);
+                     DenseTarget target(blank.n_dofs());
+                     assemble(blank, q, target);
+                     BOOST_TEST((target.matrix - target.matrix.transpose()).norm() <= 1e-13 * target.matrix.norm());
+                   }
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(plastic_tangent)
 {
   std::mt19937 generator(2);
-  for_all_blanks(curved(plastic), [&](Blank &blank, const Entries &) {
-    const Vector q = random_state(blank, generator, .02);
-    BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-6) < 1e-6);
-    press(blank, 1.5, .5);
-    BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-6) < 1e-6);
-  });
+  for_all_blanks(curved(plastic),
+                 [&](Blank &blank, const Entries &)
+                 {
+                   const Vector q = random_state(blank, generator, .02);
+                   BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-6) < 1e-6);
+                   press(blank, 1.5, .5);
+                   BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-6) < 1e-6);
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(tangent_after_a_plastic_increment)
 {
   std::mt19937 generator(3);
-  for_all_blanks(curved(plastic), [&](Blank &blank, const Entries &) {
-    const Vector first = random_state(blank, generator, .02);
-    residual(blank, first);
-    blank.commit(first);
-    BOOST_TEST(blank.energy().plastic > 0.);
-    // Some points go on yielding, others unload, and the thickness is no longer the initial one.
-    for (const double size : {1e-4, 5e-3})
-      {
-        Vector q = first;
-        q += random_state(blank, generator, size);
-        BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-7) < 1e-5);
-      }
-  });
+  for_all_blanks(curved(plastic),
+                 [&](Blank &blank, const Entries &)
+                 {
+                   const Vector first = random_state(blank, generator, .02);
+                   residual(blank, first);
+                   blank.commit(first);
+                   BOOST_TEST(blank.energy().plastic > 0.);
+                   // Some points go on yielding, others unload, and the thickness is no longer the initial one.
+                   for (const double size : {1e-4, 5e-3})
+                   {
+                     Vector q = first;
+                     q += random_state(blank, generator, size);
+                     BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-7) < 1e-5);
+                   }
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(tangent_of_the_pressure)
 {
   std::mt19937 generator(4);
-  for_all_blanks(curved(elastic), [&](Blank &blank, const Entries &) {
-    const Vector q = random_state(blank, generator, .02);
-    for (const bool following : {true, false})
-      {
-        BOOST_TEST(tangent_error(with_pressure(blank, 7., following), q, scales(blank), 1e-4) < 1e-8);
-        const Assembly alone = [&](const Vector &state, AssemblyTarget &target) {
-          blank.assemble_pressure(state, 7., following, target);
-        };
-        if (following)
-          BOOST_TEST(tangent_error(alone, q, std::vector<double>(q.size(), 1.), 1e-4) < 1e-9);
-      }
-    // Both kinds are the same where nothing has moved.
-    const unsigned int n = blank.n_dofs();
-    DenseTarget        following(n), dead(n);
-    blank.assemble_pressure(Vector(n), 7., true, following);
-    blank.assemble_pressure(Vector(n), 7., false, dead);
-    BOOST_TEST((following.residual - dead.residual).norm() == 0.);
-    BOOST_TEST(dead.matrix.norm() == 0.);
-  });
+  for_all_blanks(curved(elastic),
+                 [&](Blank &blank, const Entries &)
+                 {
+                   const Vector q = random_state(blank, generator, .02);
+                   for (const bool following : {true, false})
+                   {
+                     BOOST_TEST(tangent_error(with_pressure(blank, 7., following), q, scales(blank), 1e-4) < 1e-8);
+                     const Assembly alone = [&](const Vector &state, AssemblyTarget &target)
+                     { blank.assemble_pressure(state, 7., following, target); };
+                     if (following)
+                       BOOST_TEST(tangent_error(alone, q, std::vector<double>(q.size(), 1.), 1e-4) < 1e-9);
+                   }
+                   // Both kinds are the same where nothing has moved.
+                   const unsigned int n = blank.n_dofs();
+                   DenseTarget following(n), dead(n);
+                   blank.assemble_pressure(Vector(n), 7., true, following);
+                   blank.assemble_pressure(Vector(n), 7., false, dead);
+                   BOOST_TEST((following.residual - dead.residual).norm() == 0.);
+                   BOOST_TEST(dead.matrix.norm() == 0.);
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(pressure_on_a_flat_blank)
 {
-  for_all_blanks({"Blank/Points=.3 0; 1.1 0", "Blank/Thickness=.01", "Blank/Elements=3"}, [](Blank &blank, const Entries &) {
-    DenseTarget target(blank.n_dofs());
-    blank.assemble_pressure(Vector(blank.n_dofs()), 7., true, target);
-    const auto role  = roles(blank);
-    double     total = 0.;
-    for (unsigned int i = 0; i < role.size(); ++i)
-      if (role[i].node != invalid_index && role[i].axis == 1)
-        total -= target.residual[i]; // upwards, as a force
-    const double area = blank.axisymmetric() ? dealii::numbers::PI * (1.1 * 1.1 - .3 * .3) : .8;
-    BOOST_TEST(std::abs(total - 7. * area) < 1e-12 * area);
-  });
+  for_all_blanks({"Blank/Points=.3 0; 1.1 0", "Blank/Thickness=.01", "Blank/Elements=3"},
+                 [](Blank &blank, const Entries &)
+                 {
+                   DenseTarget target(blank.n_dofs());
+                   blank.assemble_pressure(Vector(blank.n_dofs()), 7., true, target);
+                   const auto role = roles(blank);
+                   double total    = 0.;
+                   for (unsigned int i = 0; i < role.size(); ++i)
+                     if (role[i].node != invalid_index && role[i].axis == 1)
+                       total -= target.residual[i]; // upwards, as a force
+                   const double area = blank.axisymmetric() ? dealii::numbers::PI * (1.1 * 1.1 - .3 * .3) : .8;
+                   BOOST_TEST(std::abs(total - 7. * area) < 1e-12 * area);
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(rigid_motions_are_free)
 {
   for (const auto &material : {elastic, plastic})
-    for_all_blanks(curved(material), [](Blank &blank, const Entries &) {
-      const Vector zero(blank.n_dofs());
-      const double noise  = 1e-12 * blank.stiffness_scale();
-      const auto   forces = [&](const double angle, const Tensor1 &shift) {
-        return residual(blank, moved_rigidly(blank, zero, angle, shift)).lpNorm<Eigen::Infinity>();
-      };
-      BOOST_TEST(forces(0., Tensor1({0., 3.7})) <= noise);
-      if (!blank.axisymmetric())
-        for (const double angle : {1e-3, .4, 1.7, -3.1, 6.5})
-          BOOST_TEST(forces(angle, Tensor1({-.7, 1.9})) <= noise);
-    });
+    for_all_blanks(curved(material),
+                   [](Blank &blank, const Entries &)
+                   {
+                     const Vector zero(blank.n_dofs());
+                     const double noise = 1e-12 * blank.stiffness_scale();
+                     const auto forces  = [&](const double angle, const Tensor1 &shift)
+                     { return residual(blank, moved_rigidly(blank, zero, angle, shift)).lpNorm<Eigen::Infinity>(); };
+                     BOOST_TEST(forces(0., Tensor1({0., 3.7})) <= noise);
+                     if (!blank.axisymmetric())
+                       for (const double angle : {1e-3, .4, 1.7, -3.1, 6.5})
+                         BOOST_TEST(forces(angle, Tensor1({-.7, 1.9})) <= noise);
+                   });
 }
 
 BOOST_AUTO_TEST_CASE(forces_turn_with_the_blank)
 {
   std::mt19937 generator(5);
-  for_all_blanks(curved(plastic), [&](Blank &blank, const Entries &) {
-    const Vector q     = random_state(blank, generator, .02);
-    const auto   role  = roles(blank);
-    const auto   still = residual(blank, q);
-    const double angle = blank.axisymmetric() ? 0. : 2.1, c = std::cos(angle), s = std::sin(angle);
-    const auto   turned = residual(blank, moved_rigidly(blank, q, angle, Tensor1({0., -.9})));
+  for_all_blanks(curved(plastic),
+                 [&](Blank &blank, const Entries &)
+                 {
+                   const Vector q     = random_state(blank, generator, .02);
+                   const auto role    = roles(blank);
+                   const auto still   = residual(blank, q);
+                   const double angle = blank.axisymmetric() ? 0. : 2.1, c = std::cos(angle), s = std::sin(angle);
+                   const auto turned = residual(blank, moved_rigidly(blank, q, angle, Tensor1({0., -.9})));
 
-    std::vector<Tensor1> before(blank.positions(q).size()), after(before);
-    for (unsigned int i = 0; i < role.size(); ++i)
-      if (role[i].node == invalid_index)
-        BOOST_TEST(std::abs(turned[i] - still[i]) <= 1e-12 * blank.stiffness_scale());
-      else
-        {
-          before[role[i].node][role[i].axis] = still[i];
-          after[role[i].node][role[i].axis]  = turned[i];
-        }
-    for (unsigned int n = 0; n < before.size(); ++n)
-      {
-        const Tensor1 expected({c * before[n][0] - s * before[n][1], s * before[n][0] + c * before[n][1]});
-        BOOST_TEST((after[n] - expected).norm() <= 1e-11 * blank.stiffness_scale());
-      }
-  });
+                   std::vector<Tensor1> before(blank.positions(q).size()), after(before);
+                   for (unsigned int i = 0; i < role.size(); ++i)
+                     if (role[i].node == invalid_index)
+                       BOOST_TEST(std::abs(turned[i] - still[i]) <= 1e-12 * blank.stiffness_scale());
+                     else
+                     {
+                       before[role[i].node][role[i].axis] = still[i];
+                       after[role[i].node][role[i].axis]  = turned[i];
+                     }
+                   for (unsigned int n = 0; n < before.size(); ++n)
+                   {
+                     const Tensor1 expected({c * before[n][0] - s * before[n][1], s * before[n][0] + c * before[n][1]});
+                     BOOST_TEST((after[n] - expected).norm() <= 1e-11 * blank.stiffness_scale());
+                   }
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(derivatives_of_contact_nodes)
 {
   std::mt19937 generator(6);
-  for_all_blanks(curved(plastic), [&](Blank &blank, const Entries &) {
-    const Vector q = random_state(blank, generator, .02);
-    residual(blank, q);
-    blank.commit(q);
-    for (const Side side : {Side::bottom, Side::top})
-      for (const auto thickness : {ContactThickness::current, ContactThickness::initial, ContactThickness::none})
-        for (unsigned int i = 0; i < blank.n_contact_nodes(side); ++i)
+  for_all_blanks(
+    curved(plastic),
+    [&](Blank &blank, const Entries &)
+    {
+      const Vector q = random_state(blank, generator, .02);
+      residual(blank, q);
+      blank.commit(q);
+      for (const Side side : {Side::bottom, Side::top})
+        for (const auto thickness : {ContactThickness::current, ContactThickness::initial, ContactThickness::none})
+          for (unsigned int i = 0; i < blank.n_contact_nodes(side); ++i)
           {
-            const auto at = [&](const Vector &state) {
+            const auto at = [&](const Vector &state)
+            {
               ContactNode node;
               blank.contact_node(state, side, i, thickness, node);
               return node;
@@ -214,69 +230,73 @@ BOOST_AUTO_TEST_CASE(derivatives_of_contact_nodes)
             BOOST_TEST(node.area >= 0.);
             constexpr double h = 1e-4;
             for (unsigned int j = 0; j < q.size(); ++j)
-              {
-                Vector plus = q, minus = q;
-                plus[j] += h;
-                minus[j] -= h;
-                const ContactNode a = at(minus), b = at(plus);
-                Tensor1           first, second;
-                for (unsigned int k = 0; k < node.n_dofs; ++k)
-                  if (node.dofs[k] == j)
-                    {
-                      first  = node.jacobian[k];
-                      second = node.second[k];
-                    }
-                BOOST_TEST(((b.x - a.x) / (2. * h) - first).norm() < 1e-9);
-                BOOST_TEST((((b.x - node.x) - (node.x - a.x)) / (h * h) - second).norm() < 1e-6);
-                BOOST_TEST(a.offset == b.offset);
-              }
+            {
+              Vector plus = q, minus = q;
+              plus[j] += h;
+              minus[j] -= h;
+              const ContactNode a = at(minus), b = at(plus);
+              Tensor1 first, second;
+              for (unsigned int k = 0; k < node.n_dofs; ++k)
+                if (node.dofs[k] == j)
+                {
+                  first  = node.jacobian[k];
+                  second = node.second[k];
+                }
+              BOOST_TEST(((b.x - a.x) / (2. * h) - first).norm() < 1e-9);
+              BOOST_TEST((((b.x - node.x) - (node.x - a.x)) / (h * h) - second).norm() < 1e-6);
+              BOOST_TEST(a.offset == b.offset);
+            }
           }
-  });
+    });
 }
 
 BOOST_AUTO_TEST_CASE(faces_lie_half_a_thickness_off)
 {
   // Whichever point a blank offers, offset and shift along the director together are half a thickness.
-  for_all_blanks({"Blank/Points=.3 .1; 1.1 .1", "Blank/Thickness=.01", "Blank/Elements=3"}, [](Blank &blank, const Entries &) {
-    const Vector zero(blank.n_dofs());
-    double       area = 0.;
-    for (const Side side : {Side::bottom, Side::top})
-      for (unsigned int i = 0; i < blank.n_contact_nodes(side); ++i)
-        {
-          ContactNode node;
-          blank.contact_node(zero, side, i, ContactThickness::current, node);
-          const double up = side == Side::top ? 1. : -1.;
-          BOOST_TEST(std::abs(node.x[1] + up * node.offset - .1 - up * .005) < 1e-15);
-          area += node.area;
-        }
-    const double exact = blank.axisymmetric() ? dealii::numbers::PI * (1.1 * 1.1 - .3 * .3) : .8;
-    BOOST_TEST(std::abs(area - 2. * exact) < 1e-12);
-    for (const Side side : {Side::bottom, Side::top})
-      for (const auto &edge : blank.contact_edges(side))
-        BOOST_TEST((edge[0] < blank.n_contact_nodes(side) && edge[1] < blank.n_contact_nodes(side)));
-  });
+  for_all_blanks({"Blank/Points=.3 .1; 1.1 .1", "Blank/Thickness=.01", "Blank/Elements=3"},
+                 [](Blank &blank, const Entries &)
+                 {
+                   const Vector zero(blank.n_dofs());
+                   double area = 0.;
+                   for (const Side side : {Side::bottom, Side::top})
+                     for (unsigned int i = 0; i < blank.n_contact_nodes(side); ++i)
+                     {
+                       ContactNode node;
+                       blank.contact_node(zero, side, i, ContactThickness::current, node);
+                       const double up = side == Side::top ? 1. : -1.;
+                       BOOST_TEST(std::abs(node.x[1] + up * node.offset - .1 - up * .005) < 1e-15);
+                       area += node.area;
+                     }
+                   const double exact = blank.axisymmetric() ? dealii::numbers::PI * (1.1 * 1.1 - .3 * .3) : .8;
+                   BOOST_TEST(std::abs(area - 2. * exact) < 1e-12);
+                   for (const Side side : {Side::bottom, Side::top})
+                     for (const auto &edge : blank.contact_edges(side))
+                       BOOST_TEST((edge[0] < blank.n_contact_nodes(side) && edge[1] < blank.n_contact_nodes(side)));
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(boundaries_and_couplings)
 {
-  for_all_blanks(curved(elastic), [](Blank &blank, const Entries &) {
-    const unsigned int n = blank.n_dofs();
-    for (const auto &boundary : blank.boundaries())
-      for (const auto component : {Component::r, Component::z, Component::rotation})
-        for (const auto dof : blank.boundary_dofs(boundary, component))
-          BOOST_TEST((dof < n && !blank.describe_dof(dof).empty()));
-    BOOST_CHECK_THROW(blank.boundary_dofs("nowhere", Component::z), std::invalid_argument);
+  for_all_blanks(curved(elastic),
+                 [](Blank &blank, const Entries &)
+                 {
+                   const unsigned int n = blank.n_dofs();
+                   for (const auto &boundary : blank.boundaries())
+                     for (const auto component : {Component::r, Component::z, Component::rotation})
+                       for (const auto dof : blank.boundary_dofs(boundary, component))
+                         BOOST_TEST((dof < n && !blank.describe_dof(dof).empty()));
+                   BOOST_CHECK_THROW(blank.boundary_dofs("nowhere", Component::z), std::invalid_argument);
 
-    // Every entry of the tangent is in the pattern.
-    dealii::DynamicSparsityPattern pattern(n, n);
-    blank.add_couplings(pattern);
-    std::mt19937 generator(7);
-    DenseTarget  target(n);
-    assemble(blank, random_state(blank, generator, .02), target);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        BOOST_TEST((target.matrix(i, j) == 0. || pattern.exists(i, j)));
-  });
+                   // Every entry of the tangent is in the pattern.
+                   dealii::DynamicSparsityPattern pattern(n, n);
+                   blank.add_couplings(pattern);
+                   std::mt19937 generator(7);
+                   DenseTarget target(n);
+                   assemble(blank, random_state(blank, generator, .02), target);
+                   for (unsigned int i = 0; i < n; ++i)
+                     for (unsigned int j = 0; j < n; ++j)
+                       BOOST_TEST((target.matrix(i, j) == 0. || pattern.exists(i, j)));
+                 });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,33 +8,29 @@ using namespace deltaform::testing;
 
 namespace
 {
-  std::string
-  saved(const Blank &blank)
+  std::string saved(const Blank &blank)
   {
     std::ostringstream stream;
     blank.save(stream);
     return stream.str();
   }
 
-  void
-  restore(Blank &blank, const std::string &state)
+  void restore(Blank &blank, const std::string &state)
   {
     std::istringstream stream(state);
     blank.load(stream);
   }
 
-  void
-  reach(Blank &blank, const Vector &q)
+  void reach(Blank &blank, const Vector &q)
   {
     residual(blank, q);
     blank.commit(q);
   }
 
   /// What can be seen of the committed state.
-  std::vector<double>
-  visible(const Blank &blank, const Vector &q)
+  std::vector<double> visible(const Blank &blank, const Vector &q)
   {
-    const BlankEnergy   energy = blank.energy();
+    const BlankEnergy energy = blank.energy();
     std::vector<double> result{energy.elastic, energy.plastic, energy.normal, blank.smallest_thickness()};
     for (const auto &row : blank.profile(q).rows)
       result.insert(result.end(), row.begin(), row.end());
@@ -42,17 +38,16 @@ namespace
       result.insert(result.end(), field.values.begin(), field.values.end());
     for (const Side side : {Side::bottom, Side::top})
       for (unsigned int i = 0; i < blank.n_contact_nodes(side); ++i)
-        {
-          ContactNode node;
-          blank.contact_node(q, side, i, ContactThickness::current, node);
-          result.insert(result.end(), {node.x[0], node.x[1], node.offset, node.area, node.thickness});
-        }
+      {
+        ContactNode node;
+        blank.contact_node(q, side, i, ContactThickness::current, node);
+        result.insert(result.end(), {node.x[0], node.x[1], node.offset, node.area, node.thickness});
+      }
     return result;
   }
 
   /// Largest difference relative to the largest value.
-  double
-  deviation(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
+  double deviation(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
   {
     return (a - b).lpNorm<Eigen::Infinity>() / a.lpNorm<Eigen::Infinity>();
   }
@@ -63,31 +58,35 @@ BOOST_AUTO_TEST_SUITE(blank_state)
 BOOST_AUTO_TEST_CASE(elastic_forces_have_a_potential)
 {
   std::mt19937 generator(1);
-  for_all_blanks(curved(elastic), [&](Blank &blank, const Entries &) {
-    const std::string start  = saved(blank);
-    const Vector      q      = random_state(blank, generator, .02);
-    const auto        energy = [&](const Vector &state) {
-      restore(blank, start);
-      reach(blank, state);
-      return blank.energy().elastic;
-    };
-    restore(blank, start);
-    const auto       forces = residual(blank, q);
-    Eigen::VectorXd  gradient(q.size());
-    constexpr double h = 1e-4;
-    for (unsigned int i = 0; i < q.size(); ++i)
-      {
-        const auto difference = [&](const double step) {
-          Vector plus = q, minus = q;
-          plus[i] += step;
-          minus[i] -= step;
-          return (energy(plus) - energy(minus)) / (2. * step);
-        };
-        gradient[i] = (4. * difference(.5 * h) - difference(h)) / 3.;
-      }
-    BOOST_TEST(deviation(forces, gradient) < 1e-8);
-    BOOST_TEST(blank.energy().plastic == 0.);
-  });
+  for_all_blanks(curved(elastic),
+                 [&](Blank &blank, const Entries &)
+                 {
+                   const std::string start = saved(blank);
+                   const Vector q          = random_state(blank, generator, .02);
+                   const auto energy       = [&](const Vector &state)
+                   {
+                     restore(blank, start);
+                     reach(blank, state);
+                     return blank.energy().elastic;
+                   };
+                   restore(blank, start);
+                   const auto forces = residual(blank, q);
+                   Eigen::VectorXd gradient(q.size());
+                   constexpr double h = 1e-4;
+                   for (unsigned int i = 0; i < q.size(); ++i)
+                   {
+                     const auto difference = [&](const double step)
+                     {
+                       Vector plus = q, minus = q;
+                       plus[i] += step;
+                       minus[i] -= step;
+                       return (energy(plus) - energy(minus)) / (2. * step);
+                     };
+                     gradient[i] = (4. * difference(.5 * h) - difference(h)) / 3.;
+                   }
+                   BOOST_TEST(deviation(forces, gradient) < 1e-8);
+                   BOOST_TEST(blank.energy().plastic == 0.);
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
@@ -95,70 +94,79 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
   // Along a path of many increments with plastic flow the work of the internal forces is what the energies say. The
   // thickness is updated between the increments: its work is in energy().normal.
   std::mt19937 generator(2);
-  for_all_blanks(curved(plastic), [&](Blank &blank, const Entries &) {
-    const Vector  goal    = random_state(blank, generator, .02);
-    double        error[2];
-    const auto    initial = saved(blank);
-    unsigned int  run     = 0;
-    for (const unsigned int n : {40, 80})
-      {
-        restore(blank, initial);
-        Vector          q(blank.n_dofs());
-        double          work   = 0.;
-        Eigen::VectorXd before = Eigen::VectorXd::Zero(q.size());
-        for (unsigned int k = 1; k <= n; ++k)
-          {
-            // out and half way back, so that some points unload
-            const double share = 1. - std::abs(4. * k / (3. * n) - 1.);
-            Vector       next  = goal;
-            next *= share;
-            const auto forces = residual(blank, next);
-            for (unsigned int i = 0; i < q.size(); ++i)
-              work += .5 * (forces[i] + before[i]) * (next[i] - q[i]);
-            blank.commit(next);
-            before = residual(blank, next); // with the new thickness
-            q      = next;
-          }
-        const BlankEnergy energy = blank.energy();
-        BOOST_TEST(energy.plastic > 0.);
-        error[run++] = std::abs(work + energy.normal - energy.elastic - energy.plastic) / work;
-      }
-    BOOST_TEST(error[0] < 5e-3);
-    BOOST_TEST(error[1] < .6 * error[0]);
-  });
+  for_all_blanks(curved(plastic),
+                 [&](Blank &blank, const Entries &)
+                 {
+                   const Vector goal = random_state(blank, generator, .02);
+                   double error[2];
+                   const auto initial = saved(blank);
+                   unsigned int run   = 0;
+                   for (const unsigned int n : {40, 80})
+                   {
+                     restore(blank, initial);
+                     Vector q(blank.n_dofs());
+                     double work            = 0.;
+                     Eigen::VectorXd before = Eigen::VectorXd::Zero(q.size());
+                     for (unsigned int k = 1; k <= n; ++k)
+                     {
+                       // out and half way back, so that some points unload
+                       const double share = 1. - std::abs(4. * k / (3. * n) - 1.);
+                       Vector next        = goal;
+                       next *= share;
+                       const auto forces = residual(blank, next);
+                       for (unsigned int i = 0; i < q.size(); ++i)
+                         work += .5 * (forces[i] + before[i]) * (next[i] - q[i]);
+                       blank.commit(next);
+                       before = residual(blank, next); // with the new thickness
+                       q      = next;
+                     }
+                     const BlankEnergy energy = blank.energy();
+                     BOOST_TEST(energy.plastic > 0.);
+                     error[run++] = std::abs(work + energy.normal - energy.elastic - energy.plastic) / work;
+                   }
+                   BOOST_TEST(error[0] < 5e-3);
+                   BOOST_TEST(error[1] < .6 * error[0]);
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
 {
   std::mt19937 generator(3);
-  for_all_blanks(curved(plastic), [&](Blank &blank, const Entries &) {
-    const Vector q = random_state(blank, generator, .01);
-    reach(blank, q);
-    const auto before = visible(blank, q);
-    const auto   forces = residual(blank, q);
-    const double strain = blank.largest_strain_increment(); // of the layers that follow the new thickness
-    Vector       other  = q;
-    for (unsigned int k = 0; k < 3; ++k)
-      {
-        other += random_state(blank, generator, 4e-3);
-        residual(blank, other);
-      }
-    BOOST_TEST(blank.largest_strain_increment() > 1e-3);
-    BOOST_TEST(visible(blank, q) == before);
-    BOOST_TEST(deviation(forces, residual(blank, q)) < 1e-10);
-    BOOST_TEST(blank.largest_strain_increment() == strain);
-  });
+  for_all_blanks(curved(plastic),
+                 [&](Blank &blank, const Entries &)
+                 {
+                   const Vector q = random_state(blank, generator, .01);
+                   reach(blank, q);
+                   const auto before = visible(blank, q);
+                   const auto forces = residual(blank, q);
+                   const double strain =
+                     blank.largest_strain_increment(); // of the layers that follow the new thickness
+                   Vector other = q;
+                   for (unsigned int k = 0; k < 3; ++k)
+                   {
+                     other += random_state(blank, generator, 4e-3);
+                     residual(blank, other);
+                   }
+                   BOOST_TEST(blank.largest_strain_increment() > 1e-3);
+                   BOOST_TEST(visible(blank, q) == before);
+                   BOOST_TEST(deviation(forces, residual(blank, q)) < 1e-10);
+                   BOOST_TEST(blank.largest_strain_increment() == strain);
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(commit_updates_the_thickness)
 {
-  for_all_blanks({"Blank/Points=.3 0; 1.1 0", "Blank/Thickness=.01", "Material/Model=linear elastic", "Blank/Elements=4",
+  for_all_blanks({"Blank/Points=.3 0; 1.1 0",
+                  "Blank/Thickness=.01",
+                  "Material/Model=linear elastic",
+                  "Blank/Elements=4",
                   "Material/Poisson's ratio=.25"},
-                 [](Blank &blank, const Entries &) {
+                 [](Blank &blank, const Entries &)
+                 {
                    // Stretched by the factor a along the radius (and, axisymmetric, around it).
                    const auto role = roles(blank);
                    const auto X    = blank.positions(Vector(blank.n_dofs()));
-                   Vector     q(blank.n_dofs());
+                   Vector q(blank.n_dofs());
                    for (unsigned int i = 0; i < q.size(); ++i)
                      if (role[i].node != invalid_index && role[i].axis == 0)
                        q[i] = .02 * X[role[i].node][0];
@@ -173,56 +181,61 @@ BOOST_AUTO_TEST_CASE(commit_updates_the_thickness)
 BOOST_AUTO_TEST_CASE(restart_goes_on_where_it_stopped)
 {
   std::mt19937 generator(4);
-  for_all_blanks(curved(plastic), [&](Blank &blank, const Entries &entries) {
-    const Vector q = random_state(blank, generator, .02);
-    blank.set_contact_pressure(Side::top, std::vector<double>(blank.n_contact_nodes(Side::top), .7));
-    reach(blank, q);
-    for (const auto &name : Registry<Blank>::names())
-      {
-        const auto copy = make_blank(name, entries);
-        if (copy->n_dofs() != blank.n_dofs())
-          continue; // another kind of blank
-        restore(*copy, saved(blank));
-        BOOST_TEST(visible(*copy, q) == visible(blank, q));
-        Vector further = q;
-        further += random_state(blank, generator, 3e-3);
-        DenseTarget a(q.size()), b(q.size());
-        assemble(blank, further, a);
-        assemble(*copy, further, b);
-        BOOST_TEST(deviation(a.residual, b.residual) < 1e-10);
-        BOOST_TEST((a.matrix - b.matrix).norm() < 1e-9 * a.matrix.norm());
-        BOOST_TEST(copy->largest_strain_increment() == blank.largest_strain_increment(), boost::test_tools::tolerance(1e-12));
-        copy->commit(further);
-        BOOST_TEST(copy->energy().plastic > blank.energy().plastic);
-      }
-  });
+  for_all_blanks(curved(plastic),
+                 [&](Blank &blank, const Entries &entries)
+                 {
+                   const Vector q = random_state(blank, generator, .02);
+                   blank.set_contact_pressure(Side::top, std::vector<double>(blank.n_contact_nodes(Side::top), .7));
+                   reach(blank, q);
+                   for (const auto &name : Registry<Blank>::names())
+                   {
+                     const auto copy = make_blank(name, entries);
+                     if (copy->n_dofs() != blank.n_dofs())
+                       continue; // another kind of blank
+                     restore(*copy, saved(blank));
+                     BOOST_TEST(visible(*copy, q) == visible(blank, q));
+                     Vector further = q;
+                     further += random_state(blank, generator, 3e-3);
+                     DenseTarget a(q.size()), b(q.size());
+                     assemble(blank, further, a);
+                     assemble(*copy, further, b);
+                     BOOST_TEST(deviation(a.residual, b.residual) < 1e-10);
+                     BOOST_TEST((a.matrix - b.matrix).norm() < 1e-9 * a.matrix.norm());
+                     BOOST_TEST(copy->largest_strain_increment() == blank.largest_strain_increment(),
+                                boost::test_tools::tolerance(1e-12));
+                     copy->commit(further);
+                     BOOST_TEST(copy->energy().plastic > blank.energy().plastic);
+                   }
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(impossible_states_ask_for_a_shorter_step)
 {
   std::mt19937 generator(5);
-  for_all_blanks(curved(plastic), [&](Blank &blank, const Entries &) {
-    unsigned int refused = 0;
-    for (unsigned int k = 0; k < 20; ++k)
-      {
-        const Vector wild = random_state(blank, generator, 3.);
-        DenseTarget  target(blank.n_dofs(), false);
-        const Status status = blank.assemble(wild, target);
-        if (status.good())
-          BOOST_TEST(target.residual.allFinite());
-        else
-          BOOST_TEST(std::string(status.cause).size() > 0);
-        refused += !status.good();
+  for_all_blanks(curved(plastic),
+                 [&](Blank &blank, const Entries &)
+                 {
+                   unsigned int refused = 0;
+                   for (unsigned int k = 0; k < 20; ++k)
+                   {
+                     const Vector wild = random_state(blank, generator, 3.);
+                     DenseTarget target(blank.n_dofs(), false);
+                     const Status status = blank.assemble(wild, target);
+                     if (status.good())
+                       BOOST_TEST(target.residual.allFinite());
+                     else
+                       BOOST_TEST(std::string(status.cause).size() > 0);
+                     refused += !status.good();
 
-        const Vector zero(blank.n_dofs());
-        const double factor = blank.admissible_step(zero, wild);
-        BOOST_TEST((factor > 0. && factor < 1.));
-        Vector small = wild;
-        small *= 1e-6;
-        BOOST_TEST(blank.admissible_step(zero, small) == 1.);
-      }
-    BOOST_TEST((refused > 0 || !blank.axisymmetric()));
-  });
+                     const Vector zero(blank.n_dofs());
+                     const double factor = blank.admissible_step(zero, wild);
+                     BOOST_TEST((factor > 0. && factor < 1.));
+                     Vector small = wild;
+                     small *= 1e-6;
+                     BOOST_TEST(blank.admissible_step(zero, small) == 1.);
+                   }
+                   BOOST_TEST((refused > 0 || !blank.axisymmetric()));
+                 });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,8 +8,7 @@ namespace
 {
   constexpr double stiffness = 1e3;
 
-  bool
-  same(const PairState &a, const PairState &b)
+  bool same(const PairState &a, const PairState &b)
   {
     return a.touching == b.touching && a.sticking == b.sticking && a.gap == b.gap && a.force == b.force &&
            a.epsilon == b.epsilon && a.stiffness == b.stiffness && a.arc_length == b.arc_length &&
@@ -17,8 +16,7 @@ namespace
   }
 
   /// Nodes side by side above a plate whose face is at z = 0.
-  FakeSurface
-  row(const unsigned int n)
+  FakeSurface row(const unsigned int n)
   {
     FakeSurface surface(n);
     for (unsigned int i = 0; i < n; ++i)
@@ -27,15 +25,14 @@ namespace
   }
 
   /// All nodes at a height, moved sideways.
-  Vector
-  place(const PairFixture &fixture, const double x, const double z)
+  Vector place(const PairFixture &fixture, const double x, const double z)
   {
     Vector q(fixture.n);
     for (unsigned int i = 0; i < fixture.pair.n_nodes(); ++i)
-      {
-        q[2 * i]     = x;
-        q[2 * i + 1] = z;
-      }
+    {
+      q[2 * i]     = x;
+      q[2 * i + 1] = z;
+    }
     return q;
   }
 
@@ -47,7 +44,7 @@ BOOST_AUTO_TEST_SUITE(contact_state)
 BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
 {
   const FakeSurface surface = row(3);
-  PairFixture       fixture(surface, {"Enforcement=penalty"}, flat + Entries{"Friction coefficient=.2"});
+  PairFixture fixture(surface, {"Enforcement=penalty"}, flat + Entries{"Friction coefficient=.2"});
   fixture.pair.begin_stage(place(fixture, 0., .1), 0.);
   fixture.begin_increment(place(fixture, 0., .1), 1., stiffness);
   const Vector q = place(fixture, .01, -.01);
@@ -74,41 +71,43 @@ BOOST_AUTO_TEST_CASE(what_happened_before_does_not_matter)
 {
   // Warm starts and the skipping of distant nodes change no force: random walks against fresh pairs.
   const Entries hemisphere{"Shape=hemispherical punch", "Radius=1", "Side=top", "Position z=0", "Motion=t"};
-  FakeSurface   surface(4, 0., .05);
+  FakeSurface surface(4, 0., .05);
   for (unsigned int i = 0; i < 4; ++i)
     surface.X[i] = Point2(.1 + .25 * i, 0.);
-  PairFixture                            walker(surface, constant, hemisphere);
-  std::mt19937                           generator(1);
+  PairFixture walker(surface, constant, hemisphere);
+  std::mt19937 generator(1);
   std::uniform_real_distribution<double> uniform(-1., 1.);
-  Vector                                 q(walker.n);
+  Vector q(walker.n);
   walker.pair.begin_stage(q, 0.);
   walker.begin_increment(q, .3, stiffness);
   unsigned int touching = 0;
   for (unsigned int k = 0; k < 500; ++k)
-    {
-      for (auto &value : q)
-        value = .9 * value + (k % 20 == 0 ? .5 : .03) * uniform(generator);
-      PairFixture fresh(surface, constant, hemisphere);
-      fresh.pair.begin_stage(q, 0.);
-      fresh.begin_increment(q, .3, stiffness);
-      const auto a = walker.assemble(q), b = fresh.assemble(q);
-      BOOST_TEST((a.residual - b.residual).norm() <= 1e-12);
-      touching += fresh.pair.n_touching();
-    }
+  {
+    for (auto &value : q)
+      value = .9 * value + (k % 20 == 0 ? .5 : .03) * uniform(generator);
+    PairFixture fresh(surface, constant, hemisphere);
+    fresh.pair.begin_stage(q, 0.);
+    fresh.begin_increment(q, .3, stiffness);
+    const auto a = walker.assemble(q), b = fresh.assemble(q);
+    BOOST_TEST((a.residual - b.residual).norm() <= 1e-12);
+    touching += fresh.pair.n_touching();
+  }
   BOOST_TEST((touching > 100u && touching < 1900u));
 }
 
 BOOST_AUTO_TEST_CASE(the_promise)
 {
   const FakeSurface surface = row(3);
-  PairFixture       fixture(surface,
-                      {"Enforcement=penalty", "Penalty rule=adaptive", "Allowed penetration=1e-3", "Aim=.8", "Largest change=10"},
-                      flat);
-  const double      delta = 1e-3;
-  Vector            q     = place(fixture, 0., 0.);
+  PairFixture fixture(
+    surface,
+    {"Enforcement=penalty", "Penalty rule=adaptive", "Allowed penetration=1e-3", "Aim=.8", "Largest change=10"},
+    flat);
+  const double delta = 1e-3;
+  Vector q           = place(fixture, 0., 0.);
   fixture.pair.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  const auto push = [&](const double p0, const double p1, const double p2) {
+  const auto push = [&](const double p0, const double p1, const double p2)
+  {
     q[1] = -p0;
     q[3] = -p1;
     q[5] = -p2;
@@ -137,8 +136,8 @@ BOOST_AUTO_TEST_CASE(round_off_breaks_no_promise)
 {
   // delta = 1e-14 at coordinates of size 1: what the coordinates cannot resolve is not counted.
   const FakeSurface surface = row(1);
-  PairFixture       fixture(surface, {"Enforcement=penalty", "Allowed penetration=1e-14"}, flat);
-  Vector            q = place(fixture, 1., 0.);
+  PairFixture fixture(surface, {"Enforcement=penalty", "Allowed penetration=1e-14"}, flat);
+  Vector q = place(fixture, 1., 0.);
   fixture.pair.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(place(fixture, 1., -1.1e-14));
@@ -150,8 +149,8 @@ BOOST_AUTO_TEST_CASE(round_off_breaks_no_promise)
 BOOST_AUTO_TEST_CASE(the_next_factor_comes_from_the_reaction)
 {
   const FakeSurface surface = row(2);
-  PairFixture       fixture(surface, {"Enforcement=penalty", "Penalty rule=adaptive", "Allowed penetration=1e-3"}, flat);
-  Vector            q = place(fixture, 0., 0.);
+  PairFixture fixture(surface, {"Enforcement=penalty", "Penalty rule=adaptive", "Allowed penetration=1e-3"}, flat);
+  Vector q = place(fixture, 0., 0.);
   fixture.pair.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   q = place(fixture, 0., -5e-4);
@@ -183,8 +182,8 @@ BOOST_AUTO_TEST_CASE(the_estimate_of_the_force)
 {
   // On a plane the linear solve knows the force after the step; a part of the step leads to a part of the change.
   const FakeSurface surface = row(2);
-  PairFixture       fixture(surface, constant, flat + Entries{"Force=1"});
-  Vector            q = place(fixture, 0., -.02), d(fixture.n);
+  PairFixture fixture(surface, constant, flat + Entries{"Force=1"});
+  Vector q = place(fixture, 0., -.02), d(fixture.n);
   fixture.pair.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(q);
@@ -208,8 +207,8 @@ BOOST_AUTO_TEST_CASE(tension_is_no_solution)
 {
   // The estimate says compression, but the node is above the tool: iterate with a tensile force, not a solution.
   const FakeSurface surface = row(1);
-  PairFixture       fixture(surface, constant, flat);
-  Vector            q = place(fixture, 0., -.02);
+  PairFixture fixture(surface, constant, flat);
+  Vector q = place(fixture, 0., -.02);
   fixture.pair.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(q);
@@ -222,20 +221,19 @@ BOOST_AUTO_TEST_CASE(tension_is_no_solution)
 BOOST_AUTO_TEST_CASE(continuation_of_a_first_touch)
 {
   const FakeSurface surface = row(1);
-  PairFixture       fixture(surface, constant, flat);
-  const Vector      q = place(fixture, 0., -.02);
+  PairFixture fixture(surface, constant, flat);
+  const Vector q = place(fixture, 0., -.02);
   fixture.pair.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.pair.soften(1e-3);
   unsigned int rounds = 0;
-  double       last   = 0.;
+  double last         = 0.;
   do
-    {
-      fixture.settle(q);
-      BOOST_TEST(fixture.pair.trial()[0].force > 5. * last);
-      last = fixture.pair.trial()[0].force;
-    }
-  while (fixture.pair.correct_factors() > 0 && ++rounds < 20);
+  {
+    fixture.settle(q);
+    BOOST_TEST(fixture.pair.trial()[0].force > 5. * last);
+    last = fixture.pair.trial()[0].force;
+  } while (fixture.pair.correct_factors() > 0 && ++rounds < 20);
   BOOST_TEST(std::abs(last - 50. * .02) < 1e-13);
   BOOST_TEST((rounds > 1u && rounds < 10u));
 }
@@ -243,26 +241,28 @@ BOOST_AUTO_TEST_CASE(continuation_of_a_first_touch)
 BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
 {
   // Down, along, back and up again on a plane: the trapezoidal work of the forces is what the energies say, to the last
-  // digit, because everything is linear between the states. Factors change at the starts of increments and in corrections,
-  // at fixed positions: the normal force of the way in between is the one with the factor of the start.
+  // digit, because everything is linear between the states. Factors change at the starts of increments and in
+  // corrections, at fixed positions: the normal force of the way in between is the one with the factor of the start.
   const FakeSurface surface = row(2);
-  PairFixture       fixture(surface,
-                      {"Enforcement=penalty", "Allowed penetration=1e-3 + if(t > 5, 2e-3, 0)", "Allowed elastic slip=1e-3"},
-                      flat + Entries{"Friction coefficient=.2"});
-  Vector            q = place(fixture, 0., 0.);
+  PairFixture fixture(
+    surface,
+    {"Enforcement=penalty", "Allowed penetration=1e-3 + if(t > 5, 2e-3, 0)", "Allowed elastic slip=1e-3"},
+    flat + Entries{"Friction coefficient=.2"});
+  Vector q = place(fixture, 0., 0.);
   fixture.pair.begin_stage(q, 0.);
   Eigen::VectorXd committed = Eigen::VectorXd::Zero(fixture.n);
-  double          work = 0.;
-  unsigned int    k = 0, corrected = 0, sliding = 0;
-  const auto      go = [&](const double x, const double z) {
+  double work               = 0.;
+  unsigned int k = 0, corrected = 0, sliding = 0;
+  const auto go = [&](const double x, const double z)
+  {
     const Vector next = place(fixture, x, z);
     fixture.begin_increment(q, ++k, stiffness);
     const auto start = fixture.settle(q).residual, end = fixture.settle(next).residual;
     for (unsigned int round = 0; round < 3 && fixture.pair.correct_factors() > 0; ++round)
-      {
-        fixture.settle(next);
-        ++corrected;
-      }
+    {
+      fixture.settle(next);
+      ++corrected;
+    }
     const auto now = fixture.settle(next).residual;
     for (unsigned int i = 0; i < fixture.n; ++i)
       work += .5 * (i % 2 == 0 ? now[i] + committed[i] : start[i] + end[i]) * (next[i] - q[i]);
@@ -296,8 +296,9 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
 BOOST_AUTO_TEST_CASE(sticking_creeps_less_than_allowed)
 {
   const FakeSurface surface = row(1);
-  PairFixture       fixture(surface, constant + Entries{"Allowed elastic slip=1e-4"}, flat + Entries{"Friction coefficient=.2"});
-  Vector            q = place(fixture, 0., -.1); // lambda = 5, limit 1
+  PairFixture fixture(
+    surface, constant + Entries{"Allowed elastic slip=1e-4"}, flat + Entries{"Friction coefficient=.2"});
+  Vector q = place(fixture, 0., -.1); // lambda = 5, limit 1
   fixture.pair.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(q);
@@ -334,11 +335,11 @@ BOOST_AUTO_TEST_CASE(results_of_a_pair)
 {
   // Two nodes on a circle and the chord between them, which cuts it by the sagitta.
   FakeSurface surface(2);
-  surface.area    = 4.;
-  const double a  = .2;
-  const double p  = 1e-3;
-  surface.X       = {(1. - p) * Point2(std::sin(-a), std::cos(a)), (1. - p) * Point2(std::sin(a), std::cos(a))};
-  PairFixture  fixture(surface, constant, {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"});
+  surface.area   = 4.;
+  const double a = .2;
+  const double p = 1e-3;
+  surface.X      = {(1. - p) * Point2(std::sin(-a), std::cos(a)), (1. - p) * Point2(std::sin(a), std::cos(a))};
+  PairFixture fixture(surface, constant, {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"});
   const Vector q(fixture.n);
   BOOST_TEST(std::abs(fixture.pair.closest(q, fixture.pair.tool().travel(0.)).second + p) < 1e-14);
   fixture.pair.begin_stage(q, 0.);
@@ -357,7 +358,8 @@ BOOST_AUTO_TEST_CASE(results_of_a_pair)
 
 BOOST_AUTO_TEST_CASE(a_blank_that_rests_on_a_tool_touches_it)
 {
-  // Whatever the last digit of the gap says, also at the origin: a tool driven by a force would find nothing to lean on.
+  // Whatever the last digit of the gap says, also at the origin: a tool driven by a force would find nothing to lean
+  // on.
   for (const std::string radius : {".3", ".5", "1", "1.7", "50"})
     for (const double height : {0., .4, -3.})
       BOOST_TEST_CONTEXT("radius " << radius << ", height " << height)
@@ -366,7 +368,8 @@ BOOST_AUTO_TEST_CASE(a_blank_that_rests_on_a_tool_touches_it)
         surface.X[0] = Point2(0., height);
         std::ostringstream position;
         position << "Position z=" << std::setprecision(17) << height - .0175;
-        PairFixture fixture(surface, constant, {"Shape=hemispherical punch", "Side=bottom", "Radius=" + radius, position.str()});
+        PairFixture fixture(
+          surface, constant, {"Shape=hemispherical punch", "Side=bottom", "Radius=" + radius, position.str()});
         fixture.pair.begin_stage(Vector(fixture.n), 0.);
         fixture.begin_increment(Vector(fixture.n), 1., stiffness);
         fixture.assemble(Vector(fixture.n));

@@ -11,39 +11,38 @@ namespace deltaform
   {
     using Entries = std::vector<std::string>;
 
-    /// Nodes with two unknowns and an offset, or (arm not zero) with a rotation that moves the contact point by the arm.
+    /// Nodes with two unknowns and an offset, or (arm not zero) with a rotation that moves the contact point by the
+    /// arm.
     class FakeSurface : public ContactSurface
     {
     public:
       explicit FakeSurface(const unsigned int n_nodes, const double arm_length = 0., const double node_offset = 0.)
-        : X(n_nodes)
-        , arm(arm_length)
-        , offset(node_offset)
+        : X(n_nodes), arm(arm_length), offset(node_offset)
       {
         for (unsigned int i = 0; i + 1 < n_nodes; ++i)
           edges.push_back({{i, i + 1, invalid_index}});
       }
 
-      unsigned int
-      dofs_per_node() const
+      unsigned int dofs_per_node() const
       {
         return arm > 0. ? 3 : 2;
       }
 
-      unsigned int
-      n_contact_dofs() const override
+      unsigned int n_contact_dofs() const override
       {
         return X.size() * dofs_per_node();
       }
 
-      unsigned int
-      n_contact_nodes(Side) const override
+      unsigned int n_contact_nodes(Side) const override
       {
         return X.size();
       }
 
-      void
-      contact_node(const Vector &q, const Side side, const unsigned int i, ContactThickness, ContactNode &node) const override
+      void contact_node(const Vector &q,
+                        const Side side,
+                        const unsigned int i,
+                        ContactThickness,
+                        ContactNode &node) const override
       {
         node                      = ContactNode();
         node.node                 = i;
@@ -58,22 +57,21 @@ namespace deltaform
         node.jacobian[0] = Tensor1({1., 0.});
         node.jacobian[1] = Tensor1({0., 1.});
         if (arm > 0.)
-          {
-            const double a = side == Side::top ? arm : -arm, theta = q[node.dofs[2]];
-            node.x += a * Tensor1({-std::sin(theta), std::cos(theta)});
-            node.jacobian[2] = -a * Tensor1({std::cos(theta), std::sin(theta)});
-            node.second[2]   = a * Tensor1({std::sin(theta), -std::cos(theta)});
-          }
+        {
+          const double a = side == Side::top ? arm : -arm, theta = q[node.dofs[2]];
+          node.x += a * Tensor1({-std::sin(theta), std::cos(theta)});
+          node.jacobian[2] = -a * Tensor1({std::cos(theta), std::sin(theta)});
+          node.second[2]   = a * Tensor1({std::sin(theta), -std::cos(theta)});
+        }
       }
 
-      const std::vector<std::array<unsigned int, 3>> &
-      contact_edges(Side) const override
+      const std::vector<std::array<unsigned int, 3>> &contact_edges(Side) const override
       {
         return edges;
       }
 
-      std::vector<Point2>                      X;
-      double                                   arm, offset, area = 1.;
+      std::vector<Point2> X;
+      double arm, offset, area = 1.;
       std::vector<std::array<unsigned int, 3>> edges;
     };
 
@@ -81,13 +79,11 @@ namespace deltaform
     struct PairFixture
     {
       PairFixture(const ContactSurface &surface, const Entries &contact, const Entries &tool_entries)
-        : tree(ParameterTree::parse("", "test", all(contact, tool_entries)))
-        , contact_section(tree.root().sub("Contact"))
-        , settings(contact_section, {{"thickness", 1.}})
-        , tool("tool", tree.root().sub("Tools").sub("tool"), {{"thickness", 1.}})
-        , pair(surface, tool, settings, tree.root().sub("Tools").sub("tool"))
-        , n_blank(surface.n_contact_dofs())
-        , n(n_blank)
+        : tree(ParameterTree::parse("", "test", all(contact, tool_entries))),
+          contact_section(tree.root().sub("Contact")), settings(contact_section, {{"thickness", 1.}}),
+          tool("tool", tree.root().sub("Tools").sub("tool"), {{"thickness", 1.}}),
+          pair(surface, tool, settings, tree.root().sub("Tools").sub("tool")), n_blank(surface.n_contact_dofs()),
+          n(n_blank)
       {
         const bool own_unknowns = settings.enforcement->has_multiplier();
         n += own_unknowns ? pair.n_nodes() : 0;
@@ -95,8 +91,7 @@ namespace deltaform
         n += tool.force_driven();
       }
 
-      static Entries
-      all(const Entries &contact, const Entries &tool_entries)
+      static Entries all(const Entries &contact, const Entries &tool_entries)
       {
         Entries result;
         for (const auto &entry : contact)
@@ -107,8 +102,7 @@ namespace deltaform
       }
 
       /// A blank of springs: stiffness @p k on every unknown.
-      void
-      read_stiffness(const Vector &q, const double k)
+      void read_stiffness(const Vector &q, const double k)
       {
         DenseTarget springs(n);
         springs.matrix.setIdentity();
@@ -117,16 +111,14 @@ namespace deltaform
       }
 
       /// An increment from @p before (where a stage begins if it is the first) begins.
-      void
-      begin_increment(const Vector &before, const double time, const double k)
+      void begin_increment(const Vector &before, const double time, const double k)
       {
         pair.begin_increment(time);
         read_stiffness(before, k);
         pair.predict_factors(before, nullptr);
       }
 
-      DenseTarget
-      assemble(const Vector &q, const bool tangent = true)
+      DenseTarget assemble(const Vector &q, const bool tangent = true)
       {
         DenseTarget target(n, tangent);
         pair.assemble(q, target);
@@ -134,30 +126,28 @@ namespace deltaform
       }
 
       /// Assemble such that the estimates of lambda are the forces, as they are at a converged state.
-      DenseTarget
-      settle(const Vector &q)
+      DenseTarget settle(const Vector &q)
       {
         for (unsigned int k = 0; k < 2; ++k)
-          {
-            assemble(q);
-            pair.prepare_step(Vector(n));
-            pair.advance(1.);
-          }
+        {
+          assemble(q);
+          pair.prepare_step(Vector(n));
+          pair.advance(1.);
+        }
         return assemble(q);
       }
 
-      ParameterTree   tree;
-      Section         contact_section;
+      ParameterTree tree;
+      Section contact_section;
       ContactSettings settings;
-      Tool            tool;
-      ContactPair     pair;
-      unsigned int    n_blank, n;
+      Tool tool;
+      ContactPair pair;
+      unsigned int n_blank, n;
     };
 
     inline const Entries flat = {"Shape=plate", "Side=bottom", "Position z=0"};
 
-    inline Entries
-    operator+(Entries a, const Entries &b)
+    inline Entries operator+(Entries a, const Entries &b)
     {
       a.insert(a.end(), b.begin(), b.end());
       return a;

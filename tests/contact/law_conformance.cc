@@ -15,22 +15,22 @@ using namespace deltaform::testing;
 namespace
 {
   template <typename T>
-  std::unique_ptr<T>
-  make(const std::string &name, const std::vector<std::string> &overrides = {})
+  std::unique_ptr<T> make(const std::string &name, const std::vector<std::string> &overrides = {})
   {
-    std::vector<std::string> entries = documented_entries([&](ParameterTree &tree) {
-      Section section = tree.root();
-      Registry<T>::make(name, section);
-    });
+    std::vector<std::string> entries = documented_entries(
+      [&](ParameterTree &tree)
+      {
+        Section section = tree.root();
+        Registry<T>::make(name, section);
+      });
     entries.insert(entries.end(), overrides.begin(), overrides.end());
-    ParameterTree tree    = ParameterTree::parse("", "test", entries);
-    Section       section = tree.root();
+    ParameterTree tree = ParameterTree::parse("", "test", entries);
+    Section section    = tree.root();
     return Registry<T>::make(name, section);
   }
 
   template <typename T, typename Body>
-  void
-  for_all(const std::vector<std::string> &overrides, const Body &body)
+  void for_all(const std::vector<std::string> &overrides, const Body &body)
   {
     BOOST_TEST_REQUIRE(!Registry<T>::names().empty());
     for (const auto &name : Registry<T>::names())
@@ -45,22 +45,19 @@ namespace
   {
     std::mt19937 generator{7};
 
-    double
-    uniform(const double a, const double b)
+    double uniform(const double a, const double b)
     {
       return std::uniform_real_distribution<double>(a, b)(generator);
     }
 
     /// Over many orders of magnitude.
-    double
-    positive(const double smallest, const double largest)
+    double positive(const double smallest, const double largest)
     {
       return std::exp(uniform(std::log(smallest), std::log(largest)));
     }
   };
 
-  PairState
-  random_pair(Random &random)
+  PairState random_pair(Random &random)
   {
     PairState state;
     state.stiffness = random.positive(1., 1e6);
@@ -68,8 +65,7 @@ namespace
     return state;
   }
 
-  PenaltyInput
-  random_input(Random &random)
+  PenaltyInput random_input(Random &random)
   {
     PenaltyInput input;
     input.stiffness        = random.positive(1e-2, 1e7);
@@ -88,12 +84,15 @@ BOOST_AUTO_TEST_SUITE(law_conformance)
 
 BOOST_AUTO_TEST_CASE(enforcement_complementarity)
 {
-  for_all<Enforcement>({}, [](const Enforcement &enforcement) {
-    Random random;
-    for (unsigned int k = 0; k < 1000; ++k)
+  for_all<Enforcement>(
+    {},
+    [](const Enforcement &enforcement)
+    {
+      Random random;
+      for (unsigned int k = 0; k < 1000; ++k)
       {
         const PairState state = random_pair(random);
-        const double    g     = random.positive(1e-9, 1e-1);
+        const double g        = random.positive(1e-9, 1e-1);
         // Apart, and no force: no contact, whatever the distance.
         const NormalResponse apart = enforcement.respond(state, g, 0.);
         BOOST_TEST((!apart.touching && !apart.tied && apart.force == 0. && apart.derivative == 0.));
@@ -113,253 +112,280 @@ BOOST_AUTO_TEST_CASE(enforcement_complementarity)
         if (enforcement.has_multiplier())
           BOOST_TEST((inside.force == lambda && inside.derivative == 0.));
       }
-  });
+    });
 }
 
 BOOST_AUTO_TEST_CASE(enforcement_derivative)
 {
-  for_all<Enforcement>({}, [](const Enforcement &enforcement) {
-    Random random;
-    for (unsigned int k = 0; k < 1000; ++k)
-      {
-        const PairState state  = random_pair(random);
-        const double    gap    = random.uniform(-1e-2, 1e-2), h = 1e-7;
-        const double    lambda = random.uniform(-1., 1.) * state.stiffness;
-        const auto      at     = [&](const double g) { return enforcement.respond(state, g, lambda); };
-        BOOST_TEST(at(gap).derivative <= 0.);
-        if (at(gap - h).touching == at(gap + h).touching)
-          BOOST_TEST(std::abs((at(gap + h).force - at(gap - h).force) / (2. * h) - at(gap).derivative) <=
-                     1e-6 * state.epsilon);
-        BOOST_TEST((at(gap).touching || at(gap).force == 0.));
-      }
-  });
+  for_all<Enforcement>({},
+                       [](const Enforcement &enforcement)
+                       {
+                         Random random;
+                         for (unsigned int k = 0; k < 1000; ++k)
+                         {
+                           const PairState state = random_pair(random);
+                           const double gap = random.uniform(-1e-2, 1e-2), h = 1e-7;
+                           const double lambda = random.uniform(-1., 1.) * state.stiffness;
+                           const auto at       = [&](const double g) { return enforcement.respond(state, g, lambda); };
+                           BOOST_TEST(at(gap).derivative <= 0.);
+                           if (at(gap - h).touching == at(gap + h).touching)
+                             BOOST_TEST(std::abs((at(gap + h).force - at(gap - h).force) / (2. * h) -
+                                                 at(gap).derivative) <= 1e-6 * state.epsilon);
+                           BOOST_TEST((at(gap).touching || at(gap).force == 0.));
+                         }
+                       });
 }
 
 BOOST_AUTO_TEST_CASE(penalty_factors_are_positive_and_finite)
 {
-  for_all<PenaltyRule>({}, [](const PenaltyRule &rule) {
-    Random random;
-    for (unsigned int k = 0; k < 5000; ++k)
-      {
-        const PenaltyInput input  = random_input(random);
-        const auto         usable = [](const double factor) { return factor > 0. && std::isfinite(factor); };
-        BOOST_TEST(usable(rule.predict(input)));
-        BOOST_TEST(usable(rule.correct(input)));
-        PenaltyInput first     = input;
-        first.force            = 0.;
-        first.previous_epsilon = 0.;
-        first.penetration      = 0.;
-        first.coupling         = 0.;
-        BOOST_TEST(usable(rule.predict(first)));
-        BOOST_TEST(rule.floor(input) >= 0.);
-        // A pure function
-        BOOST_TEST(rule.predict(input) == rule.predict(input));
-      }
-  });
+  for_all<PenaltyRule>({},
+                       [](const PenaltyRule &rule)
+                       {
+                         Random random;
+                         for (unsigned int k = 0; k < 5000; ++k)
+                         {
+                           const PenaltyInput input = random_input(random);
+                           const auto usable = [](const double factor) { return factor > 0. && std::isfinite(factor); };
+                           BOOST_TEST(usable(rule.predict(input)));
+                           BOOST_TEST(usable(rule.correct(input)));
+                           PenaltyInput first     = input;
+                           first.force            = 0.;
+                           first.previous_epsilon = 0.;
+                           first.penetration      = 0.;
+                           first.coupling         = 0.;
+                           BOOST_TEST(usable(rule.predict(first)));
+                           BOOST_TEST(rule.floor(input) >= 0.);
+                           // A pure function
+                           BOOST_TEST(rule.predict(input) == rule.predict(input));
+                         }
+                       });
 }
 
 BOOST_AUTO_TEST_CASE(a_promise_is_kept_by_corrections)
 {
-  // A spring k against the pair, pressed by a given way: p = k w / (k + eps). Corrections must end with p <= delta if the rule
-  // promises that, raise the factor only, and leave alone what is fine.
-  for_all<PenaltyRule>({}, [](const PenaltyRule &rule) {
-    if (!rule.promises())
-      return;
-    Random random;
-    for (unsigned int k = 0; k < 500; ++k)
-      {
-        const double spring = random.positive(1., 1e5), way = random.positive(1e-4, 1.);
-        PenaltyInput input;
-        input.stiffness        = random.positive(.1, 10.) * spring;
-        input.delta            = random.positive(1e-6, 2.) * way;
-        input.area             = 1.;
-        input.previous_epsilon = rule.predict(input);
-        unsigned int round     = 0;
-        for (; round < 40; ++round)
-          {
-            input.penetration   = spring * way / (spring + input.previous_epsilon);
-            input.force         = input.previous_epsilon * input.penetration;
-            const double factor = rule.correct(input);
-            BOOST_TEST(factor >= input.previous_epsilon);
-            if (input.penetration <= input.delta)
-              {
-                BOOST_TEST(factor == input.previous_epsilon);
-                break;
-              }
-            BOOST_TEST(factor > input.previous_epsilon);
-            input.previous_epsilon = factor;
-          }
-        BOOST_TEST(round < 15u);
-        BOOST_TEST(input.penetration <= input.delta);
-      }
-  });
+  // A spring k against the pair, pressed by a given way: p = k w / (k + eps). Corrections must end with p <= delta if
+  // the rule promises that, raise the factor only, and leave alone what is fine.
+  for_all<PenaltyRule>({},
+                       [](const PenaltyRule &rule)
+                       {
+                         if (!rule.promises())
+                           return;
+                         Random random;
+                         for (unsigned int k = 0; k < 500; ++k)
+                         {
+                           const double spring = random.positive(1., 1e5), way = random.positive(1e-4, 1.);
+                           PenaltyInput input;
+                           input.stiffness        = random.positive(.1, 10.) * spring;
+                           input.delta            = random.positive(1e-6, 2.) * way;
+                           input.area             = 1.;
+                           input.previous_epsilon = rule.predict(input);
+                           unsigned int round     = 0;
+                           for (; round < 40; ++round)
+                           {
+                             input.penetration   = spring * way / (spring + input.previous_epsilon);
+                             input.force         = input.previous_epsilon * input.penetration;
+                             const double factor = rule.correct(input);
+                             BOOST_TEST(factor >= input.previous_epsilon);
+                             if (input.penetration <= input.delta)
+                             {
+                               BOOST_TEST(factor == input.previous_epsilon);
+                               break;
+                             }
+                             BOOST_TEST(factor > input.previous_epsilon);
+                             input.previous_epsilon = factor;
+                           }
+                           BOOST_TEST(round < 15u);
+                           BOOST_TEST(input.penetration <= input.delta);
+                         }
+                       });
 }
 
 BOOST_AUTO_TEST_CASE(prediction_of_the_promising_rules)
 {
-  // Without a floor, at constant reaction: repeated predictions settle at the same factor from wherever they start, and there
-  // the penetration is the aim's share of delta (eqn (7) in its exact form).
+  // Without a floor, at constant reaction: repeated predictions settle at the same factor from wherever they start, and
+  // there the penetration is the aim's share of delta (eqn (7) in its exact form).
   for (const double aim : {.5, .8, .95})
-    for_all<PenaltyRule>({"Floor factor=0", "Aim=" + std::to_string(aim)}, [&](const PenaltyRule &rule) {
-      if (!rule.promises())
-        return;
-      Random random;
-      for (unsigned int k = 0; k < 200; ++k)
-        {
-          PenaltyInput input = random_input(random);
-          input.force        = random.positive(1e-3, 1e3);
-          const double goal  = input.force / (aim * input.delta);
-          double       last  = std::abs(std::log(input.previous_epsilon / goal));
-          for (unsigned int round = 0; round < 30 && last > 1e-12; ++round)
-            {
-              input.penetration      = input.force / input.previous_epsilon;
-              input.previous_epsilon = rule.predict(input);
-              const double now       = std::abs(std::log(input.previous_epsilon / goal));
-              BOOST_TEST(now < last);
-              last = now;
-            }
-          BOOST_TEST(std::abs(input.previous_epsilon * aim * input.delta / input.force - 1.) < 1e-11);
-        }
-    });
+    for_all<PenaltyRule>({"Floor factor=0", "Aim=" + std::to_string(aim)},
+                         [&](const PenaltyRule &rule)
+                         {
+                           if (!rule.promises())
+                             return;
+                           Random random;
+                           for (unsigned int k = 0; k < 200; ++k)
+                           {
+                             PenaltyInput input = random_input(random);
+                             input.force        = random.positive(1e-3, 1e3);
+                             const double goal  = input.force / (aim * input.delta);
+                             double last        = std::abs(std::log(input.previous_epsilon / goal));
+                             for (unsigned int round = 0; round < 30 && last > 1e-12; ++round)
+                             {
+                               input.penetration      = input.force / input.previous_epsilon;
+                               input.previous_epsilon = rule.predict(input);
+                               const double now       = std::abs(std::log(input.previous_epsilon / goal));
+                               BOOST_TEST(now < last);
+                               last = now;
+                             }
+                             BOOST_TEST(std::abs(input.previous_epsilon * aim * input.delta / input.force - 1.) <
+                                        1e-11);
+                           }
+                         });
 }
 
 BOOST_AUTO_TEST_CASE(floors_bound_the_factor)
 {
-  for_all<PenaltyRule>({}, [](const PenaltyRule &rule) {
-    Random random;
-    for (unsigned int k = 0; k < 1000; ++k)
-      {
-        PenaltyInput input     = random_input(random);
-        input.previous_epsilon = std::max(input.previous_epsilon, rule.floor(input));
-        BOOST_TEST(rule.predict(input) >= rule.floor(input) * (1. - 1e-14));
-      }
-  });
+  for_all<PenaltyRule>({},
+                       [](const PenaltyRule &rule)
+                       {
+                         Random random;
+                         for (unsigned int k = 0; k < 1000; ++k)
+                         {
+                           PenaltyInput input     = random_input(random);
+                           input.previous_epsilon = std::max(input.previous_epsilon, rule.floor(input));
+                           BOOST_TEST(rule.predict(input) >= rule.floor(input) * (1. - 1e-14));
+                         }
+                       });
 }
 
 BOOST_AUTO_TEST_CASE(rules_without_a_promise_end_their_corrections)
 {
   // 'constant' by its continuation from any first factor to its goal; 'paper' at once.
   for (const std::string kind : {"per node", "per area"})
-    for_all<PenaltyRule>({"Penalty factor=3e5", "Penalty factor is=" + kind}, [](const PenaltyRule &rule) {
-      if (rule.promises())
-        return;
-      Random random;
-      for (unsigned int k = 0; k < 500; ++k)
-        {
-          PenaltyInput first     = random_input(random);
-          first.force            = 0.;
-          first.previous_epsilon = 0.;
-          PenaltyInput input     = first;
-          input.previous_epsilon = rule.predict(first);
-          unsigned int round     = 0;
-          for (; round < 20 && rule.correct(input) != input.previous_epsilon; ++round)
-            {
-              BOOST_TEST(rule.correct(input) > input.previous_epsilon);
-              input.previous_epsilon = rule.correct(input);
-            }
-          BOOST_TEST(round < 8u);
-        }
-    });
+    for_all<PenaltyRule>({"Penalty factor=3e5", "Penalty factor is=" + kind},
+                         [](const PenaltyRule &rule)
+                         {
+                           if (rule.promises())
+                             return;
+                           Random random;
+                           for (unsigned int k = 0; k < 500; ++k)
+                           {
+                             PenaltyInput first     = random_input(random);
+                             first.force            = 0.;
+                             first.previous_epsilon = 0.;
+                             PenaltyInput input     = first;
+                             input.previous_epsilon = rule.predict(first);
+                             unsigned int round     = 0;
+                             for (; round < 20 && rule.correct(input) != input.previous_epsilon; ++round)
+                             {
+                               BOOST_TEST(rule.correct(input) > input.previous_epsilon);
+                               input.previous_epsilon = rule.correct(input);
+                             }
+                             BOOST_TEST(round < 8u);
+                           }
+                         });
 }
 
 BOOST_AUTO_TEST_CASE(the_constant_rule)
 {
   Random random;
   for (unsigned int k = 0; k < 200; ++k)
-    {
-      const PenaltyInput input   = random_input(random);
-      const auto         by_node = make<PenaltyRule>("constant", {"Penalty factor=3e5"});
-      const auto         by_area = make<PenaltyRule>("constant", {"Penalty factor=3e5", "Penalty factor is=per area"});
-      BOOST_TEST(by_node->predict(input) == 3e5);
-      BOOST_TEST(by_area->predict(input) == 3e5 * input.area);
-    }
+  {
+    const PenaltyInput input = random_input(random);
+    const auto by_node       = make<PenaltyRule>("constant", {"Penalty factor=3e5"});
+    const auto by_area       = make<PenaltyRule>("constant", {"Penalty factor=3e5", "Penalty factor is=per area"});
+    BOOST_TEST(by_node->predict(input) == 3e5);
+    BOOST_TEST(by_area->predict(input) == 3e5 * input.area);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_printed_rule)
 {
-  // eps delta = lambda + coupling, with all safeguards off, even where it turns negative; with them on, the previous factor.
-  const auto   printed = make<PenaltyRule>("paper", {"Paper clamp=false", "Paper floor=0", "Paper cap=0"});
-  const auto   guarded = make<PenaltyRule>("paper");
-  Random       random;
+  // eps delta = lambda + coupling, with all safeguards off, even where it turns negative; with them on, the previous
+  // factor.
+  const auto printed = make<PenaltyRule>("paper", {"Paper clamp=false", "Paper floor=0", "Paper cap=0"});
+  const auto guarded = make<PenaltyRule>("paper");
+  Random random;
   unsigned int negative = 0;
   for (unsigned int k = 0; k < 200; ++k)
-    {
-      const PenaltyInput input = random_input(random);
-      const double       exact = (input.force + input.coupling) / input.delta;
-      BOOST_TEST(printed->predict(input) == exact);
-      negative += exact < 0.;
-      if (exact < 0.)
-        BOOST_TEST(guarded->predict(input) == std::clamp(input.previous_epsilon, 1e-2 * input.stiffness, 1e6 * input.stiffness));
-    }
+  {
+    const PenaltyInput input = random_input(random);
+    const double exact       = (input.force + input.coupling) / input.delta;
+    BOOST_TEST(printed->predict(input) == exact);
+    negative += exact < 0.;
+    if (exact < 0.)
+      BOOST_TEST(guarded->predict(input) ==
+                 std::clamp(input.previous_epsilon, 1e-2 * input.stiffness, 1e6 * input.stiffness));
+  }
   BOOST_TEST(negative > 10u);
   BOOST_TEST(printed->needs_coupling());
 }
 
 BOOST_AUTO_TEST_CASE(friction_within_its_cone)
 {
-  for_all<FrictionLaw>({"Friction coefficient=.3"}, [](const FrictionLaw &law) {
-    Random random;
-    for (unsigned int path = 0; path < 50; ++path)
+  for_all<FrictionLaw>(
+    {"Friction coefficient=.3"},
+    [](const FrictionLaw &law)
+    {
+      Random random;
+      for (unsigned int path = 0; path < 50; ++path)
       {
-        double       t = 0., dissipated = 0.;
+        double t = 0., dissipated = 0.;
         const double stiffness = random.positive(1., 1e4);
         for (unsigned int k = 0; k < 200; ++k)
-          {
-            const double           lambda = random.uniform(0., 1.) < .1 ? 0. : random.positive(1e-3, 10.);
-            const double           slip   = random.uniform(-2., 2.) * lambda / stiffness;
-            const FrictionResponse now    = law.update(lambda, t, slip, stiffness);
-            BOOST_TEST(std::abs(now.force) <= law.limit(lambda) * (1. + 1e-14));
-            BOOST_TEST((lambda > 0. || now.force == 0.));
-            // What does not go into the spring is dissipated, never gained (backward Euler: force at the end).
-            const double irreversible = slip - (now.force - t) / stiffness;
-            BOOST_TEST(now.force * irreversible >= -1e-14 * std::abs(now.force) * std::abs(slip));
-            BOOST_TEST((!now.sticking || std::abs(irreversible) <= 1e-12 * (std::abs(slip) + std::abs(t) / stiffness)));
-            dissipated += now.force * irreversible;
-            t = now.force;
-          }
+        {
+          const double lambda        = random.uniform(0., 1.) < .1 ? 0. : random.positive(1e-3, 10.);
+          const double slip          = random.uniform(-2., 2.) * lambda / stiffness;
+          const FrictionResponse now = law.update(lambda, t, slip, stiffness);
+          BOOST_TEST(std::abs(now.force) <= law.limit(lambda) * (1. + 1e-14));
+          BOOST_TEST((lambda > 0. || now.force == 0.));
+          // What does not go into the spring is dissipated, never gained (backward Euler: force at the end).
+          const double irreversible = slip - (now.force - t) / stiffness;
+          BOOST_TEST(now.force * irreversible >= -1e-14 * std::abs(now.force) * std::abs(slip));
+          BOOST_TEST((!now.sticking || std::abs(irreversible) <= 1e-12 * (std::abs(slip) + std::abs(t) / stiffness)));
+          dissipated += now.force * irreversible;
+          t = now.force;
+        }
         BOOST_TEST(dissipated > 0.);
       }
-    BOOST_TEST(law.limit(0.) == 0.);
-    BOOST_TEST(law.limit(2.) > law.limit(1.));
-  });
+      BOOST_TEST(law.limit(0.) == 0.);
+      BOOST_TEST(law.limit(2.) > law.limit(1.));
+    });
 }
 
 BOOST_AUTO_TEST_CASE(friction_derivatives)
 {
-  for_all<FrictionLaw>({"Friction coefficient=.3"}, [](const FrictionLaw &law) {
-    Random       random;
-    unsigned int sliding = 0, sticking = 0;
-    for (unsigned int k = 0; k < 2000; ++k)
-      {
-        const double lambda = random.uniform(.1, 10.), stiffness = random.positive(1., 1e4);
-        const double t = random.uniform(-1., 1.) * law.limit(lambda), slip = random.uniform(-1., 1.) * lambda / stiffness;
-        const double h_slip = 1e-6 * lambda / stiffness, h_lambda = 1e-6 * lambda;
-        const auto   at = [&](const double l, const double s) { return law.update(l, t, s, stiffness); };
-        const auto   a = at(lambda, slip - h_slip), b = at(lambda, slip + h_slip);
-        const auto   c = at(lambda - h_lambda, slip), d = at(lambda + h_lambda, slip), now = at(lambda, slip);
-        if (a.sticking != b.sticking || c.sticking != d.sticking)
-          continue;
-        (now.sticking ? sticking : sliding)++;
-        BOOST_TEST(std::abs((b.force - a.force) / (2. * h_slip) - now.slip_rate) < 1e-6 * stiffness);
-        BOOST_TEST(std::abs((d.force - c.force) / (2. * h_lambda) - now.force_rate) < 1e-6);
-      }
-    BOOST_TEST((sliding > 100u && sticking > 100u));
-  });
+  for_all<FrictionLaw>({"Friction coefficient=.3"},
+                       [](const FrictionLaw &law)
+                       {
+                         Random random;
+                         unsigned int sliding = 0, sticking = 0;
+                         for (unsigned int k = 0; k < 2000; ++k)
+                         {
+                           const double lambda = random.uniform(.1, 10.), stiffness = random.positive(1., 1e4);
+                           const double t      = random.uniform(-1., 1.) * law.limit(lambda),
+                                        slip   = random.uniform(-1., 1.) * lambda / stiffness;
+                           const double h_slip = 1e-6 * lambda / stiffness, h_lambda = 1e-6 * lambda;
+                           const auto at = [&](const double l, const double s)
+                           { return law.update(l, t, s, stiffness); };
+                           const auto a = at(lambda, slip - h_slip), b = at(lambda, slip + h_slip);
+                           const auto c = at(lambda - h_lambda, slip), d = at(lambda + h_lambda, slip),
+                                      now = at(lambda, slip);
+                           if (a.sticking != b.sticking || c.sticking != d.sticking)
+                             continue;
+                           (now.sticking ? sticking : sliding)++;
+                           BOOST_TEST(std::abs((b.force - a.force) / (2. * h_slip) - now.slip_rate) < 1e-6 * stiffness);
+                           BOOST_TEST(std::abs((d.force - c.force) / (2. * h_lambda) - now.force_rate) < 1e-6);
+                         }
+                         BOOST_TEST((sliding > 100u && sticking > 100u));
+                       });
 }
 
 BOOST_AUTO_TEST_CASE(friction_knows_no_preferred_direction)
 {
-  for_all<FrictionLaw>({"Friction coefficient=.3"}, [](const FrictionLaw &law) {
-    Random random;
-    for (unsigned int k = 0; k < 500; ++k)
-      {
-        const double lambda = random.uniform(.1, 10.), t = random.uniform(-1., 1.), slip = random.uniform(-.1, .1);
-        const auto   one = law.update(lambda, t, slip, 50.), other = law.update(lambda, -t, -slip, 50.);
-        BOOST_TEST(one.force == -other.force);
-        BOOST_TEST(one.slip_rate == other.slip_rate);
-        BOOST_TEST(one.force_rate == -other.force_rate);
-      }
-  });
+  for_all<FrictionLaw>({"Friction coefficient=.3"},
+                       [](const FrictionLaw &law)
+                       {
+                         Random random;
+                         for (unsigned int k = 0; k < 500; ++k)
+                         {
+                           const double lambda = random.uniform(.1, 10.), t = random.uniform(-1., 1.),
+                                        slip = random.uniform(-.1, .1);
+                           const auto one    = law.update(lambda, t, slip, 50.),
+                                      other  = law.update(lambda, -t, -slip, 50.);
+                           BOOST_TEST(one.force == -other.force);
+                           BOOST_TEST(one.slip_rate == other.slip_rate);
+                           BOOST_TEST(one.force_rate == -other.force_rate);
+                         }
+                       });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

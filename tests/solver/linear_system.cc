@@ -19,15 +19,12 @@ namespace
   struct Assembled
   {
     Assembled(const std::string &solver, const unsigned int n_border)
-      : n(n_sparse + n_border)
-      , system(pattern(), n_border, solver)
-      , matrix(Eigen::MatrixXd::Zero(n, n))
-      , residual(Eigen::VectorXd::Zero(n))
-      , magnitude(Eigen::VectorXd::Zero(n))
-    {}
+      : n(n_sparse + n_border), system(pattern(), n_border, solver), matrix(Eigen::MatrixXd::Zero(n, n)),
+        residual(Eigen::VectorXd::Zero(n)), magnitude(Eigen::VectorXd::Zero(n))
+    {
+    }
 
-    static dealii::DynamicSparsityPattern
-    pattern()
+    static dealii::DynamicSparsityPattern pattern()
     {
       dealii::DynamicSparsityPattern result(n_sparse, n_sparse);
       for (unsigned int e = 0; e + 4 <= n_sparse; ++e)
@@ -39,8 +36,7 @@ namespace
       return result;
     }
 
-    void
-    fill(std::mt19937 &generator, const bool tangent = true)
+    void fill(std::mt19937 &generator, const bool tangent = true)
     {
       std::uniform_real_distribution<double> uniform(-1., 1.);
       system.clear(tangent);
@@ -49,68 +45,66 @@ namespace
       residual.setZero();
       magnitude.setZero();
       for (unsigned int e = 0; e + 4 <= n_sparse; ++e)
+      {
+        // four neighbours and, every now and then, the unknowns of the border
+        std::vector<DofIndex> dofs{e, e + 1, e + 2, e + 3};
+        for (unsigned int b = n_sparse; b < n; ++b)
+          if (e % 3 != b % 2)
+            dofs.push_back(b);
+        const unsigned int m = dofs.size();
+        std::vector<double> block(m * m), vector(m);
+        for (unsigned int i = 0; i < m; ++i)
         {
-          // four neighbours and, every now and then, the unknowns of the border
-          std::vector<DofIndex> dofs{e, e + 1, e + 2, e + 3};
-          for (unsigned int b = n_sparse; b < n; ++b)
-            if (e % 3 != b % 2)
-              dofs.push_back(b);
-          const unsigned int  m = dofs.size();
-          std::vector<double> block(m * m), vector(m);
-          for (unsigned int i = 0; i < m; ++i)
-            {
-              vector[i] = uniform(generator);
-              residual[dofs[i]] += vector[i];
-              magnitude[dofs[i]] += std::abs(vector[i]);
-              for (unsigned int j = 0; j < m; ++j)
-                {
-                  block[i * m + j] = uniform(generator) + (i == j ? 3. : 0.);
-                  matrix(dofs[i], dofs[j]) += block[i * m + j];
-                }
-            }
-          system.add(dofs.data(), m, tangent ? block.data() : nullptr, vector.data());
+          vector[i] = uniform(generator);
+          residual[dofs[i]] += vector[i];
+          magnitude[dofs[i]] += std::abs(vector[i]);
+          for (unsigned int j = 0; j < m; ++j)
+          {
+            block[i * m + j] = uniform(generator) + (i == j ? 3. : 0.);
+            matrix(dofs[i], dofs[j]) += block[i * m + j];
+          }
         }
+        system.add(dofs.data(), m, tangent ? block.data() : nullptr, vector.data());
+      }
     }
 
-    unsigned int    n;
-    System          system;
+    unsigned int n;
+    System system;
     Eigen::MatrixXd matrix;
     Eigen::VectorXd residual, magnitude;
   };
 
-  void
-  compare(Assembled &assembled, const std::vector<bool> &prescribed, std::mt19937 &generator)
+  void compare(Assembled &assembled, const std::vector<bool> &prescribed, std::mt19937 &generator)
   {
     std::uniform_real_distribution<double> uniform(-1., 1.);
-    Vector                                 increments(assembled.n), d(assembled.n);
-    Eigen::MatrixXd                        matrix = assembled.matrix;
-    Eigen::VectorXd                        load   = -assembled.residual;
+    Vector increments(assembled.n), d(assembled.n);
+    Eigen::MatrixXd matrix = assembled.matrix;
+    Eigen::VectorXd load   = -assembled.residual;
     for (unsigned int i = 0; i < assembled.n; ++i)
       if (prescribed[i])
-        {
-          increments[i] = uniform(generator);
-          matrix.row(i).setZero();
-          matrix(i, i) = 1.;
-          load[i]      = increments[i];
-        }
+      {
+        increments[i] = uniform(generator);
+        matrix.row(i).setZero();
+        matrix(i, i) = 1.;
+        load[i]      = increments[i];
+      }
     assembled.system.set_prescribed(prescribed);
     BOOST_TEST(assembled.system.factorize());
     BOOST_TEST(assembled.system.solve(increments, d));
     const Eigen::VectorXd exact = matrix.partialPivLu().solve(load);
     for (unsigned int i = 0; i < assembled.n; ++i)
-      {
-        BOOST_TEST(std::abs(d[i] - exact[i]) < 1e-11 * (1. + exact.norm()));
-        if (prescribed[i])
-          BOOST_TEST(std::abs(d[i] - increments[i]) < 1e-15);
-      }
+    {
+      BOOST_TEST(std::abs(d[i] - exact[i]) < 1e-11 * (1. + exact.norm()));
+      if (prescribed[i])
+        BOOST_TEST(std::abs(d[i] - increments[i]) < 1e-15);
+    }
   }
 
-  void
-  for_all_solvers(const std::function<void(const std::string &)> &body)
+  void for_all_solvers(const std::function<void(const std::string &)> &body)
   {
     for (const std::string solver : {"klu", "mumps"})
       BOOST_TEST_CONTEXT("solver " << solver)
-      body(solver);
+    body(solver);
   }
 } // namespace
 
@@ -118,15 +112,17 @@ BOOST_AUTO_TEST_SUITE(linear_system)
 
 BOOST_AUTO_TEST_CASE(solutions_are_those_of_dense_algebra)
 {
-  for_all_solvers([](const std::string &solver) {
-    for (const unsigned int n_border : {0, 1, 2})
-      BOOST_TEST_CONTEXT("border " << n_border)
-      {
-        std::mt19937 generator(1);
-        Assembled    assembled(solver, n_border);
-        BOOST_TEST(assembled.system.size() == n_sparse + n_border);
-        // The pattern and the symbolic factorization are kept from one matrix to the next.
-        for (unsigned int k = 0; k < 5; ++k)
+  for_all_solvers(
+    [](const std::string &solver)
+    {
+      for (const unsigned int n_border : {0, 1, 2})
+        BOOST_TEST_CONTEXT("border " << n_border)
+        {
+          std::mt19937 generator(1);
+          Assembled assembled(solver, n_border);
+          BOOST_TEST(assembled.system.size() == n_sparse + n_border);
+          // The pattern and the symbolic factorization are kept from one matrix to the next.
+          for (unsigned int k = 0; k < 5; ++k)
           {
             assembled.fill(generator);
             std::vector<bool> prescribed(assembled.n, false);
@@ -134,18 +130,20 @@ BOOST_AUTO_TEST_CASE(solutions_are_those_of_dense_algebra)
               prescribed[i] = k > 0 && generator() % 5 == 0;
             compare(assembled, prescribed, generator);
           }
-        BOOST_TEST(assembled.system.n_factorizations() == 5u);
-      }
-  });
+          BOOST_TEST(assembled.system.n_factorizations() == 5u);
+        }
+    });
 }
 
 BOOST_AUTO_TEST_CASE(prescribed_unknowns_of_the_border)
 {
-  for_all_solvers([](const std::string &solver) {
-    std::mt19937 generator(2);
-    Assembled    assembled(solver, 2);
-    for (const bool first : {false, true})
-      for (const bool second : {false, true})
+  for_all_solvers(
+    [](const std::string &solver)
+    {
+      std::mt19937 generator(2);
+      Assembled assembled(solver, 2);
+      for (const bool first : {false, true})
+        for (const bool second : {false, true})
         {
           assembled.fill(generator);
           std::vector<bool> prescribed(assembled.n, false);
@@ -154,32 +152,32 @@ BOOST_AUTO_TEST_CASE(prescribed_unknowns_of_the_border)
           prescribed[n_sparse + 1]       = second;
           compare(assembled, prescribed, generator);
         }
-  });
+    });
 }
 
 BOOST_AUTO_TEST_CASE(what_was_assembled_can_be_read)
 {
   std::mt19937 generator(3);
-  Assembled    assembled("klu", 1);
+  Assembled assembled("klu", 1);
   assembled.fill(generator);
   const System &system = assembled.system;
   for (unsigned int i = 0; i < assembled.n; ++i)
-    {
-      BOOST_TEST(std::abs(system.residual()[i] - assembled.residual[i]) < 1e-14);
-      BOOST_TEST(std::abs(system.magnitude()[i] - assembled.magnitude[i]) < 1e-14);
-      BOOST_TEST(std::abs(system.diagonal(i) - (i < n_sparse ? assembled.matrix(i, i) : 0.)) < 1e-14);
-    }
-  BOOST_TEST(std::abs(system.largest_diagonal() - assembled.matrix.topLeftCorner(n_sparse, n_sparse).diagonal().maxCoeff()) <
-             1e-14);
+  {
+    BOOST_TEST(std::abs(system.residual()[i] - assembled.residual[i]) < 1e-14);
+    BOOST_TEST(std::abs(system.magnitude()[i] - assembled.magnitude[i]) < 1e-14);
+    BOOST_TEST(std::abs(system.diagonal(i) - (i < n_sparse ? assembled.matrix(i, i) : 0.)) < 1e-14);
+  }
+  BOOST_TEST(std::abs(system.largest_diagonal() -
+                      assembled.matrix.topLeftCorner(n_sparse, n_sparse).diagonal().maxCoeff()) < 1e-14);
 
-  const DofIndex        dofs[] = {5, 7, 6};
+  const DofIndex dofs[] = {5, 7, 6};
   std::array<double, 9> block;
   system.block(dofs, 3, block.data());
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
       BOOST_TEST(std::abs(block[3 * i + j] - assembled.matrix(dofs[i], dofs[j])) < 1e-14);
 
-  Vector          direction(assembled.n), result(assembled.n);
+  Vector direction(assembled.n), result(assembled.n);
   Eigen::VectorXd dense = Eigen::VectorXd::Zero(assembled.n);
   for (unsigned int i = 0; i < n_sparse; ++i)
     dense[i] = direction[i] = .1 * i - 1.;
@@ -192,7 +190,7 @@ BOOST_AUTO_TEST_CASE(what_was_assembled_can_be_read)
 BOOST_AUTO_TEST_CASE(a_pass_without_tangent_keeps_it)
 {
   std::mt19937 generator(4);
-  Assembled    assembled("klu", 1);
+  Assembled assembled("klu", 1);
   assembled.fill(generator);
   const double before = assembled.system.diagonal(4);
   assembled.fill(generator, false);
@@ -202,51 +200,54 @@ BOOST_AUTO_TEST_CASE(a_pass_without_tangent_keeps_it)
 
 BOOST_AUTO_TEST_CASE(singular_systems_are_reported)
 {
-  for_all_solvers([](const std::string &solver) {
-    // A free unknown without stiffness
-    dealii::DynamicSparsityPattern pattern(3, 3);
-    for (unsigned int i = 0; i < 3; ++i)
-      pattern.add(i, i);
-    System       system(pattern, 0, solver);
-    const auto   assemble = [&](const double last) {
-      system.clear(true);
-      const double values[] = {2., 5., last}, load = 1.;
-      for (DofIndex i = 0; i < 3; ++i)
-        system.add(&i, 1, &values[i], &load);
-    };
-    Vector zero(3), d(3);
-    assemble(1.);
-    BOOST_TEST((system.factorize() && system.solve(zero, d)));
-    assemble(0.);
-    BOOST_TEST(!(system.factorize() && system.solve(zero, d)));
-    // A prescribed unknown needs none; and a shift gives a direction all the same.
-    system.set_prescribed({false, false, true});
-    assemble(0.);
-    BOOST_TEST((system.factorize() && system.solve(zero, d)));
-    BOOST_TEST(std::abs(d[0] + .5) < 1e-15);
-    system.set_prescribed({false, false, false});
-    assemble(0.);
-    BOOST_TEST((system.factorize(1e-6) && system.solve(zero, d)));
-    BOOST_TEST(std::abs(d[0] + .5) < 1e-6);
-  });
+  for_all_solvers(
+    [](const std::string &solver)
+    {
+      // A free unknown without stiffness
+      dealii::DynamicSparsityPattern pattern(3, 3);
+      for (unsigned int i = 0; i < 3; ++i)
+        pattern.add(i, i);
+      System system(pattern, 0, solver);
+      const auto assemble = [&](const double last)
+      {
+        system.clear(true);
+        const double values[] = {2., 5., last}, load = 1.;
+        for (DofIndex i = 0; i < 3; ++i)
+          system.add(&i, 1, &values[i], &load);
+      };
+      Vector zero(3), d(3);
+      assemble(1.);
+      BOOST_TEST((system.factorize() && system.solve(zero, d)));
+      assemble(0.);
+      BOOST_TEST(!(system.factorize() && system.solve(zero, d)));
+      // A prescribed unknown needs none; and a shift gives a direction all the same.
+      system.set_prescribed({false, false, true});
+      assemble(0.);
+      BOOST_TEST((system.factorize() && system.solve(zero, d)));
+      BOOST_TEST(std::abs(d[0] + .5) < 1e-15);
+      system.set_prescribed({false, false, false});
+      assemble(0.);
+      BOOST_TEST((system.factorize(1e-6) && system.solve(zero, d)));
+      BOOST_TEST(std::abs(d[0] + .5) < 1e-6);
+    });
 }
 
 BOOST_AUTO_TEST_CASE(a_border_that_nothing_holds_is_reported)
 {
   dealii::DynamicSparsityPattern pattern(1, 1);
   pattern.add(0, 0);
-  System         system(pattern, 1, "klu");
+  System system(pattern, 1, "klu");
   const DofIndex dofs[] = {0, 1};
-  const double   load[] = {1., 1.};
-  Vector         zero(2), d(2);
+  const double load[]   = {1., 1.};
+  Vector zero(2), d(2);
   for (const double coupling : {0., 1.})
-    {
-      const double block[] = {2., coupling, coupling, 0.};
-      system.clear(true);
-      system.add(dofs, 2, block, load);
-      BOOST_TEST(system.factorize());
-      BOOST_TEST(system.solve(zero, d) == (coupling != 0.));
-    }
+  {
+    const double block[] = {2., coupling, coupling, 0.};
+    system.clear(true);
+    system.add(dofs, 2, block, load);
+    BOOST_TEST(system.factorize());
+    BOOST_TEST(system.solve(zero, d) == (coupling != 0.));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

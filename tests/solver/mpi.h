@@ -22,8 +22,8 @@ namespace
       mpi         = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
     }
 
-    int                                                       argc;
-    char **                                                   argv;
+    int argc;
+    char **argv;
     std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
   };
 } // namespace

@@ -11,21 +11,20 @@ using Outcome = NewtonResult::Outcome;
 
 namespace
 {
-  /// R(u) = internal(u) - load of one unknown, which is tied by a spring of stiffness 1 to a second one that is prescribed.
+  /// R(u) = internal(u) - load of one unknown, which is tied by a spring of stiffness 1 to a second one that is
+  /// prescribed.
   class Scalar : public NonlinearProblem
   {
   public:
     using Function = std::function<double(double)>;
 
     Scalar(Function internal_force, Function derivative, const double external_force)
-      : internal(std::move(internal_force))
-      , slope(std::move(derivative))
-      , load(external_force)
-      , system(pattern(), 0, "klu")
-    {}
+      : internal(std::move(internal_force)), slope(std::move(derivative)), load(external_force),
+        system(pattern(), 0, "klu")
+    {
+    }
 
-    static dealii::DynamicSparsityPattern
-    pattern()
+    static dealii::DynamicSparsityPattern pattern()
     {
       dealii::DynamicSparsityPattern result(2, 2);
       for (unsigned int i = 0; i < 2; ++i)
@@ -34,21 +33,19 @@ namespace
       return result;
     }
 
-    double
-    typical_length() const override
+    double typical_length() const override
     {
       return 1.;
     }
 
-    Status
-    assemble(const Vector &state, const bool tangent) override
+    Status assemble(const Vector &state, const bool tangent) override
     {
       system.clear(tangent);
       visited.push_back(state[0]);
       if (!allowed(state[0]))
         return Status::shorten("not allowed");
       const DofIndex dofs[] = {0, 1};
-      const double   force = internal(state[0]), stiffness = slope(state[0]), external = -load;
+      const double force = internal(state[0]), stiffness = slope(state[0]), external = -load;
       system.add(dofs, 1, tangent ? &stiffness : nullptr, &force);
       system.add(dofs, 1, nullptr, &external);
       const double stretch = spring * (state[1] - state[0]), forces[] = {-stretch, stretch};
@@ -57,44 +54,37 @@ namespace
       return {};
     }
 
-    double
-    admissible_step(const Vector &, const Vector &d) const override
+    double admissible_step(const Vector &, const Vector &d) const override
     {
       return std::min(1., largest_step / std::max(std::abs(d[0]), 1e-300));
     }
 
-    void
-    prepare_step(const Vector &d) override
+    void prepare_step(const Vector &d) override
     {
       step = d[0];
     }
 
-    void
-    advance(const double factor) override
+    void advance(const double factor) override
     {
       factors.push_back(factor);
     }
 
-    bool
-    status_changed() const override
+    bool status_changed() const override
     {
       return false;
     }
 
-    unsigned int
-    patience() const override
+    unsigned int patience() const override
     {
       return 0;
     }
 
-    bool
-    consistent(const double) const override
+    bool consistent(const double) const override
     {
       return n_inconsistent == 0 || n_inconsistent-- == 0;
     }
 
-    unsigned int
-    correct() override
+    unsigned int correct() override
     {
       if (n_corrections == 0)
         return 0;
@@ -103,41 +93,38 @@ namespace
       return 1;
     }
 
-    NewtonResult
-    solve(const double start, const std::vector<std::string> &entries = {}, const double goal = 0.)
+    NewtonResult solve(const double start, const std::vector<std::string> &entries = {}, const double goal = 0.)
     {
-      const NewtonSettings      settings = newton_settings(entries);
-      Timers                    timers;
+      const NewtonSettings settings = newton_settings(entries);
+      Timers timers;
       const std::vector<double> scale(2, 1.), size(2, 1.);
-      Newton                    newton(*this, system, settings, scale, size, timers);
+      Newton newton(*this, system, settings, scale, size, timers);
       q.reinit(2);
-      q[0]                  = start;
-      Vector     prescribed = q;
-      const auto committed  = q;
-      prescribed[1]         = goal;
+      q[0]                 = start;
+      Vector prescribed    = q;
+      const auto committed = q;
+      prescribed[1]        = goal;
       visited.clear();
       factors.clear();
       return newton.solve(q, prescribed, {false, true}, committed, 0.);
     }
 
-    Function                    internal, slope;
-    double                      load, spring = 0., largest_step = 1e300, step = 0.;
+    Function internal, slope;
+    double load, spring = 0., largest_step = 1e300, step = 0.;
     std::function<bool(double)> allowed = [](double) { return true; };
-    unsigned int                n_corrections = 0;
-    mutable unsigned int        n_inconsistent = 0;
-    System                      system;
-    Vector                      q;
-    std::vector<double>         visited, factors;
+    unsigned int n_corrections          = 0;
+    mutable unsigned int n_inconsistent = 0;
+    System system;
+    Vector q;
+    std::vector<double> visited, factors;
   };
 
-  Scalar
-  stiffening(const double load)
+  Scalar stiffening(const double load)
   {
     return {[](const double u) { return u + u * u * u; }, [](const double u) { return 1. + 3. * u * u; }, load};
   }
 
-  Scalar
-  saturating(const double load)
+  Scalar saturating(const double load)
   {
     return {[](const double u) { return std::atan(u); }, [](const double u) { return 1. / (1. + u * u); }, load};
   }
@@ -147,8 +134,8 @@ BOOST_AUTO_TEST_SUITE(newton)
 
 BOOST_AUTO_TEST_CASE(quadratic_convergence)
 {
-  Scalar             problem = stiffening(10.);
-  const NewtonResult result  = problem.solve(0., {"Force tolerance=1e-12"});
+  Scalar problem            = stiffening(10.);
+  const NewtonResult result = problem.solve(0., {"Force tolerance=1e-12"});
   BOOST_TEST(result.converged());
   BOOST_TEST(std::abs(problem.q[0] - 2.) < 1e-12);
   BOOST_TEST(result.residuals.size() == result.iterations + 1u);
@@ -160,7 +147,7 @@ BOOST_AUTO_TEST_CASE(quadratic_convergence)
 
 BOOST_AUTO_TEST_CASE(a_linear_problem_takes_one_iteration)
 {
-  Scalar             problem([](const double u) { return 3. * u; }, [](double) { return 3.; }, 6.);
+  Scalar problem([](const double u) { return 3. * u; }, [](double) { return 3.; }, 6.);
   const NewtonResult result = problem.solve(0.);
   BOOST_TEST(result.converged());
   BOOST_TEST(result.iterations == 1u);
@@ -169,16 +156,16 @@ BOOST_AUTO_TEST_CASE(a_linear_problem_takes_one_iteration)
 
 BOOST_AUTO_TEST_CASE(loads_that_start_at_zero_do_not_stall)
 {
-  Scalar             problem = stiffening(0.);
-  const NewtonResult result  = problem.solve(0.);
+  Scalar problem            = stiffening(0.);
+  const NewtonResult result = problem.solve(0.);
   BOOST_TEST(result.converged());
   BOOST_TEST(result.iterations <= 1u);
 }
 
 BOOST_AUTO_TEST_CASE(prescribed_unknowns_move_their_neighbours)
 {
-  Scalar problem = stiffening(0.);
-  problem.spring = 2.;
+  Scalar problem            = stiffening(0.);
+  problem.spring            = 2.;
   const NewtonResult result = problem.solve(0., {"Force tolerance=1e-12"}, 3.);
   BOOST_TEST(result.converged());
   BOOST_TEST(problem.q[1] == 3.);
@@ -211,13 +198,13 @@ BOOST_AUTO_TEST_CASE(the_line_search_finds_what_full_steps_miss)
 
 BOOST_AUTO_TEST_CASE(forbidden_states_are_avoided)
 {
-  Scalar problem  = stiffening(10.);
-  problem.allowed = [](const double u) { return u < 2.5; };
+  Scalar problem            = stiffening(10.);
+  problem.allowed           = [](const double u) { return u < 2.5; };
   const NewtonResult result = problem.solve(0., {"Force tolerance=1e-10"}); // the first step goes to 10
   BOOST_TEST(result.converged());
   BOOST_TEST(std::abs(problem.q[0] - 2.) < 1e-8);
 
-  problem.allowed = [](const double u) { return u < 1e-6; };
+  problem.allowed           = [](const double u) { return u < 1e-6; };
   const NewtonResult failed = problem.solve(0.);
   BOOST_TEST((failed.outcome == Outcome::inadmissible));
   BOOST_TEST(std::string(failed.status.cause) == "not allowed");
@@ -229,7 +216,7 @@ BOOST_AUTO_TEST_CASE(forbidden_states_are_avoided)
 BOOST_AUTO_TEST_CASE(failures_are_told_apart)
 {
   // No solution
-  Scalar             nowhere([](const double u) { return 1. + u * u; }, [](const double u) { return 2. * u; }, 0.);
+  Scalar nowhere([](const double u) { return 1. + u * u; }, [](const double u) { return 2. * u; }, 0.);
   const NewtonResult lost = nowhere.solve(1., {"Maximal iterations=15"});
   BOOST_TEST((lost.outcome == Outcome::diverged || lost.outcome == Outcome::singular));
   BOOST_TEST(lost.iterations <= 15u);

@@ -10,20 +10,22 @@ namespace
                          "Material/Hardening/Law=linear",
                          "Material/Hardening/Initial flow stress=20",
                          "Material/Hardening/Hardening modulus=100"};
-  const Entries punch{"Shape=hemispherical punch",  "Radius=.5", "Side=bottom", "Position z=-.025",
-                      "Friction coefficient=.05", "Motion=t"};
+  const Entries punch{"Shape=hemispherical punch",
+                      "Radius=.5",
+                      "Side=bottom",
+                      "Position z=-.025",
+                      "Friction coefficient=.05",
+                      "Motion=t"};
 
-  void
-  for_all_shells(const Entries &more, const std::function<void(const Entries &)> &body)
+  void for_all_shells(const Entries &more, const std::function<void(const Entries &)> &body)
   {
     for (const std::string degree : {"1", "2"})
       for (const std::string symmetry : {"axisymmetric", "plane strain"})
         BOOST_TEST_CONTEXT("degree " << degree << ", " << symmetry)
-        body(Entries{"Blank/Degree=" + degree, "Blank/Symmetry=" + symmetry} + more);
+    body(Entries{"Blank/Degree=" + degree, "Blank/Symmetry=" + symmetry} + more);
   }
 
-  void
-  check_order(const NewtonResult &result)
+  void check_order(const NewtonResult &result)
   {
     const double order = observed_order(result.residuals, 1e-14);
     BOOST_TEST_MESSAGE("order " << order << ":" << listed_residuals(result.residuals));
@@ -35,36 +37,43 @@ BOOST_AUTO_TEST_SUITE(newton_shell)
 
 BOOST_AUTO_TEST_CASE(elastic)
 {
-  for_all_shells(Entries{"Material/Model=linear elastic"}, [](const Entries &entries) {
-    ShellProblem problem(entries, {}, {});
-    check_order(problem.increment(1., 2.)); // deflection of several thicknesses
-    check_order(problem.increment(2., 4.));
-  });
+  for_all_shells(Entries{"Material/Model=linear elastic"},
+                 [](const Entries &entries)
+                 {
+                   ShellProblem problem(entries, {}, {});
+                   check_order(problem.increment(1., 2.)); // deflection of several thicknesses
+                   check_order(problem.increment(2., 4.));
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(plastic)
 {
-  for_all_shells(yielding, [](const Entries &entries) {
-    ShellProblem problem(entries, {}, {});
-    for (unsigned int k = 1; k < 10; ++k)
-      problem.increment(.1 * k, .2 * k);
-    BOOST_TEST(problem.blank->energy().plastic > 0.);
-    check_order(problem.increment(1., 2.));
-    check_order(problem.increment(1.1, 2.1));
-    check_order(problem.increment(1.2, 1.8)); // unloading
-  });
+  for_all_shells(yielding,
+                 [](const Entries &entries)
+                 {
+                   ShellProblem problem(entries, {}, {});
+                   for (unsigned int k = 1; k < 10; ++k)
+                     problem.increment(.1 * k, .2 * k);
+                   BOOST_TEST(problem.blank->energy().plastic > 0.);
+                   check_order(problem.increment(1., 2.));
+                   check_order(problem.increment(1.1, 2.1));
+                   check_order(problem.increment(1.2, 1.8)); // unloading
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(in_contact_with_friction)
 {
   for (const auto &enforcement : Registry<Enforcement>::names())
     for (const std::string point : {"normal offset", "outer fibre"})
-      for_all_shells(yielding + Entries{"Blank/Contact point=" + point}, [&](const Entries &entries) {
-        BOOST_TEST_CONTEXT(enforcement << ", " << point)
+      for_all_shells(
+        yielding + Entries{"Blank/Contact point=" + point},
+        [&](const Entries &entries)
         {
-          ShellProblem problem(entries, {"Enforcement=" + enforcement, "Allowed penetration=5e-2*.05"}, punch);
-          unsigned int assessed = 0, good = 0, sliding = 0;
-          for (unsigned int k = 1; k <= 30; ++k)
+          BOOST_TEST_CONTEXT(enforcement << ", " << point)
+          {
+            ShellProblem problem(entries, {"Enforcement=" + enforcement, "Allowed penetration=5e-2*.05"}, punch);
+            unsigned int assessed = 0, good = 0, sliding = 0;
+            for (unsigned int k = 1; k <= 30; ++k)
             {
               const NewtonResult result = problem.increment(.01 * k, 0.);
               for (const auto &state : problem.fixture->pair.committed())
@@ -78,35 +87,40 @@ BOOST_AUTO_TEST_CASE(in_contact_with_friction)
               good += order >= 1.8;
               BOOST_TEST_MESSAGE(k << " order " << order << ":" << listed_residuals(result.residuals));
             }
-          BOOST_TEST(sliding > 0u);
-          BOOST_TEST(problem.blank->energy().plastic > 0.);
-          BOOST_TEST(problem.fixture->pair.n_touching() >= 3u);
-          BOOST_TEST(assessed >= 5u);
-          // All but increments whose last steps still change a status
-          BOOST_TEST(good >= .8 * assessed, good << " of " << assessed);
-        }
-      });
+            BOOST_TEST(sliding > 0u);
+            BOOST_TEST(problem.blank->energy().plastic > 0.);
+            BOOST_TEST(problem.fixture->pair.n_touching() >= 3u);
+            BOOST_TEST(assessed >= 5u);
+            // All but increments whose last steps still change a status
+            BOOST_TEST(good >= .8 * assessed, good << " of " << assessed);
+          }
+        });
 }
 
 BOOST_AUTO_TEST_CASE(driven_by_a_force)
 {
   // The travel of the tool is an unknown of the border.
-  for_all_shells(yielding, [](const Entries &entries) {
-    const Entries driven{"Shape=flat punch",           "Radius=.3",
-                         "Edge radius=.2",             "Side=bottom",
-                         "Position z=-.025 + 1e-9", // in touch from the start
-                         "Friction coefficient=.05",  "Force=2*t"};
-    ShellProblem problem(entries, {"Enforcement=penalty", "Allowed penetration=5e-2*.05"}, driven);
-    for (unsigned int k = 1; k <= 8; ++k)
-      {
-        const NewtonResult result = problem.increment(.1 * k, 0.);
-        BOOST_TEST_MESSAGE(k << ":" << listed_residuals(result.residuals));
-        BOOST_TEST(std::abs(problem.fixture->pair.tool_force()[1] + .2 * k) < 1e-9 * k);
-        if (k > 4 && result.rounds == 0)
-          check_order(result);
-      }
-    BOOST_TEST(problem.fixture->pair.travel(problem.committed) > .01);
-  });
+  for_all_shells(yielding,
+                 [](const Entries &entries)
+                 {
+                   const Entries driven{"Shape=flat punch",
+                                        "Radius=.3",
+                                        "Edge radius=.2",
+                                        "Side=bottom",
+                                        "Position z=-.025 + 1e-9", // in touch from the start
+                                        "Friction coefficient=.05",
+                                        "Force=2*t"};
+                   ShellProblem problem(entries, {"Enforcement=penalty", "Allowed penetration=5e-2*.05"}, driven);
+                   for (unsigned int k = 1; k <= 8; ++k)
+                   {
+                     const NewtonResult result = problem.increment(.1 * k, 0.);
+                     BOOST_TEST_MESSAGE(k << ":" << listed_residuals(result.residuals));
+                     BOOST_TEST(std::abs(problem.fixture->pair.tool_force()[1] + .2 * k) < 1e-9 * k);
+                     if (k > 4 && result.rounds == 0)
+                       check_order(result);
+                   }
+                   BOOST_TEST(problem.fixture->pair.travel(problem.committed) > .01);
+                 });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

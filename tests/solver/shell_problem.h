@@ -11,19 +11,23 @@ namespace deltaform
     class ShellProblem : public NonlinearProblem
     {
     public:
-      /// A flat disc or strip of radius 1, clamped at its edge. @p contact and @p tool: see PairFixture; none: no contact
+      /// A flat disc or strip of radius 1, clamped at its edge. @p contact and @p tool: see PairFixture; none: no
+      /// contact
       ShellProblem(const Entries &blank_entries, const Entries &contact, const Entries &tool)
         : blank(make_blank("shell",
-                           Entries{"Blank/Points=0 0; 1 0", "Blank/Thickness=.05", "Blank/Elements=20",
-                                   "Material/Young's modulus=2e3", "Material/Poisson's ratio=.3"} +
+                           Entries{"Blank/Points=0 0; 1 0",
+                                   "Blank/Thickness=.05",
+                                   "Blank/Elements=20",
+                                   "Material/Young's modulus=2e3",
+                                   "Material/Poisson's ratio=.3"} +
                              blank_entries))
       {
         n = blank->n_dofs();
         if (!tool.empty())
-          {
-            fixture = std::make_unique<PairFixture>(*blank, contact, tool);
-            n       = fixture->n;
-          }
+        {
+          fixture = std::make_unique<PairFixture>(*blank, contact, tool);
+          n       = fixture->n;
+        }
         const unsigned int n_border = fixture ? fixture->tool.force_driven() : 0;
         dealii::DynamicSparsityPattern pattern(n - n_border, n - n_border);
         blank->add_couplings(pattern);
@@ -31,14 +35,14 @@ namespace deltaform
           pattern.add(i, i);
         if (fixture && fixture->settings.enforcement->has_multiplier())
           for (unsigned int i = 0; i < fixture->pair.n_nodes(); ++i)
+          {
+            const ContactNode node = fixture->pair.node(Vector(n), i);
+            for (unsigned int k = 0; k < node.n_dofs; ++k)
             {
-              const ContactNode node = fixture->pair.node(Vector(n), i);
-              for (unsigned int k = 0; k < node.n_dofs; ++k)
-                {
-                  pattern.add(node.dofs[k], blank->n_dofs() + i);
-                  pattern.add(blank->n_dofs() + i, node.dofs[k]);
-                }
+              pattern.add(node.dofs[k], blank->n_dofs() + i);
+              pattern.add(blank->n_dofs() + i, node.dofs[k]);
             }
+          }
         system = std::make_unique<System>(pattern, n_border, "klu");
 
         prescribed.assign(n, false);
@@ -60,111 +64,101 @@ namespace deltaform
           fixture->pair.begin_stage(committed, 0.);
       }
 
-      double
-      typical_length() const override
+      double typical_length() const override
       {
         return blank->initial_thickness();
       }
 
-      Status
-      assemble(const Vector &q, const bool tangent) override
+      Status assemble(const Vector &q, const bool tangent) override
       {
         system->clear(tangent);
         const Status status = blank->assemble(q, *system);
         if (!status.good())
           return status;
         if (fixture && factors_due)
-          {
-            fixture->pair.read_stiffness(q, *system);
-            fixture->pair.predict_factors(q, nullptr);
-            factors_due = false;
-          }
+        {
+          fixture->pair.read_stiffness(q, *system);
+          fixture->pair.predict_factors(q, nullptr);
+          factors_due = false;
+        }
         blank->assemble_pressure(q, pressure, true, *system);
         if (fixture)
           fixture->pair.assemble(q, *system);
         return status;
       }
 
-      double
-      admissible_step(const Vector &q, const Vector &d) const override
+      double admissible_step(const Vector &q, const Vector &d) const override
       {
         return blank->admissible_step(q, d);
       }
 
-      void
-      prepare_step(const Vector &d) override
+      void prepare_step(const Vector &d) override
       {
         if (fixture)
           fixture->pair.prepare_step(d);
       }
 
-      void
-      advance(const double factor) override
+      void advance(const double factor) override
       {
         if (fixture)
           fixture->pair.advance(factor);
       }
 
-      bool
-      status_changed() const override
+      bool status_changed() const override
       {
         return fixture && fixture->pair.status_changed();
       }
 
-      unsigned int
-      patience() const override
+      unsigned int patience() const override
       {
         return 2;
       }
 
-      bool
-      consistent(const double allowed_tension) const override
+      bool consistent(const double allowed_tension) const override
       {
         return !fixture || fixture->pair.consistent(allowed_tension);
       }
 
-      unsigned int
-      correct() override
+      unsigned int correct() override
       {
         return fixture ? fixture->pair.correct_factors() : 0;
       }
 
       /**
-       * Solve the increment that ends at @p time under @p new_pressure and commit it; if that fails, once more with soft first
-       * touches, and then in two halves.
+       * Solve the increment that ends at @p time under @p new_pressure and commit it; if that fails, once more with
+       * soft first touches, and then in two halves.
        */
-      NewtonResult
-      increment(const double time, const double new_pressure, const unsigned int depth = 0)
+      NewtonResult increment(const double time, const double new_pressure, const unsigned int depth = 0)
       {
-        const double         time_before = last_time, pressure_before = pressure;
+        const double time_before = last_time, pressure_before = pressure;
         const NewtonSettings settings = newton_settings({"Force tolerance=1e-12", "Maximal iterations=40"});
-        Timers               timers;
-        Newton               newton(*this, *system, settings, scale, size, timers);
-        NewtonResult         result;
-        Vector               q;
+        Timers timers;
+        Newton newton(*this, *system, settings, scale, size, timers);
+        NewtonResult result;
+        Vector q;
         for (const double share : {1., 1e-4})
+        {
+          if (share < 1. && (!fixture || result.converged()))
+            break;
+          pressure    = new_pressure;
+          factors_due = true;
+          if (fixture)
           {
-            if (share < 1. && (!fixture || result.converged()))
-              break;
-            pressure    = new_pressure;
-            factors_due = true;
-            if (fixture)
-              {
-                fixture->pair.begin_increment(time);
-                fixture->pair.soften(share);
-              }
-            q      = committed;
-            result = newton.solve(q, committed, prescribed, committed, 0.);
+            fixture->pair.begin_increment(time);
+            fixture->pair.soften(share);
           }
+          q      = committed;
+          result = newton.solve(q, committed, prescribed, committed, 0.);
+        }
         if (!result.converged())
-          {
-            BOOST_TEST_REQUIRE(depth < 5u,
-                               "at time " << time << " (" << static_cast<int>(result.outcome)
-                                          << "):" << listed_residuals(result.residuals));
-            pressure = pressure_before;
-            increment(.5 * (time_before + time), .5 * (pressure_before + new_pressure), depth + 1);
-            return increment(time, new_pressure, depth + 1);
-          }
+        {
+          BOOST_TEST_REQUIRE(depth < 5u,
+                             "at time " << time << " (" << static_cast<int>(result.outcome)
+                                        << "):" << listed_residuals(result.residuals));
+          pressure = pressure_before;
+          increment(.5 * (time_before + time), .5 * (pressure_before + new_pressure), depth + 1);
+          return increment(time, new_pressure, depth + 1);
+        }
         if (fixture)
           fixture->pair.commit(q);
         blank->commit(q);
@@ -175,15 +169,15 @@ namespace deltaform
         return result;
       }
 
-      unsigned int                 n;
-      std::unique_ptr<Blank>       blank;
+      unsigned int n;
+      std::unique_ptr<Blank> blank;
       std::unique_ptr<PairFixture> fixture;
-      std::unique_ptr<System>      system;
-      std::vector<bool>            prescribed;
-      std::vector<double>          scale, size;
-      Vector                       committed;
-      double                       pressure = 0., last_time = 0.;
-      bool                         factors_due = true;
+      std::unique_ptr<System> system;
+      std::vector<bool> prescribed;
+      std::vector<double> scale, size;
+      Vector committed;
+      double pressure = 0., last_time = 0.;
+      bool factors_due = true;
     };
   } // namespace testing
 } // namespace deltaform

@@ -9,11 +9,10 @@ using namespace deltaform;
 
 namespace
 {
-  StepSettings
-  settings(const std::vector<std::string> &entries = {})
+  StepSettings settings(const std::vector<std::string> &entries = {})
   {
-    ParameterTree tree    = ParameterTree::parse("", "test", entries);
-    Section       section = tree.root();
+    ParameterTree tree = ParameterTree::parse("", "test", entries);
+    Section section    = tree.root();
     return StepSettings(section);
   }
 } // namespace
@@ -23,19 +22,19 @@ BOOST_AUTO_TEST_SUITE(step_control)
 BOOST_AUTO_TEST_CASE(times_that_must_be_met)
 {
   const StepSettings what = settings();
-  StepControl        control(what, 1., 3., .1, 1e-3, .3, {.5, 1., 1.55, 2.2, 3., 7.}); // those outside do not count
+  StepControl control(what, 1., 3., .1, 1e-3, .3, {.5, 1., 1.55, 2.2, 3., 7.}); // those outside do not count
   std::vector<double> times;
-  double              time = 1.;
+  double time = 1.;
   while (!control.finished(time))
-    {
-      const double next = control.next(time);
-      BOOST_TEST_REQUIRE(next > time);
-      BOOST_TEST(next - time <= .3 * (1. + 1e-9));
-      time = next;
-      times.push_back(time);
-      control.accept(8);
-      BOOST_TEST_REQUIRE(times.size() < 100u);
-    }
+  {
+    const double next = control.next(time);
+    BOOST_TEST_REQUIRE(next > time);
+    BOOST_TEST(next - time <= .3 * (1. + 1e-9));
+    time = next;
+    times.push_back(time);
+    control.accept(8);
+    BOOST_TEST_REQUIRE(times.size() < 100u);
+  }
   BOOST_TEST(time == 3.);
   for (const double wanted : {1.55, 2.2, 3.})
     BOOST_TEST((std::find(times.begin(), times.end(), wanted) != times.end())); // exactly
@@ -44,7 +43,7 @@ BOOST_AUTO_TEST_CASE(times_that_must_be_met)
 BOOST_AUTO_TEST_CASE(no_slivers)
 {
   const StepSettings what = settings();
-  const StepControl  control(what, 0., 1., .3, 1e-3, .3, {});
+  const StepControl control(what, 0., 1., .3, 1e-3, .3, {});
   BOOST_TEST(control.next(0.) == .3);
   BOOST_TEST(std::abs(control.next(.6) - .8) < 1e-15); // two equal increments instead of .3 and .1
   BOOST_TEST(control.next(.8) == 1.);
@@ -54,7 +53,8 @@ BOOST_AUTO_TEST_CASE(no_slivers)
 BOOST_AUTO_TEST_CASE(easy_increments_grow_and_hard_ones_shrink)
 {
   const StepSettings what = settings({"Target iterations=8", "Growth=1.5", "Shrink=.5"});
-  const auto         after = [&](const unsigned int iterations) {
+  const auto after        = [&](const unsigned int iterations)
+  {
     StepControl control(what, 0., 1., .01, 1e-3, .1, {});
     control.accept(iterations);
     return control.increment();
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(easy_increments_grow_and_hard_ones_shrink)
 BOOST_AUTO_TEST_CASE(failures_cut_back)
 {
   const StepSettings what = settings({"Shrink=.5", "Growth=1.5"});
-  StepControl        control(what, 0., 1., .08, .01, .1, {});
+  StepControl control(what, 0., 1., .08, .01, .1, {});
   BOOST_TEST(control.reject(.08));
   BOOST_TEST(control.increment() == .04);
   // What was tried counts, not what was planned: the end of a stage may have been nearer.

@@ -93,7 +93,7 @@ namespace deltaform
     const int *row_start_ = nullptr;
     const int *columns_   = nullptr;
     double *values_       = nullptr;
-    double shift_ = 0; ///< of the last factorization
+    double shift_         = 0; ///< of the last factorization
     bool tangent_         = true;
     std::vector<bool> prescribed_;
     Vector residual_, magnitude_;
