@@ -5,7 +5,11 @@ set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
 
-"$root/scripts/build.sh" "$build" || exit 1
+if ! "$root/scripts/build.sh" "$build"; then
+  echo "The build failed; no test has run."
+  echo "0 passed, 1 failed"
+  exit 1
+fi
 
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT

@@ -256,6 +256,11 @@ namespace deltaform
 
   bool ContactPair::consistent(const double allowed_tension) const
   {
+    // An exact constraint is to be exact: its residual is a length that the forces hardly notice.
+    if (settings_.enforcement->has_multiplier() && softening_ == 1.)
+      for (unsigned int i = 0; i < trial_.size(); ++i)
+        if (trial_[i].touching && std::abs(trial_[i].gap) > 1e-8 * description_[i].thickness + tolerance(i))
+          return false;
     for (unsigned int i = 0; i < trial_.size(); ++i)
       if (trial_[i].touching &&
           trial_[i].force < -std::max(allowed_tension, Enforcement::weight(trial_[i]) * tolerance(i)))

@@ -76,8 +76,8 @@ namespace deltaform
     /// Add internal forces and, if wanted, their tangent at @p q. The trial history starts from the committed one.
     virtual Status assemble(const Vector &q, AssemblyTarget &target) = 0;
 
-    /// Add the forces of a pressure on the whole blank, positive along the outward normal of the bottom face (upward,
-    /// for a flat blank). Following: on the current area along the current normal; dead: on the initial area and
+    /// Add the forces of a pressure on the whole blank, positive if it pushes on the bottom face (along the director:
+    /// upward, for a flat blank). Following: on the current area along the current normal; dead: on the initial area and
     /// normal.
     virtual void assemble_pressure(const Vector &q, double pressure, bool following, AssemblyTarget &target) const = 0;
 
