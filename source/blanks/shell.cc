@@ -207,12 +207,13 @@ namespace deltaform
       const double length = (position(q, b) - position(q, a)).norm();
       const Tensor1 du({dq[node_dofs_[b][0]] - dq[node_dofs_[a][0]], dq[node_dofs_[b][1]] - dq[node_dofs_[a][1]]});
       factor = std::min(factor, largest_stretch * length / std::max(du.norm(), 1e-300));
-      factor = std::min(factor, largest_rotation / std::max(std::abs(dq[node_dofs_[b][2]]), 1e-300));
       if (axisymmetric_)
         factor = std::min(factor,
                           largest_stretch * std::max(position(q, b)[0], length) /
                             std::max(std::abs(dq[node_dofs_[b][0]]), 1e-300));
     }
+    for (const auto &dofs : node_dofs_)
+      factor = std::min(factor, largest_rotation / std::max(std::abs(dq[dofs[2]]), 1e-300));
     return factor;
   }
 

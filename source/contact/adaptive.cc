@@ -40,7 +40,11 @@ namespace deltaform
       {
         const double lowest = floor(input);
         if (input.previous_epsilon <= 0)
-          return std::max(lowest, input.neighbour);
+        {
+          // Without a floor the very first touch still needs a value.
+          const double start = std::max(lowest, input.neighbour);
+          return start > 0 ? start : 1e-2 * input.stiffness;
+        }
         const double wanted = std::max(lowest, input.force / (aim_ * input.delta));
         return std::clamp(wanted, input.previous_epsilon / largest_change_, input.previous_epsilon * largest_change_);
       }

@@ -6,16 +6,6 @@
 
 namespace deltaform
 {
-  namespace
-  {
-    /// Round-off of a gap: it is computed from coordinates of this size.
-    double noise(const double coordinate)
-    {
-      return 8 * std::numeric_limits<double>::epsilon() * coordinate;
-    }
-  } // namespace
-
-
   void ContactPair::read_stiffness(const Vector &q, const StiffnessView &stiffness)
   {
     ContactNode node;
@@ -176,7 +166,7 @@ namespace deltaform
 
   double ContactPair::tolerance(const unsigned int i) const
   {
-    return std::max(1e-6 * trial_[i].delta, noise(projected_x_[i].norm()));
+    return std::max(1e-6 * trial_[i].delta, noise_[i]);
   }
 
 

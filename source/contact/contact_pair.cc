@@ -63,6 +63,7 @@ namespace deltaform
     committed_x_.resize(n);
     projected_x_.resize(n);
     projected_gap_.assign(n, -1.);
+    noise_.assign(n, 0.);
     hint_.assign(n, invalid_index);
     description_.resize(n);
     normal_.resize(n);
@@ -178,7 +179,8 @@ namespace deltaform
       // A blank that just rests on a tool touches it, whatever the last digit says.
       const double size =
         relative.norm() + node.offset + (projection.turning != 0 ? 1 / std::abs(projection.turning) : 0.);
-      if (gap > 0 && gap < 16 * std::numeric_limits<double>::epsilon() * size)
+      noise_[i] = 8 * std::numeric_limits<double>::epsilon() * size;
+      if (gap > 0 && gap < 2 * noise_[i])
         gap = 0.;
       state.gap        = gap;
       state.arc_length = projection.arc_length;
@@ -319,10 +321,11 @@ namespace deltaform
 
     // dF/dx: the normal turns with the tool's curvature, the friction force follows normal force and slip.
     const double turning = projection.turning, t = friction.force;
+    const double pressing = normal.touching ? std::max(lambda, 0.) : 0.;
     Tensor2 dF;
     for (unsigned int a = 0; a < 2; ++a)
       for (unsigned int b = 0; b < 2; ++b)
-        dF[a][b] = normal.derivative * N[a] * N[b] + std::max(lambda, 0.) * turning * tau[a] * tau[b] -
+        dF[a][b] = normal.derivative * N[a] * N[b] + pressing * turning * tau[a] * tau[b] -
                    s * tau[a] * (friction.slip_rate * s * tau[b] + friction.force_rate * normal.derivative * N[b]) +
                    t * turning * s * (tau[a] * N[b] + N[a] * tau[b]);
     matrix.fill(0.);

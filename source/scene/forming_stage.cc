@@ -156,8 +156,15 @@ namespace deltaform
         for (unsigned int i = 0; i < own.size(); ++i)
           side[i] += own[i];
     }
+    // A side that all tools have left is free of pressure.
     for (const Side side : {Side::bottom, Side::top})
-      if (!pressure[static_cast<unsigned int>(side)].empty())
-        actors_.blank->set_contact_pressure(side, pressure[static_cast<unsigned int>(side)]);
+    {
+      auto &own = pressure[static_cast<unsigned int>(side)];
+      if (!actors_.pairs.empty())
+      {
+        own.resize(actors_.blank->n_contact_nodes(side), 0.);
+        actors_.blank->set_contact_pressure(side, own);
+      }
+    }
   }
 } // namespace deltaform

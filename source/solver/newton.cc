@@ -200,6 +200,7 @@ namespace deltaform
         const double smallest_factor = .02 * factor;
         const bool strict            = iteration >= 3;
         const double wanted          = (strict ? .2 : .8) * std::abs(work_start);
+        double last_good = factor;
         double low = 0., high = factor, work_low = work_start, work = work_along_step(), work_high = work;
         for (unsigned int search = 0; search < 6 && work > wanted && factor > smallest_factor; ++search)
         {
@@ -212,7 +213,8 @@ namespace deltaform
             high = factor;
             continue;
           }
-          work = work_along_step();
+          last_good = factor;
+          work      = work_along_step();
           if (work > 0)
           {
             high      = factor;
@@ -228,6 +230,11 @@ namespace deltaform
               work = 2 * wanted; // go on
           }
         }
+        if (!result.status.good())
+        {
+          factor = last_good;
+          go(factor);
+        }
         now = measure(is_prescribed, force_floor, result);
       }
       residual  = now;
@@ -235,15 +242,6 @@ namespace deltaform
       for (unsigned int i = 0; i < n; ++i)
         last_step = std::max(last_step, factor * std::abs(d[i]) * scale_[i]);
       result.residuals.push_back(residual);
-      if (std::getenv("DELTAFORM_TRACE"))
-        std::fprintf(stderr,
-                     "  it %u res %.3e step %.3e factor %.3e worst %u ch %d\n",
-                     iteration,
-                     residual,
-                     last_step,
-                     factor,
-                     result.worst_dof,
-                     problem_.status_changed());
     }
   }
 } // namespace deltaform

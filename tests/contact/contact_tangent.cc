@@ -105,7 +105,7 @@ namespace
     }
     if (fixture.settings.enforcement->has_multiplier())
       for (unsigned int i = 0; i < where.size(); ++i)
-        q[fixture.n_blank + i] = before[fixture.n_blank + i] = i % 6 == 5 ? -.5 : 1. + .1 * i; // tension: not tied
+        q[fixture.n_blank + i] = before[fixture.n_blank + i] = i % 6 == 5 ? .01 : 1. + .1 * i; // tension: not tied
 
     fixture.pair.begin_stage(before, 0.);
     if (what.second)

@@ -103,7 +103,7 @@ namespace deltaform
      */
     unsigned int correct_factors();
 
-    /// The pair that breaks the promise most: node and p/delta - 1 beyond round-off (invalid_index: none does).
+    /// The pair that breaks the promise most, beyond round-off: node and p/delta (invalid_index: none does).
     std::pair<unsigned int, double> broken_promise() const;
 
     void commit(const Vector &q);
@@ -203,6 +203,7 @@ namespace deltaform
     std::vector<Point2> committed_x_;              ///< contact point relative to the tool at the last commit
     std::vector<Point2> projected_x_;              ///< the same at the last projection
     std::vector<double> projected_gap_;            ///< distance then; -1: none known
+    std::vector<double> noise_;                    ///< round-off of the gap, which is a difference of large numbers
     std::vector<unsigned int> hint_;               ///< segment of the last projection
     bool status_changed_  = false;
     double median_factor_ = 0;

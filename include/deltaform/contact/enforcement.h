@@ -27,17 +27,17 @@ namespace deltaform
   public:
     virtual ~Enforcement() = default;
 
-    /**
-     * @param state      with epsilon and stiffness set
-     * @param gap        current gap
-     * @param multiplier current estimate of lambda: of the last linear solve, or the pair's own unknown
-     */
     /// c of a pair: its share of the nodal stiffness.
     static double weight(const PairState &state)
     {
       return 1e-2 * state.stiffness;
     }
 
+    /**
+     * @param state      with epsilon and stiffness set
+     * @param gap        current gap
+     * @param multiplier current estimate of lambda: of the last linear solve, or the pair's own unknown
+     */
     virtual NormalResponse respond(const PairState &state, double gap, double multiplier) const = 0;
 
     /// Does every pair have an unknown of its own, its force?
