@@ -42,14 +42,17 @@ namespace deltaform
   PenaltyInput ContactPair::input(const unsigned int i, const PairState &state, const double coupling) const
   {
     PenaltyInput result;
-    result.force            = state.force;
-    result.penetration      = state.penetration();
-    result.previous_epsilon = state.epsilon;
-    result.stiffness        = state.stiffness;
-    result.coupling         = coupling;
-    result.area             = area_[i];
-    result.delta            = state.delta;
-    result.neighbour        = neighbour_factor(i);
+    result.force                = state.force;
+    result.penetration          = state.penetration();
+    result.previous_penetration = state.last_penetration;
+    result.previous_epsilon     = state.epsilon;
+    result.stiffness            = state.stiffness;
+    result.coupling             = coupling;
+    result.area                 = area_[i];
+    result.thickness            = thickness_of_[i];
+    result.modulus              = surface_.modulus();
+    result.delta                = state.delta;
+    result.neighbour            = neighbour_factor(i);
     return result;
   }
 
@@ -110,6 +113,7 @@ namespace deltaform
       const Projection projection   = tool_.project(description.x - shift, 0., hint_[i]);
       state.stiffness               = nodal_stiffness(i, description, projection.normal);
       area_[i]                      = description.area;
+      thickness_of_[i]              = description.thickness;
       double product                = 0.;
       if (coupling)
         for (unsigned int k = 0; k < description.n_dofs; ++k)
@@ -118,7 +122,9 @@ namespace deltaform
         state.epsilon = settings_.rule->predict(input(i, state, product));
       if (friction_)
         state.epsilon_tangential = tangential_factor(state, nodal_stiffness(i, description, projection.tangent));
-      factor_at_start_[i] = state.epsilon;
+      state.last_penetration = state.penetration();
+      state.shift            = settings_.enforcement->start_shift(state);
+      factor_at_start_[i]    = state.epsilon;
     }
   }
 
@@ -132,6 +138,7 @@ namespace deltaform
     }
     if (!settings_.enforcement->uses_penalty())
       return 0;
+    const bool augmented = !stores_energy();
     unsigned int changed = 0;
     for (unsigned int i = 0; i < trial_.size(); ++i)
     {
@@ -141,13 +148,16 @@ namespace deltaform
       PenaltyInput what = input(i, state, 0.);
       if (what.penetration <= state.delta + tolerance(i))
         what.penetration = std::min(what.penetration, state.delta);
-      const double epsilon = settings_.rule->correct(what);
-      bool change          = epsilon != state.epsilon;
-      if (change)
+      // Augmentation takes the penetration away, and leaves the factor as soft as it is.
+      bool change = false;
+      if (!augmented)
       {
-        const double p = state.penetration();
+        const double epsilon = settings_.rule->correct(what);
+        change               = epsilon != state.epsilon;
+        const double p       = state.penetration();
         energy_of_changes_ += .5 * (epsilon - state.epsilon) * p * p;
-        state.epsilon = epsilon;
+        state.epsilon          = epsilon;
+        state.last_penetration = p;
       }
       if (friction_ && settings_.tangential_factor == 0 && state.sticking)
       {
@@ -164,9 +174,58 @@ namespace deltaform
   }
 
 
+  double ContactPair::automatic_delta() const
+  {
+    // A straight element cuts a curved tool by h^2 k/8, a quadratic one misses the change of the curvature: about h^2
+    // dk/(72 sqrt 3). A tenth of the largest such error under the tool, so that contact is never what the result
+    // suffers from.
+    double error = 0., thickness = 0.;
+    for (const auto &edge : surface_.contact_edges(tool_.side()))
+    {
+      const unsigned int a = edge[0], b = edge[1];
+      thickness = std::max({thickness, thickness_of_[a], thickness_of_[b]});
+      if (!committed_[a].touching && !committed_[b].touching)
+        continue;
+      const double length  = (committed_x_[b] - committed_x_[a]).norm();
+      const auto curvature = [&](const unsigned int i) { return tool_.project(committed_x_[i], 0., hint_[i]).turning; };
+      const double ka = curvature(a), kb = curvature(b);
+      error = std::max(error,
+                       length * length *
+                         (edge[2] == invalid_index ? std::max(std::abs(ka), std::abs(kb)) / 8.
+                                                   : std::abs(ka - kb) / (72. * std::sqrt(3.))));
+    }
+    return error > 0 ? std::clamp(.1 * error, 1e-6 * thickness, 1e-2 * thickness) : 1e-3 * thickness;
+  }
+
+
   double ContactPair::tolerance(const unsigned int i) const
   {
     return std::max(1e-6 * trial_[i].delta, noise_[i]);
+  }
+
+
+  bool ContactPair::augmentation(std::vector<double> &shifts, std::vector<double> &forces) const
+  {
+    const double allowed = settings_.enforcement->augmentation_tolerance();
+    bool exact           = true;
+    for (unsigned int i = 0; i < trial_.size(); ++i)
+    {
+      const PairState &state = trial_[i];
+      const double force     = state.touching ? std::max(state.force, 0.) : 0.;
+      shifts.push_back(state.shift);
+      forces.push_back(force);
+      const double gap = force > 0 ? std::abs(state.gap) : std::max(-state.gap, 0.);
+      exact &= !state.touching || gap <= std::max(allowed * state.delta, noise_[i]);
+    }
+    return exact;
+  }
+
+
+  const double *ContactPair::shift(const double *next)
+  {
+    for (auto &state : trial_)
+      state.shift = *next++;
+    return next;
   }
 
 

@@ -59,6 +59,7 @@ namespace deltaform
     committed_.resize(n);
     trial_.resize(n);
     area_.assign(n, 0.);
+    thickness_of_.assign(n, 0.);
     stiffness_.resize(n);
     committed_x_.resize(n);
     projected_x_.resize(n);
@@ -98,7 +99,11 @@ namespace deltaform
     time_               = time;
     const Tensor1 shift = travel(q) * tool_.direction();
     for (unsigned int i = 0; i < committed_.size(); ++i)
-      committed_x_[i] = node(q, i).x - shift;
+    {
+      const ContactNode description = node(q, i);
+      committed_x_[i]               = description.x - shift;
+      thickness_of_[i]              = description.thickness;
+    }
     std::fill(projected_gap_.begin(), projected_gap_.end(), -1.);
   }
 
@@ -110,15 +115,17 @@ namespace deltaform
     slip_limit_        = settings_.allowed_slip(time);
     trial_             = committed_;
     energy_of_changes_ = 0.;
-    factor_at_start_.assign(committed_.size(), 0.);
+    factor_at_start_.resize(committed_.size());
     for (unsigned int i = 0; i < committed_.size(); ++i)
       factor_at_start_[i] = committed_[i].epsilon;
     const auto own     = tool_.allowed_penetration(time);
-    const double delta = own ? *own : settings_.allowed_penetration(time);
+    const double asked = own ? *own : settings_.allowed_penetration(time);
+    const double delta = asked < 0 ? -asked * automatic_delta() : asked;
     for (auto &state : trial_)
     {
       state.delta      = delta;
       state.multiplier = state.touching ? state.force : 0.;
+      state.shift      = 0.; // until the factors are predicted
     }
 
     std::vector<double> factors;
@@ -162,7 +169,9 @@ namespace deltaform
       PairState &state      = trial_[i];
       const Point2 relative = node.x - shift;
       area_[i]              = node.area;
-      if (!(node.area > 0) || (!own_unknown && !(state.multiplier > 0) && certainly_clear(i, relative, node.offset)))
+      thickness_of_[i]      = node.thickness;
+      if (!(node.area > 0) ||
+          (!own_unknown && !(state.multiplier > 0) && !(state.shift > 0) && certainly_clear(i, relative, node.offset)))
       {
         status_changed_ |= state.touching;
         state.touching = false;
@@ -243,7 +252,7 @@ namespace deltaform
       for (unsigned int k = 0; k < description_[i].n_dofs; ++k)
         dx += d[description_[i].dofs[k]] * description_[i].jacobian[k];
       const double epsilon = softening_ < 1 && !committed_[i].touching ? softening_ * state.epsilon : state.epsilon;
-      step_multiplier_[i] += -epsilon * (state.gap + normal_[i] * dx);
+      step_multiplier_[i] += state.shift - epsilon * (state.gap + normal_[i] * dx);
     }
   }
 

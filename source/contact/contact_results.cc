@@ -19,10 +19,10 @@ namespace deltaform
       const PairState &before = committed_[i];
       committed_x_[i]         = node(q, i).x - shift;
       if (!state.touching)
-        state.epsilon = state.epsilon_tangential = state.stiffness = 0.;
+        state.epsilon = state.epsilon_tangential = state.stiffness = state.shift = state.last_penetration = 0.;
 
       // Work of the factor changed at the start of the increment, at the penetration of then.
-      if (before.touching && before.epsilon > 0)
+      if (stores_energy() && before.touching && before.epsilon > 0)
       {
         const double p = before.penetration();
         energy_.epsilon += .5 * (factor_at_start_[i] - before.epsilon) * p * p;
@@ -55,7 +55,8 @@ namespace deltaform
       if (state.touching)
       {
         const double p = state.penetration();
-        energy_.stored += .5 * state.epsilon * p * p;
+        if (stores_energy())
+          energy_.stored += .5 * state.epsilon * p * p;
         if (state.epsilon_tangential > 0)
           energy_.stored += .5 * state.tangential_force * state.tangential_force / state.epsilon_tangential;
       }

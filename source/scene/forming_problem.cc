@@ -12,7 +12,7 @@ namespace deltaform
   FormingProblem::FormingProblem(Actors &actors, const std::string &linear_solver, Timers &timers)
     : actors_(actors), timers_(timers), timer_blank_(timers.section("3-6 blank: strains, material, residual, tangent")),
       timer_contact_(timers.section("7-9 contact: projection, forces, tangent")),
-      timer_commit_(timers.section("12 commit"))
+      timer_commit_(timers.section("12 commit")), augmentation_(8)
   {
     number_unknowns(linear_solver);
     tool_forces_.resize(actors_.tools.size());
@@ -232,6 +232,8 @@ namespace deltaform
     unsigned int changed = 0;
     for (auto *pair : active_pairs_)
       changed += pair->correct_factors();
+    if (actors_.contact && actors_.contact->enforcement->augmentation_tolerance() > 0)
+      changed += augmentation_.update(active_pairs_);
     return changed;
   }
 
@@ -246,6 +248,7 @@ namespace deltaform
           prescribed_[dof] = is_fixed_[dof] ? 0. : support.hold ? hold_[dof] : support.value(time);
     for (auto *pair : active_pairs_)
       pair->begin_increment(time);
+    augmentation_.restart();
     factors_due_ = !active_pairs_.empty();
     cycling_     = false;
     visited_.clear();

@@ -70,7 +70,7 @@ namespace deltaform
       problem_.commit(q);
       time_ = next;
       ++increment_;
-      control.accept(result.iterations);
+      control.accept(result.iterations - result.correction_iterations);
       recorder_.record(problem_, stage, time_, increment_, cost);
       cost = IncrementCost();
     }

@@ -11,7 +11,7 @@ namespace deltaform
   NewtonSettings::NewtonSettings(Section &section)
     : max_iterations(section.integer("Maximal iterations", 20, 2, 1000, "Newton iterations between two corrections.")),
       max_rounds(
-        section.integer("Maximal corrections", 20, 0, 1000, "Corrections of the penalty factors per increment.")),
+        section.integer("Maximal corrections", 60, 0, 1000, "Corrections of the penalty factors per increment.")),
       force_tolerance(
         section.number("Force tolerance",
                        1e-6,
@@ -139,6 +139,7 @@ namespace deltaform
       for (unsigned int i = 0; i < n; ++i)
         increments[i] = is_prescribed[i] ? prescribed[i] - q[i] : 0.;
       ++result.iterations;
+      result.correction_iterations += result.rounds > 0;
       const auto solve = [&](const double shift)
       {
         Timers::Scope timer(timers_, timer_solve_);
@@ -200,7 +201,7 @@ namespace deltaform
         const double smallest_factor = .02 * factor;
         const bool strict            = iteration >= 3;
         const double wanted          = (strict ? .2 : .8) * std::abs(work_start);
-        double last_good = factor;
+        double last_good             = factor;
         double low = 0., high = factor, work_low = work_start, work = work_along_step(), work_high = work;
         for (unsigned int search = 0; search < 6 && work > wanted && factor > smallest_factor; ++search)
         {

@@ -38,6 +38,11 @@ namespace deltaform
         return X.size();
       }
 
+      double modulus() const override
+      {
+        return 1e3;
+      }
+
       void contact_node(const Vector &q,
                         const Side side,
                         const unsigned int i,

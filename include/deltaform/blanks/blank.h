@@ -66,6 +66,11 @@ namespace deltaform
     /// A typical stiffness, force over length: Young's modulus times the thickness.
     virtual double stiffness_scale() const = 0;
 
+    double modulus() const override
+    {
+      return stiffness_scale() / initial_thickness();
+    }
+
     virtual bool axisymmetric() const = 0;
 
     virtual double initial_thickness() const = 0;

@@ -103,6 +103,12 @@ namespace deltaform
      */
     unsigned int correct_factors();
 
+    /// Shifts of all pairs, and the forces that augmentation makes of them (Uzawa); false if all gaps are small enough.
+    bool augmentation(std::vector<double> &shifts, std::vector<double> &forces) const;
+
+    /// Set the shifts of all pairs, from @p next on. @return the position behind them
+    const double *shift(const double *next);
+
     /// The pair that breaks the promise most, beyond round-off: node and p/delta (invalid_index: none does).
     std::pair<unsigned int, double> broken_promise() const;
 
@@ -175,10 +181,19 @@ namespace deltaform
     /// First touch of a pair within this increment: factors, and where its slip starts.
     void touch(unsigned int i, const ContactNode &node, const Projection &projection);
 
+    /// Estimate of the discretisation error in the contact surface, as a length (doc/theory/contact.md).
+    double automatic_delta() const;
+
     /// By how much a penetration may exceed delta before the promise is broken: 1e-6 delta or round-off.
     double tolerance(unsigned int i) const;
 
     void update_stored_energy();
+
+    /// Are the pairs springs that keep their penetration? Augmented ones end without, like exact constraints.
+    bool stores_energy() const
+    {
+      return settings_.enforcement->augmentation_tolerance() == 0;
+    }
 
     void add_pair(unsigned int i,
                   const ContactNode &node,
@@ -198,7 +213,7 @@ namespace deltaform
     double time_               = 0;
 
     std::vector<PairState> committed_, trial_;
-    std::vector<double> area_;                     ///< of the last assembled configuration
+    std::vector<double> area_, thickness_of_;      ///< of the last assembled configuration
     std::vector<std::array<double, 9>> stiffness_; ///< nodal blocks of the blank's tangent
     std::vector<Point2> committed_x_;              ///< contact point relative to the tool at the last commit
     std::vector<Point2> projected_x_;              ///< the same at the last projection

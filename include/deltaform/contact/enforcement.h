@@ -38,6 +38,12 @@ namespace deltaform
      * @param gap        current gap
      * @param multiplier current estimate of lambda: of the last linear solve, or the pair's own unknown
      */
+    /// How far the contact point is from carrying no force: gap - shift / eps.
+    static double effective_gap(const PairState &state, const double gap)
+    {
+      return state.shift > 0 ? gap - state.shift / state.epsilon : gap;
+    }
+
     virtual NormalResponse respond(const PairState &state, double gap, double multiplier) const = 0;
 
     /// Does every pair have an unknown of its own, its force?
@@ -45,5 +51,19 @@ namespace deltaform
 
     /// Does it use the penalty rule?
     virtual bool uses_penalty() const = 0;
+
+    /// Force at zero gap that a pair begins an increment with; @p state has the new epsilon and the force of the last
+    /// increment.
+    virtual double start_shift(const PairState & /*state*/) const
+    {
+      return 0.;
+    }
+
+    /// Largest |gap| of a loaded pair, in units of delta, at which no further augmentation takes place; 0: the
+    /// enforcement does not augment.
+    virtual double augmentation_tolerance() const
+    {
+      return 0.;
+    }
   };
 } // namespace deltaform

@@ -13,6 +13,8 @@ namespace deltaform
     double force              = 0; ///< lambda; not negative once converged
     double multiplier         = 0; ///< estimate of lambda by the last linear solve: decides about the status
     double epsilon            = 0; ///< penalty factor; 0: not set yet
+    double shift              = 0; ///< force at zero gap: lambda = shift - eps gap (augmented forms)
+    double last_penetration   = 0; ///< p when the rule was asked the last time
     double delta              = 0; ///< allowed penetration
     double stiffness          = 0; ///< K_nn of the blank when epsilon was set
     double arc_length         = 0; ///< of the foot point

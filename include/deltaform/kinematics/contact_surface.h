@@ -19,6 +19,9 @@ namespace deltaform
 
     virtual unsigned int n_contact_nodes(Side side) const = 0;
 
+    /// Young's modulus of the body behind the surface (stress).
+    virtual double modulus() const = 0;
+
     /// Describe node @p node of one side at @p q.
     virtual void contact_node(const Vector &q,
                               Side side,

@@ -2,6 +2,7 @@
 
 #include <deltaform/base/timers.h>
 #include <deltaform/blanks/blank.h>
+#include <deltaform/contact/augmentation.h>
 #include <deltaform/contact/contact_pair.h>
 #include <deltaform/scene/boundary_conditions.h>
 #include <deltaform/scene/stage.h>
@@ -154,6 +155,7 @@ namespace deltaform
     bool cycling_     = false;
     bool factors_due_ = false; ///< the rule has to predict in the next assembly
     std::vector<ContactPair *> active_pairs_;
+    Augmentation augmentation_;
     std::vector<Tensor1> tool_forces_;
     std::vector<double> travels_;
     Vector load_forces_; ///< committed: loads, supports, released

@@ -72,6 +72,7 @@ namespace deltaform
 
     Outcome outcome         = Outcome::diverged;
     unsigned int iterations = 0, rounds = 0, line_searches = 0;
+    unsigned int correction_iterations = 0; ///< those after the first convergence: what the corrections cost
     Status status;
     unsigned int worst_dof = invalid_index; ///< largest share of the residual
     std::vector<double> residuals;          ///< relative, of every iteration since the last correction

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <deltaform/contact/contact_pair.h>
+
+#include <deque>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * The outer loop of the augmented forms: s := lambda (Uzawa) on all pairs together. That is a fixed-point iteration
+   * whose rate is K_c/(K_c + eps), K_c = (C^T K^-1 C)^-1: slow where eps is soft. Anderson acceleration (Walker, Ni,
+   * SIAM J. Numer. Anal. 49 (2011) 1715), which for a fixed set and a linear blank is GMRES, makes the number of rounds
+   * nearly independent of eps; the fixed point, gap = 0, stays the same.
+   */
+  class Augmentation
+  {
+  public:
+    /// @param depth number of earlier rounds that the acceleration looks back to; 0: plain Uzawa
+    explicit Augmentation(unsigned int depth);
+
+    /// An increment begins: forget the earlier rounds.
+    void restart();
+
+    /// New shifts for all pairs. @return how many pairs had to change; 0: all gaps are small enough
+    unsigned int update(const std::vector<ContactPair *> &pairs);
+
+  private:
+    using Values = std::vector<double>;
+
+    unsigned int depth_;
+    Values last_shift_, last_change_;
+    std::vector<bool> loaded_;
+    std::deque<Values> shift_differences_, change_differences_;
+  };
+} // namespace deltaform

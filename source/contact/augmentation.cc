@@ -1,0 +1,84 @@
+#include <deltaform/contact/augmentation.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  Augmentation::Augmentation(const unsigned int depth) : depth_(depth)
+  {
+  }
+
+
+  void Augmentation::restart()
+  {
+    last_shift_.clear();
+    shift_differences_.clear();
+    change_differences_.clear();
+  }
+
+
+  unsigned int Augmentation::update(const std::vector<ContactPair *> &pairs)
+  {
+    Values shift, force;
+    bool exact = true;
+    for (const auto *pair : pairs)
+      exact &= pair->augmentation(shift, force);
+    if (exact)
+      return 0;
+
+    const unsigned int n = shift.size();
+    Values change(n), next = force;
+    for (unsigned int i = 0; i < n; ++i)
+      change[i] = force[i] - shift[i];
+    // Another set of loaded pairs is another fixed-point problem.
+    std::vector<bool> loaded(n);
+    for (unsigned int i = 0; i < n; ++i)
+      loaded[i] = force[i] > 0;
+    if (loaded != loaded_)
+      restart();
+    loaded_ = loaded;
+    if (depth_ > 0 && last_shift_.size() == n)
+    {
+      const auto difference = [n](const Values &a, const Values &b)
+      {
+        Values result(n);
+        std::transform(a.begin(), a.end(), b.begin(), result.begin(), std::minus<double>());
+        return result;
+      };
+      shift_differences_.push_back(difference(shift, last_shift_));
+      change_differences_.push_back(difference(change, last_change_));
+      if (shift_differences_.size() > depth_)
+      {
+        shift_differences_.pop_front();
+        change_differences_.pop_front();
+      }
+      const unsigned int m = shift_differences_.size();
+      Eigen::MatrixXd dF(n, m), dX(n, m);
+      for (unsigned int k = 0; k < m; ++k)
+      {
+        dF.col(k) = Eigen::Map<const Eigen::VectorXd>(change_differences_[k].data(), n);
+        dX.col(k) = Eigen::Map<const Eigen::VectorXd>(shift_differences_[k].data(), n);
+      }
+      const Eigen::Map<const Eigen::VectorXd> f(change.data(), n);
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> least_squares(dF);
+      least_squares.setThreshold(1e-10);
+      const Eigen::VectorXd weights    = least_squares.solve(f);
+      const Eigen::VectorXd correction = (dX + dF) * weights;
+      for (unsigned int i = 0; i < n; ++i)
+        next[i] = force[i] > 0 ? std::max(0., force[i] - correction[i]) : 0.;
+    }
+    last_shift_  = shift;
+    last_change_ = change;
+    for (unsigned int i = 0; i < n; ++i)
+      if (!std::isfinite(next[i]))
+        next = force;
+
+    const double *position = next.data();
+    for (auto *pair : pairs)
+      position = pair->shift(position);
+    return n;
+  }
+} // namespace deltaform

@@ -1,0 +1,14 @@
+// Augmented Lagrangian: every increment begins with s = 0 and penetrates like a penalty, then Uzawa's iteration.
+#include "augmented_lagrangian.h"
+
+#include <deltaform/base/registry.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    const Registry<Enforcement>::Entry entry("augmented Lagrangian",
+                                             "lambda = s + eps p, s := lambda until the gaps vanish (Uzawa)",
+                                             &make_as<AugmentedLagrangian, Enforcement>);
+  } // namespace
+} // namespace deltaform

@@ -1,0 +1,49 @@
+#pragma once
+// What the augmented forms share: lambda = s - eps gap while positive; after each converged solve s := lambda (Uzawa;
+// Hestenes 1969, Powell 1969; for contact Simo, Laursen, Comput. Struct. 42 (1992) 97), until the gaps of the loaded
+// pairs vanish: exact contact at a factor that stays soft.
+#include <deltaform/base/section.h>
+#include <deltaform/contact/enforcement.h>
+
+namespace deltaform
+{
+  class AugmentedLagrangian : public Enforcement
+  {
+  public:
+    explicit AugmentedLagrangian(Section &section)
+      : tolerance_(section.number("Augmentation tolerance",
+                                  1e-7,
+                                  Range::above_to(0, 1),
+                                  "1",
+                                  "Largest |gap| of a loaded node, in units of the allowed penetration, at which no "
+                                  "further augmentation takes place."))
+    {
+    }
+
+    NormalResponse respond(const PairState &state, const double gap, const double multiplier) const override
+    {
+      const double effective = effective_gap(state, gap);
+      if (multiplier > 0 ? multiplier < weight(state) * effective : effective > 0)
+        return {};
+      return {true, state.shift - state.epsilon * gap, -state.epsilon, false};
+    }
+
+    bool has_multiplier() const override
+    {
+      return false;
+    }
+
+    bool uses_penalty() const override
+    {
+      return true;
+    }
+
+    double augmentation_tolerance() const override
+    {
+      return tolerance_;
+    }
+
+  private:
+    double tolerance_;
+  };
+} // namespace deltaform
