@@ -57,6 +57,15 @@ namespace deltaform
   }
 
 
+  double ContactPair::expected_growth(const unsigned int i) const
+  {
+    const PairState &state = committed_[i];
+    if (!(last_step_ > 0) || !(state.previous_force > 0))
+      return 0.;
+    return std::clamp((state.force - state.previous_force) * (time_ - last_time_) / last_step_, 0., .5 * state.force);
+  }
+
+
   double ContactPair::tangential_factor(const PairState &state, const double stiffness) const
   {
     if (settings_.tangential_factor > 0)
@@ -119,7 +128,11 @@ namespace deltaform
         for (unsigned int k = 0; k < description.n_dofs; ++k)
           product -= (description.jacobian[k] * projection.normal) * (*coupling)[description.dofs[k]];
       if (settings_.enforcement->uses_penalty())
-        state.epsilon = settings_.rule->predict(input(i, state, product));
+      {
+        PenaltyInput what = input(i, state, product);
+        what.force += expected_growth(i);
+        state.epsilon = settings_.rule->predict(what);
+      }
       if (friction_)
         state.epsilon_tangential = tangential_factor(state, nodal_stiffness(i, description, projection.tangent));
       state.last_penetration = state.penetration();

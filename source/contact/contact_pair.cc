@@ -7,14 +7,26 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    /// In an expression of delta the word auto is -1: a negative value is that many times the estimate.
+    std::map<std::string, double> with_automatic_delta(std::map<std::string, double> constants)
+    {
+      constants["auto"] = -1.;
+      return constants;
+    }
+  } // namespace
+
+
   ContactSettings::ContactSettings(Section &section, const std::map<std::string, double> &constants)
     : enforcement(Registry<Enforcement>::choose(section, "Enforcement", "penalty", "How gap >= 0 is imposed.")),
       rule(Registry<PenaltyRule>::choose(section, "Penalty rule", "adaptive", "Where the penalty factors come from.")),
       allowed_penetration(section.function("Allowed penetration",
                                            Default<std::string>("1e-3*thickness"),
                                            "length",
-                                           "delta: how far a node may penetrate a tool; expression of t and thickness.",
-                                           constants)),
+                                           "delta: how far a node may penetrate a tool; expression of t and thickness. "
+                                           "'auto': a tenth of the estimated discretisation error of the contact.",
+                                           with_automatic_delta(constants))),
       allowed_slip(
         section.function("Allowed elastic slip",
                          Default<std::string>("1e-3*thickness"),
@@ -96,7 +108,8 @@ namespace deltaform
 
   void ContactPair::begin_stage(const Vector &q, const double time)
   {
-    time_               = time;
+    time_ = last_time_  = time;
+    last_step_          = 0.;
     const Tensor1 shift = travel(q) * tool_.direction();
     for (unsigned int i = 0; i < committed_.size(); ++i)
     {
@@ -118,9 +131,9 @@ namespace deltaform
     factor_at_start_.resize(committed_.size());
     for (unsigned int i = 0; i < committed_.size(); ++i)
       factor_at_start_[i] = committed_[i].epsilon;
-    const auto own     = tool_.allowed_penetration(time);
-    const double asked = own ? *own : settings_.allowed_penetration(time);
-    const double delta = asked < 0 ? -asked * automatic_delta() : asked;
+    const TimeFunction *own = tool_.allowed_penetration();
+    const double asked      = own ? (*own)(time) : settings_.allowed_penetration(time);
+    const double delta      = asked < 0 ? -asked * automatic_delta() : asked;
     for (auto &state : trial_)
     {
       state.delta      = delta;

@@ -17,6 +17,7 @@ namespace deltaform
     {
       PairState &state        = trial_[i];
       const PairState &before = committed_[i];
+      state.previous_force    = before.touching ? before.force : 0.;
       committed_x_[i]         = node(q, i).x - shift;
       if (!state.touching)
         state.epsilon = state.epsilon_tangential = state.stiffness = state.shift = state.last_penetration = 0.;
@@ -43,6 +44,8 @@ namespace deltaform
           state.slip += std::abs(slip);
       }
     }
+    last_step_ = time_ - last_time_;
+    last_time_ = time_;
     committed_ = trial_;
     update_stored_energy();
   }
@@ -105,6 +108,16 @@ namespace deltaform
     for (const auto &state : trial_)
       count += state.touching;
     return count;
+  }
+
+
+  std::vector<ContactPair::Frame> ContactPair::frames() const
+  {
+    std::vector<Frame> result;
+    for (unsigned int i = 0; i < trial_.size(); ++i)
+      if (trial_[i].touching)
+        result.push_back({description_[i].dofs[0], description_[i].dofs[1], normal_[i]});
+    return result;
   }
 
 

@@ -26,6 +26,7 @@ namespace deltaform
     const std::vector<Number> costs_and_contact = {
       {"newton_iterations", "1", get<&Row::newton_iterations>},
       {"penalty_rounds", "1", get<&Row::penalty_rounds>},
+      {"penalty_iterations", "1", get<&Row::penalty_iterations>},
       {"cutbacks", "1", get<&Row::cutbacks>},
       {"max_penetration", "length", get<&Row::max_penetration>},
       {"max_penetration_over_delta", "1", get<&Row::max_penetration_over_delta>},
@@ -37,7 +38,10 @@ namespace deltaform
       {"min_thickness", "length", get<&Row::min_thickness>}};
 
     const std::vector<Number> conditions = {{"condition_raw", "1", get<&Row::condition_raw>},
-                                            {"condition_scaled", "1", get<&Row::condition_scaled>}};
+                                            {"condition_scaled", "1", get<&Row::condition_scaled>},
+                                            {"condition_without_contact", "1", get<&Row::condition_without_contact>},
+                                            {"rigid_modes", "1", get<&Row::rigid_modes>},
+                                            {"digits_lost", "1", get<&Row::digits_lost>}};
 
     const std::vector<Number> energies = {{"tool_work", "force*length", get<&Row::tool_work>},
                                           {"elastic_energy", "force*length", get<&Row::elastic_energy>},

@@ -174,6 +174,16 @@ namespace deltaform
   }
 
 
+  Status FormingProblem::assemble_without_contact(const Vector &q)
+  {
+    system_->clear(true);
+    const Status status = actors_.blank->assemble(q, *system_);
+    if (status.good())
+      assemble_loads(q, *system_);
+    return status;
+  }
+
+
   double FormingProblem::admissible_step(const Vector &q, const Vector &d) const
   {
     double factor = actors_.blank->admissible_step(q, d);

@@ -24,6 +24,21 @@ namespace deltaform
     const int frames =
       section.integer("Pictures", 20, 0, 100000, "Pictures for ParaView, at equal distances in time; 0: none.");
 
+    condition_every = section.integer("Condition number every",
+                                      0,
+                                      0,
+                                      1000000,
+                                      "Condition numbers of the tangent in every so many increments; 0: never.");
+
+    const std::string method = section.choice(
+      "Condition number by",
+      "automatic",
+      {"automatic", "dense", "lanczos"},
+      "Singular values by a dense decomposition, by Lanczos iterations, or dense for up to 300 unknowns.");
+    condition_method = method == "dense"     ? condition::Method::dense
+                       : method == "lanczos" ? condition::Method::lanczos
+                                             : condition::Method::automatic;
+
     const double end = stages.back().end;
     for (unsigned int i = 0; i < tools.size(); ++i)
       if (tools[i]->name() == main || (main.empty() && main_tool == invalid_index && !tools[i]->force_driven() &&

@@ -60,6 +60,12 @@ namespace deltaform
     files_->last = files_->row(problem, stage, time, increment, cost);
     files_->history->append(files_->last);
     files_->iterations += cost.iterations;
+    files_->correction_iterations += cost.correction_iterations;
+    if (cost.condition)
+      files_->journal.detail(
+        "increment " + std::to_string(increment) + ": condition number " + rounded(cost.condition->raw) + ", scaled " +
+        rounded(cost.condition->scaled) + "; without contact " + rounded(cost.condition->without_contact) +
+        (cost.condition->rigid_modes.empty() ? ", no rigid mode" : " apart from " + cost.condition->rigid_modes));
     files_->rounds += cost.rounds;
     files_->cutbacks += cost.cutbacks;
     files_->worst_promise = std::max(files_->worst_promise, files_->last.max_penetration_over_delta);
@@ -126,6 +132,7 @@ namespace deltaform
     summary.add("increments", increments);
     summary.add("newton_iterations", iterations);
     summary.add("penalty_rounds", files.rounds);
+    summary.add("penalty_iterations", files.correction_iterations);
     summary.add("cutbacks", files.cutbacks);
     summary.add("time", files.last.time);
     JsonObject tools;

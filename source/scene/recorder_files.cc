@@ -18,12 +18,21 @@ namespace deltaform
                                   const IncrementCost &cost) const
   {
     HistoryRow row;
-    row.increment         = increment;
-    row.stage             = stage.name;
-    row.time              = time;
-    row.newton_iterations = cost.iterations;
-    row.penalty_rounds    = cost.rounds;
-    row.cutbacks          = cost.cutbacks;
+    row.increment          = increment;
+    row.stage              = stage.name;
+    row.time               = time;
+    row.newton_iterations  = cost.iterations;
+    row.penalty_rounds     = cost.rounds;
+    row.penalty_iterations = cost.correction_iterations;
+    if (cost.condition)
+    {
+      row.condition_raw             = cost.condition->raw;
+      row.condition_scaled          = cost.condition->scaled;
+      row.condition_without_contact = cost.condition->without_contact;
+      row.digits_lost               = cost.condition->digits_lost;
+      row.rigid_modes               = cost.condition->n_rigid;
+    }
+    row.cutbacks = cost.cutbacks;
     for (unsigned int i = 0; i < scene.actors.tools.size(); ++i)
       row.tools.push_back({problem.travel(i), problem.tool_forces()[i][1], problem.tool_forces()[i][0]});
 

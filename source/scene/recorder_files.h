@@ -25,7 +25,9 @@ namespace deltaform
       std::vector<std::string> names;
       for (const auto &tool : scene.actors.tools)
         names.push_back(tool->name());
-      history = std::make_unique<History>(folder + "/history.csv", comments, names, units);
+      HistoryOptions options;
+      options.condition = scene.output->condition_every > 0;
+      history           = std::make_unique<History>(folder + "/history.csv", comments, names, units, options);
     }
 
     HistoryRow row(const FormingProblem &problem,
@@ -55,7 +57,7 @@ namespace deltaform
     std::vector<std::string> comments;
     std::unique_ptr<History> history;
     PictureSeries pictures;
-    unsigned int next_frame = 0, iterations = 0, cutbacks = 0, rounds = 0;
+    unsigned int next_frame = 0, iterations = 0, cutbacks = 0, rounds = 0, correction_iterations = 0;
     HistoryRow last;
     double worst_promise = 0, largest_force = 0, worst_between = 0;
     std::set<std::string> labels; ///< of the tables written so far

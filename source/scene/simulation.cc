@@ -11,6 +11,9 @@ namespace deltaform
       problem_(scene.actors, scene.linear_solver, timers),
       newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size(), timers)
   {
+    if (scene.output->condition_every > 0)
+      condition_ =
+        std::make_unique<ConditionReport>(scene.output->condition_every, scene.output->condition_method, timers);
   }
 
 
@@ -50,6 +53,7 @@ namespace deltaform
       const std::string failure = attempt(next, q, result);
       cost.iterations += result.iterations;
       cost.rounds += result.rounds;
+      cost.correction_iterations += result.correction_iterations;
       total_iterations_ += result.iterations;
       if (!failure.empty())
       {
@@ -67,6 +71,8 @@ namespace deltaform
 
       last_increment_ = next - time_;
       before_         = problem_.committed();
+      if (condition_ && condition_->due(increment_ + 1))
+        cost.condition = condition_->measure(problem_, q);
       problem_.commit(q);
       time_ = next;
       ++increment_;

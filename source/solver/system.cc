@@ -152,6 +152,26 @@ namespace deltaform
   }
 
 
+  void System::for_each_entry(const std::function<void(DofIndex, DofIndex, double)> &action) const
+  {
+    for (unsigned int i = 0; i < n_sparse_; ++i)
+      for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
+        action(i, columns_[k], values_[k]);
+    for (unsigned int a = 0; a < n_border_; ++a)
+    {
+      for (unsigned int i = 0; i < n_sparse_; ++i)
+      {
+        if (border_columns_[a][i] != 0.)
+          action(i, n_sparse_ + a, border_columns_[a][i]);
+        if (border_rows_[a][i] != 0.)
+          action(n_sparse_ + a, i, border_rows_[a][i]);
+      }
+      for (unsigned int b = 0; b < n_border_; ++b)
+        action(n_sparse_ + a, n_sparse_ + b, border_block_[a * n_border_ + b]);
+    }
+  }
+
+
   double System::diagonal(const DofIndex dof) const
   {
     return dof < n_sparse_ ? *entry(dof, dof) : 0.;

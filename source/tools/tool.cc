@@ -39,9 +39,9 @@ namespace deltaform
   }
 
 
-  std::optional<double> Tool::allowed_penetration(const double time) const
+  const TimeFunction *Tool::allowed_penetration() const
   {
-    return allowed_penetration_ ? std::optional<double>((*allowed_penetration_)(time)) : std::nullopt;
+    return allowed_penetration_ ? &*allowed_penetration_ : nullptr;
   }
 
 

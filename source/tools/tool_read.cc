@@ -101,10 +101,13 @@ namespace deltaform
 
     friction_coefficient_ = section.number(
       "Friction coefficient", Default<double>(0.), Range::not_negative(), "1", "Coulomb's coefficient; 0 is smooth.");
-    allowed_penetration_ = read_optional(section,
-                                         "Allowed penetration",
-                                         "Of this tool (length, may use t and thickness); empty: the one of Contact.",
-                                         constants);
-    stages_              = section.names("Stages", "", "Stages in which the tool takes part; empty: all.");
+    auto with_auto    = constants;
+    with_auto["auto"] = -1.; // see ContactSettings
+    allowed_penetration_ =
+      read_optional(section,
+                    "Allowed penetration",
+                    "Of this tool (length, may use t and thickness, or auto); empty: the one of Contact.",
+                    with_auto);
+    stages_ = section.names("Stages", "", "Stages in which the tool takes part; empty: all.");
   }
 } // namespace deltaform

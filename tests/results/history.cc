@@ -59,11 +59,11 @@ BOOST_AUTO_TEST_CASE(columns_are_those_of_the_contract)
   BOOST_REQUIRE_EQUAL(lines.size(), 4u);
   BOOST_TEST(lines[0] == "# Cup");
   BOOST_TEST(lines[1] == "# deltaform 0.1.0, units: in, tonf, tonf/in^2");
-  BOOST_TEST(lines[2] == "# units: 1,1,time,in,tonf,tonf,in,tonf,tonf,1,1,1,in,1,in,tonf/in,tonf/in,1,1,in,"
+  BOOST_TEST(lines[2] == "# units: 1,1,time,in,tonf,tonf,in,tonf,tonf,1,1,1,1,in,1,in,tonf/in,tonf/in,1,1,in,"
                          "tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,1");
   // Part of the interface: add, do not rename.
   BOOST_TEST(lines[3] == "increment,stage,time,punch_travel,punch_force_z,punch_force_r,"
-                         "die_travel,die_force_z,die_force_r,newton_iterations,penalty_rounds,cutbacks,"
+                         "die_travel,die_force_z,die_force_r,newton_iterations,penalty_rounds,penalty_iterations,cutbacks,"
                          "max_penetration,max_penetration_over_delta,max_penetration_between_nodes,"
                          "min_epsilon,max_epsilon,floor_share,contact_pairs,min_thickness,"
                          "tool_work,elastic_energy,plastic_energy,friction_energy,contact_energy,"
@@ -81,8 +81,9 @@ BOOST_AUTO_TEST_CASE(condition_numbers_only_where_asked)
   one.condition_scaled = 12.5;
   history.append(one);
   const auto lines = lines_of(path);
-  check_contains(lines[1], {",min_thickness,condition_raw,condition_scaled,tool_work,"});
-  check_contains(lines[2], {",0,nan,12.5,0,"});
+  check_contains(lines[1], {",min_thickness,condition_raw,condition_scaled,condition_without_contact,rigid_modes,digits_lost,"
+                            "tool_work,"});
+  check_contains(lines[2], {",0,nan,12.5,nan,0,nan,0,"});
 }
 
 BOOST_AUTO_TEST_CASE(a_row_is_on_disk_when_it_is_known)
@@ -92,6 +93,7 @@ BOOST_AUTO_TEST_CASE(a_row_is_on_disk_when_it_is_known)
   History history(path, comments, {"punch"}, units);
   HistoryRow one                    = row(1, 1);
   one.penalty_rounds                = 6;
+  one.penalty_iterations            = 65;
   one.cutbacks                      = 7;
   one.max_penetration               = 8;
   one.max_penetration_over_delta    = 9;
@@ -112,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_row_is_on_disk_when_it_is_known)
   one.energy_error                  = 24;
   history.append(one);
   BOOST_TEST(lines_of(path).back() ==
-             "1,\"form, slowly\",0.3333333333,1,2,3,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24");
+             "1,\"form, slowly\",0.3333333333,1,2,3,5,6,65,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24");
 }
 
 BOOST_AUTO_TEST_CASE(a_resumed_history_goes_on_after_the_increment)

@@ -11,6 +11,7 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <array>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -82,8 +83,8 @@ namespace deltaform
     virtual Status assemble(const Vector &q, AssemblyTarget &target) = 0;
 
     /// Add the forces of a pressure on the whole blank, positive if it pushes on the bottom face (along the director:
-    /// upward, for a flat blank). Following: on the current area along the current normal; dead: on the initial area and
-    /// normal.
+    /// upward, for a flat blank). Following: on the current area along the current normal; dead: on the initial area
+    /// and normal.
     virtual void assemble_pressure(const Vector &q, double pressure, bool following, AssemblyTarget &target) const = 0;
 
     /// Largest factor in (0, 1] by which @p dq may be taken so that no cell is turned inside out or rotated too far.
@@ -120,6 +121,12 @@ namespace deltaform
 
     /// Positions of the nodes: r and z.
     virtual std::vector<Point2> positions(const Vector &q) const = 0;
+
+    /// Velocities of the unknowns in a rigid motion: translation, and angular velocity about the origin.
+    virtual void rigid_motion(const Vector &q,
+                              const Tensor1 &translation,
+                              double rotation,
+                              const std::function<void(DofIndex, double)> &set) const = 0;
     ///@}
 
     /// @name Restart

@@ -72,6 +72,10 @@ namespace deltaform
     Table profile(const Vector &q) const override;
     Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
     std::vector<Point2> positions(const Vector &q) const override;
+    void rigid_motion(const Vector &q,
+                      const Tensor1 &translation,
+                      double rotation,
+                      const std::function<void(DofIndex, double)> &set) const override;
     void save(std::ostream &stream) const override;
     void load(std::istream &stream) override;
 

@@ -147,6 +147,16 @@ namespace deltaform
 
     unsigned int n_touching() const;
 
+    /// Displacement unknowns of a touching node and the tool's normal there.
+    struct Frame
+    {
+      DofIndex r, z;
+      Tensor1 normal;
+    };
+
+    /// Of all touching nodes, as assembled last.
+    std::vector<Frame> frames() const;
+
     /// Is the floor larger than what delta asks for at this node?
     bool governed_by_floor(unsigned int node) const;
 
@@ -174,6 +184,10 @@ namespace deltaform
     double neighbour_factor(unsigned int i) const;
 
     PenaltyInput input(unsigned int i, const PairState &state, double coupling) const;
+
+    /// By how much the reaction is expected to grow in this increment: as in the last one, at most by half. A factor
+    /// for the force of the last increment alone is too soft for a growing one and costs a correction.
+    double expected_growth(unsigned int i) const;
 
     /// Tangential factor from the allowed elastic slip.
     double tangential_factor(const PairState &state, double stiffness) const;
@@ -211,6 +225,7 @@ namespace deltaform
     DofIndex travel_dof_       = dealii::numbers::invalid_dof_index;
     DofIndex first_multiplier_ = dealii::numbers::invalid_dof_index;
     double time_               = 0;
+    double last_time_ = 0, last_step_ = 0; ///< end and length of the last accepted increment
 
     std::vector<PairState> committed_, trial_;
     std::vector<double> area_, thickness_of_;      ///< of the last assembled configuration

@@ -11,6 +11,7 @@ namespace deltaform
     bool sticking             = false;
     double gap                = 0; ///< signed: distance of the contact point minus the offset
     double force              = 0; ///< lambda; not negative once converged
+    double previous_force     = 0; ///< lambda one increment earlier
     double multiplier         = 0; ///< estimate of lambda by the last linear solve: decides about the status
     double epsilon            = 0; ///< penalty factor; 0: not set yet
     double shift              = 0; ///< force at zero gap: lambda = shift - eps gap (augmented forms)

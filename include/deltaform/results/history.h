@@ -23,15 +23,19 @@ namespace deltaform
     double time = 0;
     std::vector<ToolState> tools;
     unsigned int newton_iterations = 0, penalty_rounds = 0, cutbacks = 0;
+    unsigned int penalty_iterations = 0; ///< of the Newton iterations, those that the corrections of factors cost
     double max_penetration = 0, max_penetration_over_delta = 0, max_penetration_between_nodes = 0;
     double min_epsilon = 0, max_epsilon = 0;
     double floor_share         = 0; ///< of the touching pairs, those whose penalty factor is at its floor
     unsigned int contact_pairs = 0;
     double min_thickness       = 0;
     /// Condition numbers of the tangent as it is and scaled by its diagonal; NaN where unknown.
-    double condition_raw    = std::numeric_limits<double>::quiet_NaN();
-    double condition_scaled = std::numeric_limits<double>::quiet_NaN();
-    double tool_work        = 0;
+    double condition_raw             = std::numeric_limits<double>::quiet_NaN();
+    double condition_scaled          = std::numeric_limits<double>::quiet_NaN();
+    double condition_without_contact = std::numeric_limits<double>::quiet_NaN(); ///< apart from the rigid modes
+    double digits_lost               = std::numeric_limits<double>::quiet_NaN(); ///< by a direct solution
+    unsigned int rigid_modes         = 0;                                        ///< of the blank without contact
+    double tool_work                 = 0;
     double elastic_energy = 0, plastic_energy = 0, friction_energy = 0;
     double contact_energy = 0; ///< stored now in the penalty springs
     double epsilon_work   = 0; ///< done by changing penalty factors at fixed penetration

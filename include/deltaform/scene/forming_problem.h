@@ -70,6 +70,14 @@ namespace deltaform
     /// Accept @p q as the state at the end of the increment.
     void commit(const Vector &q);
 
+    /// The blank's and the loads' tangent alone, for condition numbers.
+    Status assemble_without_contact(const Vector &q);
+
+    const Blank &blank() const
+    {
+      return *actors_.blank;
+    }
+
     System &system()
     {
       return *system_;

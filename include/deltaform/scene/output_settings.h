@@ -2,6 +2,7 @@
 
 #include <deltaform/base/section.h>
 #include <deltaform/scene/stage.h>
+#include <deltaform/solver/condition_method.h>
 #include <deltaform/tools/tool.h>
 
 #include <memory>
@@ -20,5 +21,7 @@ namespace deltaform
     std::vector<double> travels;            ///< at which tables are written
     std::vector<double> travel_times;       ///< the times that belong to them
     std::vector<double> frame_times;        ///< of the pictures, ascending
+    unsigned int condition_every       = 0; ///< condition numbers in every so many increments; 0: never
+    condition::Method condition_method = condition::Method::automatic;
   };
 } // namespace deltaform

@@ -2,16 +2,21 @@
 
 #include <deltaform/base/journal.h>
 #include <deltaform/base/timers.h>
+#include <deltaform/scene/condition_report.h>
 #include <deltaform/scene/forming_problem.h>
 #include <deltaform/scene/recorder.h>
 #include <deltaform/scene/scene.h>
 
+#include <optional>
+
 namespace deltaform
 {
-  /// What an accepted increment cost.
+  /// What an accepted increment cost, and how well conditioned it was.
   struct IncrementCost
   {
     unsigned int iterations = 0, rounds = 0, cutbacks = 0;
+    unsigned int correction_iterations = 0;    ///< of the iterations, those after the first convergence
+    std::optional<ConditionNumbers> condition; ///< where asked
   };
 
   /// Runs the stages of a scene increment by increment.
@@ -39,6 +44,7 @@ namespace deltaform
     Timers &timers_;
     FormingProblem problem_;
     Newton newton_;
+    std::unique_ptr<ConditionReport> condition_; ///< none if not asked for
 
     double time_ = 0, last_increment_ = 0;
     unsigned int increment_ = 0, total_iterations_ = 0, failed_iterations_ = 0;

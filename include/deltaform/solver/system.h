@@ -6,6 +6,7 @@
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,6 +45,14 @@ namespace deltaform
 
     /// Which unknowns are prescribed.
     void set_prescribed(const std::vector<bool> &prescribed);
+
+    bool prescribed(const DofIndex dof) const
+    {
+      return prescribed_[dof];
+    }
+
+    /// Visit the entries (row, column, value) of the tangent as assembled, border included; not after factorize().
+    void for_each_entry(const std::function<void(DofIndex, DofIndex, double)> &action) const;
 
     /// R, with the reactions in the rows of prescribed unknowns.
     const Vector &residual() const

@@ -78,8 +78,8 @@ namespace deltaform
     /// Smallest and largest travel between two times, sampled at equal distances including both ends.
     std::pair<double, double> travel_range(double begin, double end) const;
 
-    /// The tool's own allowed penetration at @p time, if it has one.
-    std::optional<double> allowed_penetration(double time) const;
+    /// The tool's own allowed penetration (length over time; see ContactSettings for 'auto'), or null.
+    const TimeFunction *allowed_penetration() const;
 
     /// Does the tool take part in this stage?
     bool exists_in(const std::string &stage) const;

@@ -1,0 +1,110 @@
+#include <deltaform/scene/condition_report.h>
+#include <deltaform/solver/condition.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <utility>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Unit vectors of the motions of a rigid body, over the free unknowns, and their names.
+    std::vector<std::pair<std::string, Eigen::VectorXd>>
+    rigid_motions(const Blank &blank, const Vector &q, const std::vector<int> &numbers, const int n)
+    {
+      std::vector<std::pair<std::string, Eigen::VectorXd>> result;
+      const auto add = [&](const std::string &name, const double r, const double z, const double rotation)
+      {
+        Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
+        bool whole        = true; // no prescribed unknown takes part
+        blank.rigid_motion(q,
+                           Tensor1({r, z}),
+                           rotation,
+                           [&](const DofIndex dof, const double value)
+                           {
+                             if (value == 0.)
+                               return;
+                             if (numbers[dof] < 0)
+                               whole = false;
+                             else
+                               v[numbers[dof]] = value;
+                           });
+        if (whole && v.norm() > 0)
+          result.emplace_back(name, v.normalized());
+      };
+      add("translation z", 0., 1., 0.);
+      if (!blank.axisymmetric())
+      {
+        add("translation x", 1., 0., 0.);
+        add("rotation", 0., 0., 1.);
+      }
+      return result;
+    }
+  } // namespace
+
+
+  ConditionReport::ConditionReport(const unsigned int every, const condition::Method method, Timers &timers)
+    : every_(every), method_(method), timers_(timers), timer_(timers.section("14 condition numbers"))
+  {
+  }
+
+
+  ConditionNumbers ConditionReport::measure(FormingProblem &problem, const Vector &q)
+  {
+    Timers::Scope timer(timers_, timer_);
+    ConditionNumbers result;
+    System &system = problem.system();
+
+    if (!problem.assemble_without_contact(q).good())
+      return result;
+    const std::vector<int> numbers  = condition::free_numbers(system);
+    const condition::Matrix without = condition::free_matrix(system);
+    const int n                     = without.rows();
+
+    // Rigid: the blank resists with less than 1e-9 of its largest stiffness. Travels of force-driven tools and
+    // multipliers have no stiffness at all without contact and count as well.
+    const double size = without.norm();
+    std::vector<Eigen::VectorXd> modes;
+    for (int i = 0; i < n; ++i)
+      if (without.col(i).norm() == 0. && without.row(i).norm() == 0.)
+        modes.push_back(Eigen::VectorXd::Unit(n, i));
+    for (const auto &[name, mode] : rigid_motions(problem.blank(), q, numbers, n))
+      if ((without * mode).norm() < 1e-9 * size)
+      {
+        modes.push_back(mode);
+        ++result.n_rigid;
+        result.rigid_modes += (result.rigid_modes.empty() ? "" : ", ") + name;
+      }
+    Eigen::MatrixXd basis(n, modes.size());
+    for (unsigned int k = 0; k < modes.size(); ++k)
+      basis.col(k) = modes[k];
+    if (!modes.empty())
+      basis = Eigen::HouseholderQR<Eigen::MatrixXd>(basis).householderQ() * Eigen::MatrixXd::Identity(n, modes.size());
+    result.without_contact = condition::number_on_complement(without, basis, method_);
+
+    if (!problem.assemble(q, true).good())
+      return result;
+    const condition::Matrix with = condition::free_matrix(system);
+    result.raw                   = condition::number(with, method_);
+
+    std::vector<condition::Frame> frames;
+    std::vector<bool> taken(n, false);
+    for (const auto *pair : problem.active_pairs())
+      for (const auto &[r, z, normal] : pair->frames())
+        if (numbers[r] >= 0 && numbers[z] >= 0 && !taken[numbers[r]])
+        {
+          taken[numbers[r]] = true; // a node held between two tools: they agree in the normal up to its sign
+          frames.push_back({numbers[r], numbers[z], normal});
+        }
+    result.scaled = condition::number(condition::scale_in_frames(with, frames), method_);
+
+    Eigen::VectorXd step(n);
+    for (unsigned int i = 0; i < numbers.size(); ++i)
+      if (numbers[i] >= 0)
+        step[numbers[i]] = q[i] - problem.committed()[i];
+    result.digits_lost = condition::digits_lost(with, step);
+    return result;
+  }
+} // namespace deltaform
