@@ -190,24 +190,44 @@ namespace deltaform
   double ContactPair::automatic_delta() const
   {
     // A straight element cuts a curved tool by h^2 k/8, a quadratic one misses the change of the curvature: about h^2
-    // dk/(72 sqrt 3). A tenth of the largest such error under the tool, so that contact is never what the result
+    // dk/(72 sqrt 3). A twentieth of the largest such error under the tool, so that contact is never what the result
     // suffers from.
-    double error = 0., thickness = 0.;
+    const auto project = [&](const unsigned int i) { return tool_.project(committed_x_[i], 0., hint_[i]); };
+    std::vector<bool> concerned(committed_.size());
+    bool any         = false;
+    double thickness = 0.;
+    for (unsigned int i = 0; i < committed_.size(); ++i)
+    {
+      concerned[i] = committed_[i].touching;
+      any |= concerned[i];
+      thickness = std::max(thickness, thickness_of_[i]);
+    }
+    if (!any)
+    {
+      // Nothing touches yet: where it will.
+      unsigned int closest = 0;
+      double least         = std::numeric_limits<double>::infinity();
+      for (unsigned int i = 0; i < committed_.size(); ++i)
+        if (const double distance = project(i).distance; distance < least)
+        {
+          least   = distance;
+          closest = i;
+        }
+      concerned[closest] = true;
+    }
+    double error = 0.;
     for (const auto &edge : surface_.contact_edges(tool_.side()))
     {
       const unsigned int a = edge[0], b = edge[1];
-      thickness = std::max({thickness, thickness_of_[a], thickness_of_[b]});
-      if (!committed_[a].touching && !committed_[b].touching)
+      if (!concerned[a] && !concerned[b])
         continue;
-      const double length  = (committed_x_[b] - committed_x_[a]).norm();
-      const auto curvature = [&](const unsigned int i) { return tool_.project(committed_x_[i], 0., hint_[i]).turning; };
-      const double ka = curvature(a), kb = curvature(b);
+      const double square = (committed_x_[b] - committed_x_[a]).norm_square();
+      const double ka = project(a).turning, kb = project(b).turning;
       error = std::max(error,
-                       length * length *
-                         (edge[2] == invalid_index ? std::max(std::abs(ka), std::abs(kb)) / 8.
-                                                   : std::abs(ka - kb) / (72. * std::sqrt(3.))));
+                       square * (edge[2] == invalid_index ? std::max(std::abs(ka), std::abs(kb)) / 8.
+                                                          : std::abs(ka - kb) / (72. * std::sqrt(3.))));
     }
-    return error > 0 ? std::clamp(.1 * error, 1e-6 * thickness, 1e-2 * thickness) : 1e-3 * thickness;
+    return error > 0 ? std::clamp(.05 * error, 1e-6 * thickness, 1e-2 * thickness) : 1e-3 * thickness;
   }
 
 

@@ -25,7 +25,7 @@ namespace deltaform
                                            Default<std::string>("1e-3*thickness"),
                                            "length",
                                            "delta: how far a node may penetrate a tool; expression of t and thickness. "
-                                           "'auto': a tenth of the estimated discretisation error of the contact.",
+                                           "'auto': a twentieth of the estimated discretisation error of the contact.",
                                            with_automatic_delta(constants))),
       allowed_slip(
         section.function("Allowed elastic slip",
