@@ -46,9 +46,9 @@ namespace deltaform
     finish_progress();
   }
 
-  void Journal::open_log(const std::string &path)
+  void Journal::open_log(const std::string &path, const bool append)
   {
-    log_.open(path);
+    log_.open(path, append ? std::ios::app : std::ios::out);
     if (!log_)
       throw SceneError("Cannot write '" + path + "': " + std::strerror(errno) + ".");
     for (const auto &line : before_log_)

@@ -82,6 +82,25 @@ namespace deltaform
     }
   }
 
+  std::vector<ParameterTree::Value> ParameterTree::values() const
+  {
+    std::vector<Value> result;
+    collect_values(root_, {}, result);
+    return result;
+  }
+
+  void ParameterTree::collect_values(const Node &node, const SectionPath &path, std::vector<Value> &result) const
+  {
+    for (const auto &entry : node.entries)
+      result.push_back({path, entry.name, value(path, entry)});
+    for (const auto &section : node.sections)
+    {
+      SectionPath inner = path;
+      inner.push_back(section->name);
+      collect_values(*section, inner, result);
+    }
+  }
+
   void ParameterTree::print_markdown(std::ostream &out) const
   {
     print_markdown(out, root_, {});

@@ -78,28 +78,35 @@ namespace deltaform
     released_     = 0.;
     if (!stage_name_.empty())
       collect_released(stage.name);
+    enter_stage(stage);
+    time_ = stage.begin;
+    for (auto *pair : active_pairs_)
+    {
+      if (pair->tool().force_driven() && pair->n_touching() == 0)
+        bring_into_contact(*pair);
+      pair->begin_stage(committed_, stage.begin);
+    }
+    for (const auto &support : actors_.supports)
+      if (support.acts_in(stage.name))
+        for (const auto dof : support.dofs)
+          hold_[dof] = committed_[dof];
+  }
+
+
+  void FormingProblem::enter_stage(const Stage &stage)
+  {
     stage_name_  = stage.name;
     stage_begin_ = stage.begin;
     stage_end_   = stage.end;
-    time_        = stage.begin;
-
     active_pairs_.clear();
     for (auto &pair : actors_.pairs)
       if (pair->tool().exists_in(stage.name))
-      {
         active_pairs_.push_back(pair.get());
-        if (pair->tool().force_driven() && pair->n_touching() == 0)
-          bring_into_contact(*pair);
-        pair->begin_stage(committed_, stage.begin);
-      }
     is_prescribed_ = is_fixed_;
     for (const auto &support : actors_.supports)
       if (support.acts_in(stage.name))
         for (const auto dof : support.dofs)
-        {
           is_prescribed_[dof] = true;
-          hold_[dof]          = committed_[dof];
-        }
     // The travel of a force-driven tool that is absent does not change.
     for (auto &pair : actors_.pairs)
       if (pair->tool().force_driven() && !pair->tool().exists_in(stage.name))

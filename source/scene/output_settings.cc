@@ -39,6 +39,13 @@ namespace deltaform
                        : method == "lanczos" ? condition::Method::lanczos
                                              : condition::Method::automatic;
 
+    checkpoint_interval = section.number("Checkpoint interval",
+                                         5.,
+                                         Range::not_negative(),
+                                         "s",
+                                         "Wall time between saved states, from which --resume goes on; 0: after every "
+                                         "increment. One is also saved at the end of every stage and of the run.");
+
     const double end = stages.back().end;
     for (unsigned int i = 0; i < tools.size(); ++i)
       if (tools[i]->name() == main || (main.empty() && main_tool == invalid_index && !tools[i]->force_driven() &&

@@ -26,13 +26,21 @@ namespace deltaform
   } // namespace
 
 
-  Recorder::Recorder(Scene &scene, const std::string &folder, Journal &journal, Timers &timers)
+  Recorder::Recorder(Scene &scene,
+                     const std::string &folder,
+                     Journal &journal,
+                     Timers &timers,
+                     const Checkpoint *const start)
   {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
       throw SceneError("Cannot make the folder '" + folder + "' for the results: " + error.message() +
                        ". Choose another with --output or Output/Folder.");
+    // State and outcome of an earlier run must not be taken for those of this run.
+    if (!start)
+      std::filesystem::remove(Checkpoint::path(folder), error);
+    std::filesystem::remove(folder + "/summary.json", error);
     write_file_atomically(folder + "/scene.prm",
                           [&](std::ostream &out)
                           {
@@ -40,8 +48,8 @@ namespace deltaform
                                 << ": the scene as read, with every default.\n";
                             scene.tree.print_prm(out);
                           });
-    journal.open_log(folder + "/run.log");
-    files_ = std::make_unique<Files>(scene, folder, journal, timers);
+    journal.open_log(folder + "/run.log", start != nullptr);
+    files_ = std::make_unique<Files>(scene, folder, journal, timers, start);
     journal.detail("deltaform " + std::string(DELTAFORM_VERSION) + ", deal.II " + DEAL_II_PACKAGE_VERSION + ", scene " +
                    scene.tree.file_name());
   }

@@ -206,5 +206,6 @@ namespace deltaform
       write_vtu(folder + "/" + parts[1], tools, units);
     }
     pictures.add(time, parts);
+    last_picture = time;
   }
 } // namespace deltaform

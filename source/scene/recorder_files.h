@@ -3,6 +3,7 @@
 #include <deltaform/results/history.h>
 #include <deltaform/results/picture_series.h>
 #include <deltaform/results/units.h>
+#include <deltaform/scene/checkpoint.h>
 #include <deltaform/scene/recorder.h>
 #include <deltaform/scene/simulation.h>
 
@@ -13,7 +14,7 @@ namespace deltaform
   /// The open files, and what they need.
   struct Recorder::Files
   {
-    Files(Scene &the_scene, std::string the_folder, Journal &the_journal, Timers &the_timers)
+    Files(Scene &the_scene, std::string the_folder, Journal &the_journal, Timers &the_timers, const Checkpoint *start)
       : scene(the_scene), folder(std::move(the_folder)), journal(the_journal), timers(the_timers),
         timer(timers.section("13 output")), units(scene.units), pictures(folder + "/scene.pvd")
     {
@@ -27,7 +28,9 @@ namespace deltaform
         names.push_back(tool->name());
       HistoryOptions options;
       options.condition = scene.output->condition_every > 0;
-      history           = std::make_unique<History>(folder + "/history.csv", comments, names, units, options);
+      if (start)
+        options.resume_after = start->increment;
+      history = std::make_unique<History>(folder + "/history.csv", comments, names, units, options);
     }
 
     HistoryRow row(const FormingProblem &problem,
@@ -61,5 +64,16 @@ namespace deltaform
     HistoryRow last;
     double worst_promise = 0, largest_force = 0, worst_between = 0;
     std::set<std::string> labels; ///< of the tables written so far
+    double saved_at = 0;          ///< seconds since the start
+
+    /// What a resumed run cannot find out from the problem.
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int)
+    {
+      archive &next_frame &iterations &correction_iterations &cutbacks &rounds &worst_promise &worst_between &labels
+        &last_picture;
+    }
+
+    double last_picture = -1; ///< its time
   };
 } // namespace deltaform

@@ -1,6 +1,7 @@
 // One function per command of the command line.
 #include <deltaform/base/parameter_tree.h>
 #include <deltaform/base/registry.h>
+#include <deltaform/base/text.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/scene/run.h>
@@ -15,8 +16,6 @@ namespace deltaform
   {
     int run_scene(const CommandLine &command)
     {
-      if (command.resume)
-        throw UsageError("This version cannot resume a run yet: start it again without --resume.");
       Timers timers;
       Journal journal(command.quiet ? Journal::Console::quiet : Journal::Console::automatic);
       auto tree = ParameterTree::read(command.scene, command.sets);
@@ -25,8 +24,25 @@ namespace deltaform
       std::string folder = command.output.empty() ? scene.output->folder : command.output;
       if (folder.empty())
         folder = "output/" + std::filesystem::path(command.scene).stem().string();
-      Recorder recorder(scene, folder, journal, timers);
+      const auto start = command.resume ? Checkpoint::read(folder) : std::nullopt;
+      if (start)
+        for (const auto &change : start->changes(tree))
+          journal.note("resumed with a change: " + change);
+      else if (command.resume)
+        journal.note("there is no saved state in " + folder + ": starting from the beginning");
+      if (start && start->time >= scene.actors.stages.back().end && std::filesystem::exists(folder + "/summary.json"))
+      {
+        journal.note("the run in " + folder + " is finished: there is nothing to resume");
+        return exit_status::done;
+      }
+      Recorder recorder(scene, folder, journal, timers, start ? &*start : nullptr);
       Simulation simulation(scene, recorder, journal, timers);
+      if (start)
+      {
+        simulation.resume(*start);
+        journal.note("resumed after increment " + std::to_string(start->increment) + ", time " +
+                     text::format(start->time));
+      }
       return simulation.run();
     }
 

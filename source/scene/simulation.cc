@@ -19,17 +19,26 @@ namespace deltaform
 
   int Simulation::run()
   {
-    before_    = problem_.committed();
+    if (!resumed_)
+      before_ = problem_.committed();
     int status = exit_status::done;
-    for (const auto &stage : scene_.actors.stages)
+    for (; stage_ < scene_.actors.stages.size() && status == exit_status::done; ++stage_)
     {
-      problem_.begin_stage(stage);
-      last_increment_ = 0.;
-      status          = run_stage(stage);
-      if (status != exit_status::done)
-        break;
+      const Stage &stage = scene_.actors.stages[stage_];
+      if (resumed_)
+        problem_.resume_stage(stage);
+      else
+      {
+        problem_.begin_stage(stage);
+        last_increment_ = 0.;
+      }
+      status   = run_stage(stage);
+      resumed_ = false;
     }
     recorder_.finish(status, problem_, increment_, total_iterations_);
+    // Not before the files are complete: until then, going on from the state before gives the same.
+    if (before_giving_up_)
+      recorder_.save(*before_giving_up_);
     return status;
   }
 
@@ -44,6 +53,8 @@ namespace deltaform
                         stage.smallest_increment,
                         stage.largest_increment,
                         meet);
+    if (resumed_ && step_)
+      control.restore(*step_);
     IncrementCost cost;
     Vector q;
     NewtonResult result;
@@ -66,6 +77,8 @@ namespace deltaform
         journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) + ", in increment " +
                          std::to_string(increment_ + 1) + ": " + failure + ". The smallest increment, " +
                          text::format(stage.smallest_increment) + ", was reached.");
+        step_             = std::nullopt;
+        before_giving_up_ = checkpoint();
         return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
       }
 
@@ -78,7 +91,10 @@ namespace deltaform
       ++increment_;
       control.accept(result.iterations - result.correction_iterations);
       recorder_.record(problem_, stage, time_, increment_, cost);
-      cost = IncrementCost();
+      cost  = IncrementCost();
+      step_ = control.state();
+      if (recorder_.checkpoint_due() || control.finished(time_))
+        recorder_.save(checkpoint());
     }
     return exit_status::done;
   }

@@ -75,6 +75,13 @@ namespace deltaform
   }
 
 
+  void StepControl::restore(const State &state)
+  {
+    increment_ = std::clamp(state.increment, smallest_, largest_);
+    quiet_     = state.quiet;
+  }
+
+
   bool StepControl::finished(const double time) const
   {
     return time >= end_;

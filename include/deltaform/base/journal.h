@@ -34,8 +34,9 @@ namespace deltaform
     Journal(const Journal &)            = delete;
     Journal &operator=(const Journal &) = delete;
 
-    /// Begin the log; what has been said so far is written to it. @throws SceneError if it cannot be written.
-    void open_log(const std::string &path);
+    /// Begin the log, or go on with the one there is; what has been said so far is written to it. @throws SceneError if
+    /// it cannot be written.
+    void open_log(const std::string &path, bool append = false);
 
     /// Where the run is: replaces the previous progress on a terminal. Not in the log.
     void progress(const std::string &line);

@@ -66,6 +66,16 @@ namespace deltaform
      */
     void print_prm(std::ostream &out) const;
 
+    /// An entry and its value, as print_prm() writes them.
+    struct Value
+    {
+      SectionPath path;
+      std::string name, text;
+    };
+
+    /// All entries, in the order of print_prm().
+    std::vector<Value> values() const;
+
     /// One table per section: entry, default, unit, allowed values, sentence.
     void print_markdown(std::ostream &out) const;
 
@@ -109,6 +119,7 @@ namespace deltaform
     std::string complain_about(const SceneFile::Entry &entry) const;
     std::string complain_about(const SceneFile::Subsection &subsection) const;
 
+    void collect_values(const Node &node, const SectionPath &path, std::vector<Value> &result) const;
     void print_prm(std::ostream &out, const Node &node, const SectionPath &path) const;
     void print_markdown(std::ostream &out, const Node &node, const SectionPath &path) const;
 

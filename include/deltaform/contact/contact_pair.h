@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/base/archive.h>
 #include <deltaform/base/assembly_target.h>
 #include <deltaform/base/energy.h>
 #include <deltaform/base/section.h>
@@ -171,7 +172,12 @@ namespace deltaform
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
     {
-      archive &committed_ &energy_.friction &energy_.epsilon &energy_.thickness &committed_x_;
+      // Everything that an increment finds: also what only saves a projection, or a resumed run may differ in a last
+      // digit from one that was not interrupted.
+      archive_plain(archive, committed_);
+      archive_plain(archive, stiffness_);
+      archive &area_ &thickness_of_ &committed_x_ &projected_x_ &projected_gap_ &noise_ &hint_ &time_ &last_time_
+        &last_step_ &energy_.stored &energy_.friction &energy_.epsilon &energy_.thickness;
     }
 
   private:

@@ -132,10 +132,17 @@ namespace deltaform
 
     double travel(unsigned int tool) const;
 
+    /// The committed state. load() belongs before resume_stage(). @throws SceneError if it is that of another scene.
     void save(std::ostream &stream) const;
     void load(std::istream &stream);
 
+    /// Go on in the middle of a stage, from a loaded state.
+    void resume_stage(const Stage &stage);
+
   private:
+    /// Who takes part in a stage, and which unknowns it prescribes.
+    void enter_stage(const Stage &stage);
+
     void number_unknowns(const std::string &linear_solver);
 
     void assemble_loads(const Vector &q, AssemblyTarget &target) const;

@@ -6,13 +6,19 @@
 
 namespace deltaform
 {
+  struct Checkpoint;
   struct IncrementCost;
 
   /// Writes what the scene asks for, after every accepted increment. Files and columns: doc/output.md.
   class Recorder
   {
   public:
-    Recorder(Scene &scene, const std::string &folder, Journal &journal, Timers &timers);
+    /// @param start go on with the files in the folder from this state; null: begin new ones
+    Recorder(Scene &scene,
+             const std::string &folder,
+             Journal &journal,
+             Timers &timers,
+             const Checkpoint *start = nullptr);
     ~Recorder();
 
     /// An increment was accepted.
@@ -21,6 +27,18 @@ namespace deltaform
                 double time,
                 unsigned int increment,
                 const IncrementCost &cost);
+
+    /// The problem of @p start has been loaded: what its last increment was.
+    void resume(const FormingProblem &problem, const Checkpoint &start);
+
+    /// Is it time to save a state?
+    bool checkpoint_due() const;
+
+    /// What a Recorder goes on from.
+    std::string state() const;
+
+    /// Save a state in the folder.
+    void save(const Checkpoint &state);
 
     /// The run has ended.
     void finish(int exit_status, const FormingProblem &problem, unsigned int increments, unsigned int iterations);

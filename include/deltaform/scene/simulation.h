@@ -2,6 +2,7 @@
 
 #include <deltaform/base/journal.h>
 #include <deltaform/base/timers.h>
+#include <deltaform/scene/checkpoint.h>
 #include <deltaform/scene/condition_report.h>
 #include <deltaform/scene/forming_problem.h>
 #include <deltaform/scene/recorder.h>
@@ -25,12 +26,18 @@ namespace deltaform
   public:
     Simulation(Scene &scene, Recorder &recorder, Journal &journal, Timers &timers);
 
+    /// Go on from a saved state. @throws SceneError if it does not fit the stages of the scene
+    void resume(const Checkpoint &start);
+
     /// @return exit status: done, not_converged or promise_broken
     int run();
 
   private:
     /// One stage. @return exit status
     int run_stage(const Stage &stage);
+
+    /// The state after the last accepted increment.
+    Checkpoint checkpoint() const;
 
     /// Try the increment from the committed state to @p time. @return empty if accepted, else the cause of the failure
     std::string attempt(double time, Vector &q, NewtonResult &result);
@@ -50,5 +57,10 @@ namespace deltaform
     unsigned int increment_ = 0, total_iterations_ = 0, failed_iterations_ = 0;
     bool promise_failed_ = false;
     Vector before_; ///< the solution one increment before the committed one
+
+    unsigned int stage_ = 0;                     ///< index of the current one
+    bool resumed_       = false;                 ///< in the middle of the current stage
+    std::optional<StepControl::State> step_;     ///< of the resumed stage; none after a failure, which starts afresh
+    std::optional<Checkpoint> before_giving_up_; ///< the state that a run which failed can be resumed from
   };
 } // namespace deltaform

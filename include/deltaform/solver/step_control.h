@@ -54,6 +54,21 @@ namespace deltaform
 
     bool finished(double time) const;
 
+    /// What later increments depend on, for a run that is resumed.
+    struct State
+    {
+      double increment   = 0;
+      unsigned int quiet = 0;
+    };
+
+    State state() const
+    {
+      return {increment_, quiet_};
+    }
+
+    /// Go on from @p state, within the bounds of this control.
+    void restore(const State &state);
+
   private:
     const StepSettings &settings_;
     double end_, smallest_, largest_, increment_;
