@@ -1,0 +1,202 @@
+#!/usr/bin/python3
+"""Every rule of contact, delta from 1e-1 to 1e-8 t, on three scenes: tables, plots and the text's numbers.
+
+    scripts/rules.py [--program PROGRAM] [--output output/rules] [--jobs 2] [--scenes cup,pressed_plate,bent_strip] [--write]
+
+Error in force: root mean square difference from `active set` at ten travels over the largest force. Condition numbers are
+medians over every fifth increment. A run that fails is a row. --write copies the page to doc/rules.md (the text behind its
+first heading of second order is kept) and the picture to doc/gallery.
+"""
+import argparse
+import concurrent.futures
+import csv
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+from plot import STYLE  # noqa: E402
+from results import NoResults, Table  # noqa: E402
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+STROKE = {"cup": 1.0, "pressed_plate": 10.0, "bent_strip": 15.0}
+DELTAS = [f"1e-{k}" for k in range(1, 9)]
+LIMIT = 120  # seconds per run
+
+
+def cases():
+    """(choice, parameter): entries."""
+    result = {("active set", ""): {"Contact/Enforcement": "active set"}}
+    for delta in DELTAS:
+        for rule in ("adaptive", "paper", "proportional", "gap driven"):
+            result[(rule, delta)] = {"Contact/Penalty rule": rule, "Contact/Allowed penetration": f"{delta}*thickness"}
+        for enforcement in ("adaptive compensated", "augmented Lagrangian"):
+            result[(enforcement, delta)] = {"Contact/Enforcement": enforcement,
+                                            "Contact/Allowed penetration": f"{delta}*thickness"}
+    for factor in ("1e2", "1e3", "1e4", "1e5", "1e6", "1e7", "1e8", "1e9"):
+        result[("constant", factor)] = {"Contact/Penalty rule": "constant", "Contact/Penalty factor": factor}
+    for factor in ("0.01", "0.1", "1", "10"):
+        result[("element stiffness", factor)] = {"Contact/Penalty rule": "element stiffness",
+                                                 "Contact/Stiffness factor": factor}
+    return result
+
+
+def run(program, folder, scene, key, entries):
+    out = os.path.join(folder, scene, "_".join(key).replace(" ", "_"))
+    shutil.rmtree(out, ignore_errors=True)
+    travels = ", ".join(f"{STROKE[scene] * k / 10:g}" for k in range(1, 11))
+    command = [program, os.path.join(ROOT, "prm", scene + ".prm"), "--quiet", "--output", out,
+               "--set", "Output/Pictures=0", "--set", f"Output/Travels={travels}",
+               "--set", "Output/Condition number every=5"]
+    for entry, value in entries.items():
+        command += ["--set", f"{entry}={value}"]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT, check=False)
+        return out, done.returncode, (done.stderr.strip().split("\n") or [""])[-1]
+    except subprocess.TimeoutExpired:
+        return out, "time", f"not finished after {LIMIT} s"
+
+
+def measure(out, status, message, reference, scene):
+    """The row of a run."""
+    row = {"status": status, "message": message}
+    try:
+        history = Table(os.path.join(out, "history.csv"))
+        travel = history["punch_travel"]
+    except NoResults:
+        return row
+    if len(history) == 0:
+        return row
+    row["travel"] = travel[-1]
+    row["force_at"] = {round(10 * t / STROKE[scene]): f for t, f in zip(travel, history["punch_force_z"])
+                       if abs(10 * t / STROKE[scene] - round(10 * t / STROKE[scene])) < 1e-6}
+    if reference:
+        common = [k for k in row["force_at"] if k in reference]
+        if common:
+            square = np.mean([(row["force_at"][k] - reference[k]) ** 2 for k in common])
+            row["error"] = float(np.sqrt(square) / max(reference.values()))
+    row["max_p"] = history["max_penetration"].max()
+    row["ratio"] = history["max_penetration_over_delta"].max()
+    row["max_epsilon"] = history["max_epsilon"].max()
+    row["iterations"] = int(history["newton_iterations"].sum())
+    row["corrections"] = int(history["penalty_iterations"].sum())
+    for name in ("condition_raw", "condition_scaled"):
+        finite = history[name][np.isfinite(history[name].astype(float))]
+        row[name] = float(np.median(finite)) if len(finite) else float("nan")
+    try:
+        with open(os.path.join(out, "summary.json"), encoding="utf-8") as file:
+            row["seconds"] = json.load(file)["seconds"]
+    except OSError:
+        pass
+    return row
+
+
+def text(row, name, form):
+    return format(row[name], form) if name in row and row[name] is not None else ""
+
+
+def table(scene, rows):
+    lines = [f"| {scene.replace('_', ' ')} | parameter | status | force error | max p | max p/delta | max eps | kappa raw | scaled | iterations "
+             "| of them corrections | s |", "|---|---|---|---|---|---|---|---|---|---|---|---|"]
+    for (choice, parameter), row in rows.items():
+        state = row["status"] if row["status"] == 0 else f"{row['status']} at {text(row, 'travel', '.3g')}"
+        lines.append(f"| {choice} | {parameter} | {state} | {text(row, 'error', '.1e')} | {text(row, 'max_p', '.1e')} | "
+                     f"{text(row, 'ratio', '.3g')} | {text(row, 'max_epsilon', '.1e')} | {text(row, 'condition_raw', '.1e')} | "
+                     f"{text(row, 'condition_scaled', '.1e')} | {text(row, 'iterations', 'd')} | "
+                     f"{text(row, 'corrections', 'd')} | {text(row, 'seconds', '.2f')} |")
+    return "\n".join(lines)
+
+
+def against_constant(rows):
+    """Iterations of adaptive at 1e-3 t against the best constant that penetrates no more."""
+    adaptive = rows[("adaptive", "1e-3")]
+    rivals = [(row["iterations"], key[1]) for key, row in rows.items()
+              if key[0] == "constant" and row["status"] == 0 and row["max_p"] <= adaptive["max_p"] * 1.0001]
+    if not rivals:
+        return f"adaptive at 1e-3 t {adaptive['iterations']} iterations; no constant keeps its penetration"
+    best, factor = min(rivals)
+    return (f"adaptive at 1e-3 t {adaptive['iterations']} iterations, of them {adaptive['corrections']} for corrections; best "
+            f"constant that penetrates no more: {factor} with {best} ({100 * (adaptive['iterations'] / best - 1):+.0f} %)")
+
+
+def plot(results, folder):
+    figure, axes = plt.subplots(len(results), 3, figsize=(13, 3.4 * len(results)), squeeze=False)
+    choices = ["adaptive", "adaptive compensated", "augmented Lagrangian", "constant", "element stiffness", "paper",
+               "proportional", "gap driven"]
+    for line, (scene, rows) in zip(axes, results.items()):
+        for axis, column, label in zip(line, ("error", "condition_raw", "iterations"),
+                                       ("error in force", "raw condition number", "Newton iterations")):
+            for choice in choices:
+                points = sorted((row["max_p"], row[column]) for key, row in rows.items()
+                                if key[0] == choice and row["status"] == 0 and column in row and row["max_p"] > 0)
+                if points:
+                    axis.loglog(*zip(*points), "o-", markersize=3.5, linewidth=1, label=choice)
+            axis.set_title(f"{scene.replace('_', ' ')}: {label}")
+            axis.set_xlabel("max penetration")
+    axes[0][0].legend(fontsize=7)
+    figure.tight_layout()
+    figure.savefig(os.path.join(folder, "rules.png"), dpi=120)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
+    parser.add_argument("--output", default=os.path.join(ROOT, "output", "rules"))
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--scenes", default="cup,pressed_plate,bent_strip")
+    parser.add_argument("--write", action="store_true")
+    arguments = parser.parse_args()
+    if not os.access(arguments.program, os.X_OK):
+        sys.exit(f"rules: no program '{arguments.program}': build it (scripts/build.sh) or name it with --program")
+    plt.rcParams.update(STYLE)
+    results = {}
+    with concurrent.futures.ThreadPoolExecutor(max_workers=arguments.jobs) as pool:
+        futures = {scene: {key: pool.submit(run, arguments.program, arguments.output, scene, key, entries)
+                           for key, entries in cases().items()} for scene in arguments.scenes.split(",")}
+        for scene, own in futures.items():
+            reference = None
+            results[scene] = {}
+            for key, future in own.items():
+                results[scene][key] = measure(*future.result(), reference, scene)
+                if reference is None:
+                    reference = results[scene][key]["force_at"]
+            print(table(scene, results[scene]), "\n", flush=True)
+
+    page = ["# Rules of contact compared", "", "Made by `scripts/rules.py --write` (the text at the end is written by hand).", ""]
+    for scene, rows in results.items():
+        page += [table(scene, rows), "", against_constant(rows), ""]
+    page += ["![rules](gallery/rules.png)", ""]
+    plot(results, arguments.output)
+    content = "\n".join(page)
+    names = ["scene", "choice", "parameter", "status", "error", "max_p", "ratio", "max_epsilon", "condition_raw",
+             "condition_scaled", "iterations", "corrections", "seconds", "travel", "message"]
+    with open(os.path.join(arguments.output, "rules.csv"), "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, names, extrasaction="ignore", lineterminator="\n")
+        writer.writeheader()
+        for scene, rows in results.items():
+            for (choice, parameter), row in rows.items():
+                writer.writerow({"scene": scene, "choice": choice, "parameter": parameter, **row})
+    with open(os.path.join(arguments.output, "rules.md"), "w", encoding="utf-8") as file:
+        file.write(content)
+    if arguments.write:
+        shutil.copy(os.path.join(arguments.output, "rules.png"), os.path.join(ROOT, "doc", "gallery"))
+        target = os.path.join(ROOT, "doc", "rules.md")
+        kept = ""
+        if os.path.exists(target):
+            with open(target, encoding="utf-8") as file:
+                old = file.read()
+            kept = old[old.index("\n## "):] if "\n## " in old else ""
+        with open(target, "w", encoding="utf-8") as file:
+            file.write(content + kept)
+
+
+if __name__ == "__main__":
+    main()
