@@ -71,7 +71,11 @@ namespace deltaform
   } // namespace
 
 
-  Tool::Tool(const std::string &name, Section section, const std::map<std::string, double> &constants) : name_(name)
+  Tool::Tool(const std::string &name,
+             Section section,
+             const std::map<std::string, double> &constants,
+             const std::map<std::string, double> &penetration_constants)
+    : name_(name)
   {
     side_ = section.choice("Side", "bottom", {"bottom", "top"}, "Face of the blank that the tool touches.") == "top"
               ? Side::top
@@ -104,7 +108,7 @@ namespace deltaform
     allowed_penetration_ = read_optional(section,
                                          "Allowed penetration",
                                          "Of this tool (length, may use t and thickness); empty: the one of Contact.",
-                                         constants);
+                                         penetration_constants);
     stages_              = section.names("Stages", "", "Stages in which the tool takes part; empty: all.");
   }
 } // namespace deltaform
