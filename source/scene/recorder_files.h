@@ -25,7 +25,10 @@ namespace deltaform
       std::vector<std::string> names;
       for (const auto &tool : scene.actors.tools)
         names.push_back(tool->name());
-      history = std::make_unique<History>(folder + "/history.csv", comments, names, units);
+      HistoryOptions options;
+      for (const auto &support : scene.actors.supports)
+        options.supports.push_back(support.name);
+      history = std::make_unique<History>(folder + "/history.csv", comments, names, units, options);
     }
 
     HistoryRow row(const FormingProblem &problem,

@@ -124,6 +124,9 @@ namespace deltaform
 
     double travel(unsigned int tool) const;
 
+    /// Sum of the forces (moments) of a support on the blank in the committed state; 0 where it does not act.
+    double reaction(const Support &support) const;
+
     void save(std::ostream &stream) const;
     void load(std::istream &stream);
 
