@@ -7,12 +7,19 @@
 
 namespace deltaform
 {
-  Augmentation::Augmentation(const unsigned int depth) : depth_(depth)
+  Augmentation::Augmentation(const unsigned int depth, const unsigned int patience) : depth_(depth), patience_(patience)
   {
   }
 
 
   void Augmentation::restart()
+  {
+    rounds_ = 0;
+    forget();
+  }
+
+
+  void Augmentation::forget()
   {
     last_shift_.clear();
     shift_differences_.clear();
@@ -23,11 +30,13 @@ namespace deltaform
   unsigned int Augmentation::update(const std::vector<ContactPair *> &pairs)
   {
     Values shift, force;
-    bool exact = true;
+    bool exact              = true;
+    const double relaxation = std::pow(10., rounds_ / patience_);
     for (const auto *pair : pairs)
-      exact &= pair->augmentation(shift, force);
+      exact &= pair->augmentation(shift, force, relaxation);
     if (exact)
       return 0;
+    ++rounds_;
 
     const unsigned int n = shift.size();
     Values change(n), next = force;
@@ -38,7 +47,7 @@ namespace deltaform
     for (unsigned int i = 0; i < n; ++i)
       loaded[i] = force[i] > 0;
     if (loaded != loaded_)
-      restart();
+      forget();
     loaded_ = loaded;
     if (depth_ > 0 && last_shift_.size() == n)
     {

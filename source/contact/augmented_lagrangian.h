@@ -16,7 +16,7 @@ namespace deltaform
                                   Range::above_to(0, 1),
                                   "1",
                                   "Largest |gap| of a loaded node, in units of the allowed penetration, at which no "
-                                  "further augmentation takes place."))
+                                  "further augmentation takes place; ten times as much after every twelve rounds."))
     {
     }
 

@@ -237,9 +237,10 @@ namespace deltaform
   }
 
 
-  bool ContactPair::augmentation(std::vector<double> &shifts, std::vector<double> &forces) const
+  bool
+  ContactPair::augmentation(std::vector<double> &shifts, std::vector<double> &forces, const double relaxation) const
   {
-    const double allowed = settings_.enforcement->augmentation_tolerance();
+    const double allowed = std::min(1., relaxation * settings_.enforcement->augmentation_tolerance());
     bool exact           = true;
     for (unsigned int i = 0; i < trial_.size(); ++i)
     {

@@ -11,7 +11,7 @@ namespace deltaform
   NewtonSettings::NewtonSettings(Section &section)
     : max_iterations(section.integer("Maximal iterations", 20, 2, 1000, "Newton iterations between two corrections.")),
       max_rounds(
-        section.integer("Maximal corrections", 60, 0, 1000, "Corrections of the penalty factors per increment.")),
+        section.integer("Maximal corrections", 100, 0, 1000, "Corrections of the penalty factors per increment.")),
       force_tolerance(
         section.number("Force tolerance",
                        1e-6,

@@ -26,7 +26,7 @@ namespace
                              "Augmentation tolerance=1e-12",
                              "Allowed penetration=.1"},
                             {"Shape=plate", "Side=bottom", "Motion=0", "Position z=0"}),
-        q(2), augmentation(depth)
+        q(2), augmentation(depth, 100000)
     {
       fixture.pair.begin_stage(q, 0.);
     }

@@ -273,7 +273,7 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
     const auto energy = fixture.pair.energy();
     // The work done on the nodes, and by changing the factors, is in the springs or lost.
     BOOST_TEST(std::abs(work + energy.epsilon - energy.stored - energy.friction) <
-                 1e-14 * (10. + std::abs(work) + std::abs(energy.epsilon)));
+               1e-14 * (10. + std::abs(work) + std::abs(energy.epsilon)));
   };
   for (unsigned int i = 1; i <= 5; ++i)
     go(0., -5e-4 * i);

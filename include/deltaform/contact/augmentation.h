@@ -16,8 +16,12 @@ namespace deltaform
   class Augmentation
   {
   public:
-    /// @param depth number of earlier rounds that the acceleration looks back to; 0: plain Uzawa
-    explicit Augmentation(unsigned int depth);
+    /**
+     * @param depth    number of earlier rounds that the acceleration looks back to; 0: plain Uzawa
+     * @param patience after every so many rounds ten times the gap is accepted, up to delta, which is the promise: a
+     * node at the edge of the contact zone may come and go with the shifts for ever
+     */
+    explicit Augmentation(unsigned int depth, unsigned int patience = 12);
 
     /// An increment begins: forget the earlier rounds.
     void restart();
@@ -28,7 +32,10 @@ namespace deltaform
   private:
     using Values = std::vector<double>;
 
-    unsigned int depth_;
+    /// The earlier rounds belong to another problem.
+    void forget();
+
+    unsigned int depth_, patience_, rounds_ = 0;
     Values last_shift_, last_change_;
     std::vector<bool> loaded_;
     std::deque<Values> shift_differences_, change_differences_;

@@ -104,8 +104,9 @@ namespace deltaform
      */
     unsigned int correct_factors();
 
-    /// Shifts of all pairs, and the forces that augmentation makes of them (Uzawa); false if all gaps are small enough.
-    bool augmentation(std::vector<double> &shifts, std::vector<double> &forces) const;
+    /// Shifts of all pairs, and the forces that augmentation makes of them (Uzawa). @return whether all gaps are small
+    /// enough, with the tolerance times @p relaxation (at most delta)
+    bool augmentation(std::vector<double> &shifts, std::vector<double> &forces, double relaxation) const;
 
     /// Set the shifts of all pairs, from @p next on. @return the position behind them
     const double *shift(const double *next);
