@@ -154,10 +154,36 @@ namespace deltaform
   }
 
 
-  double Shell::reference_measure(const std::string &boundary) const
+  std::vector<Point2> Shell::boundary_points(const std::string &boundary) const
   {
-    const Point2 X = boundary == "start" ? mesh_.nodes().front() : mesh_.nodes().back();
-    return axisymmetric_ ? 2 * PI * X[0] : 1.;
+    return {boundary == "start" ? mesh_.nodes().front() : mesh_.nodes().back()};
+  }
+
+
+  std::vector<double> Shell::boundary_weights(const std::string &boundary) const
+  {
+    return {axisymmetric_ ? 2 * PI * boundary_points(boundary).front()[0] : 1.};
+  }
+
+
+  std::vector<std::string> Shell::faces() const
+  {
+    return {"bottom"};
+  }
+
+
+  std::vector<std::pair<DofIndex, double>> Shell::volume_weights(const Component component) const
+  {
+    if (component == Component::rotation)
+      return {};
+    // The areas are those of the configuration that is assembled: ask for the initial ones, then go back to them.
+    const auto now = node_area_;
+    update_areas(Vector(n_dofs()));
+    std::vector<std::pair<DofIndex, double>> result;
+    for (unsigned int i = 0; i < node_dofs_.size(); ++i)
+      result.emplace_back(node_dofs_[i][static_cast<unsigned int>(component)], thickness_ * node_area_[i]);
+    node_area_ = now;
+    return result;
   }
 
 
@@ -180,6 +206,12 @@ namespace deltaform
 
 
   double Shell::initial_thickness() const
+  {
+    return thickness_;
+  }
+
+
+  double Shell::typical_length() const
   {
     return thickness_;
   }

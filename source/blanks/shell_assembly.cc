@@ -152,8 +152,11 @@ namespace deltaform
   }
 
 
-  void
-  Shell::assemble_pressure(const Vector &q, const double pressure, const bool following, AssemblyTarget &target) const
+  void Shell::assemble_pressure(const Vector &q,
+                                const std::string &,
+                                const double pressure,
+                                const bool following,
+                                AssemblyTarget &target) const
   {
     const unsigned int n_nodes = degree_ + 1, n_dofs = 3 * n_nodes;
     const bool tangent  = target.wants_tangent() && following;

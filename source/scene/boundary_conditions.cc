@@ -13,35 +13,58 @@ namespace deltaform
 
   namespace
   {
-    std::vector<DofIndex> read_dofs(Section &section, const Blank &blank)
+    Component read_component(Section &section)
     {
-      const std::string boundary =
-        section.choice("Boundary", blank.boundaries().front(), blank.boundaries(), "Part of the boundary.");
       const std::string component = section.choice("Component",
                                                    "z",
                                                    {"r", "z", "rotation"},
                                                    "Direction (plane strain: r is x), or rotation (counterclockwise; a "
                                                    "moment, for loads).");
-      return blank.boundary_dofs(boundary,
-                                 component == "r"   ? Component::r
-                                 : component == "z" ? Component::z
-                                                    : Component::rotation);
+      return component == "r" ? Component::r : component == "z" ? Component::z : Component::rotation;
+    }
+
+    std::string read_boundary(Section &section, const Blank &blank)
+    {
+      return section.choice("Boundary", blank.boundaries().front(), blank.boundaries(), "Part of the boundary.");
+    }
+
+    std::vector<DofIndex> read_dofs(Section &section, const Blank &blank)
+    {
+      const std::string boundary = read_boundary(section, blank);
+      const auto dofs            = blank.boundary_dofs(boundary, read_component(section));
+      if (dofs.empty())
+        section.fail("Component",
+                     "boundary '" + boundary +
+                       "' has no such unknown: a solid has no rotations, it is clamped by holding r and z of an edge");
+      return dofs;
+    }
+
+    std::map<std::string, double> constants_at(const Blank &blank, const Point2 &X)
+    {
+      return {{"thickness", blank.initial_thickness()}, {"R", X[0]}, {"Z", X[1]}};
     }
   } // namespace
 
 
   Support::Support(const std::string &support_name, Section section, const Blank &blank)
     : name(support_name), dofs(read_dofs(section, blank)),
-      value(section.function("Value",
-                             Default<std::string>("0"),
-                             "length or rad",
-                             "Displacement (rotation) from the initial position as a function of time t.",
-                             {{"thickness", blank.initial_thickness()}})),
+      value(
+        section.function("Value",
+                         Default<std::string>("0"),
+                         "length or rad",
+                         "Displacement (rotation) from the initial position as a function of time t, of thickness, and "
+                         "of the initial place R, Z.",
+                         constants_at(blank, blank.boundary_points(read_boundary(section, blank)).front()))),
       hold(section.flag("Hold", false, "Instead of Value: keep what the unknown has reached when the stage begins.")),
       stages(section.names("Stages",
                            "",
                            "Stages in which the support acts (empty: all). It is released gradually in the next."))
   {
+    const auto &text = value.text();
+    if (text.find('R') == std::string::npos && text.find('Z') == std::string::npos)
+      return;
+    for (const auto &X : blank.boundary_points(read_boundary(section, blank)))
+      values.emplace_back(text, constants_at(blank, X));
   }
 
 
@@ -54,29 +77,43 @@ namespace deltaform
   Load::Load(const std::string &load_name, Section section, const Blank &blank)
     : name(load_name), kind(Kind::pressure), value(0.)
   {
-    const std::string what =
-      section.choice("Kind",
-                     "pressure",
-                     {"pressure", "dead pressure", "edge"},
-                     "Pressure that follows the surface, pressure on the initial area and direction, or "
-                     "force or moment on an edge.");
+    const std::string what = section.choice(
+      "Kind",
+      "pressure",
+      {"pressure", "dead pressure", "edge", "body"},
+      "Pressure that follows the surface, pressure on the initial area and direction, force or moment on "
+      "an edge (solid: traction on the initial area), or force per initial volume.");
     if (what == "edge")
     {
-      kind = Kind::edge;
-      dofs = read_dofs(section, blank);
-      const auto boundary =
-        section.choice("Boundary", blank.boundaries().front(), blank.boundaries(), "Part of the boundary.");
-      measure = blank.reference_measure(boundary);
-      if (!(measure > 0))
+      kind    = Kind::edge;
+      dofs    = read_dofs(section, blank);
+      weights = blank.boundary_weights(read_boundary(section, blank));
+      if (!(*std::max_element(weights.begin(), weights.end()) > 0))
         section.fail("Boundary", "this edge has no length (it lies on the axis): a line load on it is no load");
     }
-    else if (what == "dead pressure")
-      kind = Kind::dead_pressure;
+    else if (what == "body")
+    {
+      kind = Kind::body;
+      for (const auto &[dof, weight] : blank.volume_weights(read_component(section)))
+      {
+        dofs.push_back(dof);
+        weights.push_back(weight);
+      }
+      if (dofs.empty())
+        section.fail("Component", "a body load is a force, along r or z");
+    }
+    else
+    {
+      kind = what == "pressure" ? Kind::pressure : Kind::dead_pressure;
+      face =
+        section.choice("Face", blank.faces().front(), blank.faces(), "What a pressure acts on (shell: the bottom).");
+    }
     value = section.function(
       "Value",
       required("0"),
-      "stress, force/length of the initial edge, or moment/length",
-      "Load as a function of time t. A pressure is positive on the bottom face (upwards on a flat blank).",
+      "stress, force/length of the initial edge, moment/length, or force/volume",
+      "Load as a function of time t. A pressure is positive if it pushes into the blank (bottom: upwards on a flat "
+      "blank).",
       {{"thickness", blank.initial_thickness()}});
     stages =
       section.names("Stages", "", "Stages in which the load acts (empty: all). It is released gradually in the next.");
@@ -92,15 +129,15 @@ namespace deltaform
   void Load::assemble(const Blank &blank, const Vector &q, const double time, AssemblyTarget &target) const
   {
     const double now = value(time);
-    if (kind != Kind::edge)
+    if (!face.empty())
     {
-      blank.assemble_pressure(q, now, kind == Kind::pressure, target);
+      blank.assemble_pressure(q, face, now, kind == Kind::pressure, target);
       return;
     }
-    for (const auto dof : dofs)
+    for (unsigned int i = 0; i < dofs.size(); ++i)
     {
-      const double residual = -now * measure, zero = 0.;
-      target.add(&dof, 1, target.wants_tangent() ? &zero : nullptr, &residual);
+      const double residual = -now * weights[i], zero = 0.;
+      target.add(&dofs[i], 1, target.wants_tangent() ? &zero : nullptr, &residual);
     }
   }
 } // namespace deltaform

@@ -86,13 +86,13 @@ namespace deltaform
 
   double FormingProblem::typical_length() const
   {
-    return actors_.blank->initial_thickness();
+    return actors_.blank->typical_length();
   }
 
 
   double FormingProblem::force_floor() const
   {
-    const double h = actors_.blank->initial_thickness();
+    const double h = actors_.blank->typical_length();
     return std::max(1e-13 * actors_.blank->stiffness_scale() * h, 1e-6 * largest_force_);
   }
 
@@ -254,8 +254,11 @@ namespace deltaform
     prescribed_ = committed_;
     for (const auto &support : actors_.supports)
       if (support.acts_in(stage_name_))
-        for (const auto dof : support.dofs)
-          prescribed_[dof] = is_fixed_[dof] ? 0. : support.hold ? hold_[dof] : support.value(time);
+        for (unsigned int i = 0; i < support.dofs.size(); ++i)
+        {
+          const DofIndex dof = support.dofs[i];
+          prescribed_[dof]   = is_fixed_[dof] ? 0. : support.hold ? hold_[dof] : support.at(i, time);
+        }
     for (auto *pair : active_pairs_)
       pair->begin_increment(time);
     augmentation_.restart();
@@ -281,7 +284,8 @@ namespace deltaform
                          text::format(state.penetration()) + ", " + text::format(ratio) + " times the allowed " +
                          text::format(state.delta) + ", with penalty factor " + text::format(state.epsilon);
       for (const auto *other : active_pairs_)
-        if (other->tool().side() != pair->tool().side() && i < other->n_nodes() && other->trial()[i].touching)
+        if (other->tool().side() != pair->tool().side() && i < other->n_nodes() && other->trial()[i].touching &&
+            other->node(committed_, i).node == node.node)
           text += ". The node is clamped between '" + pair->tool().name() + "' and '" + other->tool().name() +
                   "': its thickness is " + text::format(node.thickness) + ", the gap leaves " +
                   text::format(node.thickness + state.gap + other->trial()[i].gap) +

@@ -152,7 +152,7 @@ namespace deltaform
     std::vector<DrawnField> fields;
     if (!scene.actors.tools.empty())
     {
-      const unsigned int n = blank.n_contact_nodes(Side::top);
+      const unsigned int n = blank.positions(problem.committed()).size();
       fields               = {{"penalty_factor", "force/length", true, 1, std::vector<double>(n, 0.)},
                               {"penetration_over_delta", "1", true, 1, std::vector<double>(n, 0.)},
                               {"contact_pressure", "stress", true, 1, std::vector<double>(n, 0.)},
@@ -160,15 +160,16 @@ namespace deltaform
       for (const auto *pair : problem.active_pairs())
       {
         const auto pressure = pair->pressure(problem.committed());
-        for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int i = 0; i < pair->n_nodes(); ++i)
         {
           const PairState &state = pair->committed()[i];
           if (!state.touching)
             continue;
-          fields[0].values[i] = std::max(fields[0].values[i], state.epsilon);
-          fields[1].values[i] = std::max(fields[1].values[i], state.penetration() / state.delta);
-          fields[2].values[i] = std::max(fields[2].values[i], pressure[i]);
-          fields[3].values[i] = std::max(fields[3].values[i], state.sticking ? 2. : 1.);
+          const unsigned int k = pair->node(problem.committed(), i).node;
+          fields[0].values[k]  = std::max(fields[0].values[k], state.epsilon);
+          fields[1].values[k]  = std::max(fields[1].values[k], state.penetration() / state.delta);
+          fields[2].values[k]  = std::max(fields[2].values[k], pressure[i]);
+          fields[3].values[k]  = std::max(fields[3].values[k], state.sticking ? 2. : 1.);
         }
       }
     }

@@ -54,12 +54,14 @@ namespace deltaform
       return;
     }
     const std::map<std::string, double> constants{{"thickness", actors.blank->initial_thickness()}};
+    // Penetrations are measured by the thickness of a shell, by the shortest contact edge of a solid.
+    const std::map<std::string, double> contact_constants{{"thickness", actors.blank->typical_length()}};
     Section contact = root.sub("Contact");
-    actors.contact  = std::make_unique<ContactSettings>(contact, constants);
+    actors.contact  = std::make_unique<ContactSettings>(contact, contact_constants);
     for (const auto &name : names)
     {
       Section own = section.sub(name);
-      actors.tools.push_back(std::make_unique<Tool>(name, own, constants));
+      actors.tools.push_back(std::make_unique<Tool>(name, own, constants, contact_constants));
       actors.pairs.push_back(std::make_unique<ContactPair>(*actors.blank, *actors.tools.back(), *actors.contact, own));
     }
   }

@@ -43,7 +43,12 @@ namespace deltaform
         }
       for (const auto &support : actors.supports)
         if (support.acts_in(stage.name) && !support.hold)
-          inspect(support.value, stage, root.sub("Supports").sub(support.name), "Value");
+          for (unsigned int i = 0; i < support.dofs.size(); ++i)
+            if (i == 0 || !support.values.empty())
+              inspect([&](const double time) { return support.at(i, time); },
+                      stage,
+                      root.sub("Supports").sub(support.name),
+                      "Value");
       for (const auto &load : actors.loads)
         if (load.acts_in(stage.name))
           inspect(load.value, stage, root.sub("Loads").sub(load.name), "Value");
@@ -131,8 +136,9 @@ namespace deltaform
       }
       for (const auto &support : actors.supports)
       {
-        changes |= support.acts_in(stage.name) && !support.hold &&
-                   (varies(support.value) || (!before && support.value(stage.end) != 0));
+        if (support.acts_in(stage.name) && !support.hold)
+          for (const auto &value : support.values.empty() ? std::vector<TimeFunction>{support.value} : support.values)
+            changes |= varies(value) || (!before && value(stage.end) != 0);
         changes |= before && support.acts_in(before->name) != support.acts_in(stage.name);
       }
       for (const auto &load : actors.loads)

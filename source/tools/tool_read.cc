@@ -71,7 +71,11 @@ namespace deltaform
   } // namespace
 
 
-  Tool::Tool(const std::string &name, Section section, const std::map<std::string, double> &constants) : name_(name)
+  Tool::Tool(const std::string &name,
+             Section section,
+             const std::map<std::string, double> &constants,
+             const std::map<std::string, double> &penetration_constants)
+    : name_(name)
   {
     side_ = section.choice("Side", "bottom", {"bottom", "top"}, "Face of the blank that the tool touches.") == "top"
               ? Side::top
@@ -101,7 +105,7 @@ namespace deltaform
 
     friction_coefficient_ = section.number(
       "Friction coefficient", Default<double>(0.), Range::not_negative(), "1", "Coulomb's coefficient; 0 is smooth.");
-    auto with_auto    = constants;
+    auto with_auto    = penetration_constants;
     with_auto["auto"] = -1.; // see ContactSettings
     allowed_penetration_ =
       read_optional(section,

@@ -92,9 +92,22 @@ namespace deltaform
       return result;
     }
 
-    /// Displacements of about @p size and rotations of about ten times as much (rad), none where they are fixed.
-    inline Vector random_state(const Blank &blank, std::mt19937 &generator, const double size)
+    /// 1, or less where nodes are so close that cells would turn inside out by displacements that other blanks bear.
+    inline double fineness(const Blank &blank)
     {
+      const auto X   = blank.positions(Vector(blank.n_dofs()));
+      double nearest = 1.;
+      for (unsigned int i = 0; i < X.size(); ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          nearest = std::min(nearest, X[i].distance(X[j]));
+      return nearest < .05 ? 5. * nearest : 1.;
+    }
+
+    /// Displacements of about @p size times fineness() and rotations of about ten times as much (rad), none where they
+    /// are fixed.
+    inline Vector random_state(const Blank &blank, std::mt19937 &generator, double size)
+    {
+      size *= fineness(blank);
       std::uniform_real_distribution<double> uniform(-size, size);
       Vector q(blank.n_dofs());
       for (unsigned int i = 0; i < q.size(); ++i)

@@ -17,7 +17,7 @@ namespace
     return [&blank, pressure, following](const Vector &q, AssemblyTarget &target)
     {
       assemble(blank, q, target);
-      blank.assemble_pressure(q, pressure, following, target);
+      blank.assemble_pressure(q, blank.faces().front(), pressure, following, target);
     };
   }
 
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(elastic_tangent)
                    for (const double size : {1e-3, .02})
                    {
                      const Vector q = random_state(blank, generator, size);
-                     BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-4) < 1e-8);
+                     BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-4 * fineness(blank)) < 1e-8);
                      DenseTarget target(blank.n_dofs());
                      assemble(blank, q, target);
                      BOOST_TEST((target.matrix - target.matrix.transpose()).norm() <= 1e-13 * target.matrix.norm());
@@ -88,9 +88,9 @@ BOOST_AUTO_TEST_CASE(plastic_tangent)
                  [&](Blank &blank, const Entries &)
                  {
                    const Vector q = random_state(blank, generator, .02);
-                   BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-6) < 1e-6);
+                   BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-6 * fineness(blank)) < 1e-6);
                    press(blank, 1.5, .5);
-                   BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-6) < 1e-6);
+                   BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-6 * fineness(blank)) < 1e-6);
                  });
 }
 
@@ -104,12 +104,13 @@ BOOST_AUTO_TEST_CASE(tangent_after_a_plastic_increment)
                    residual(blank, first);
                    blank.commit(first);
                    BOOST_TEST(blank.energy().plastic > 0.);
-                   // Some points go on yielding, others unload, and the thickness is no longer the initial one.
+                   // Some points go on yielding, others unload, and the thickness is no longer the initial one. The
+                   // steps of the differences are so short that no point passes its yield limit within one.
                    for (const double size : {1e-4, 5e-3})
                    {
                      Vector q = first;
                      q += random_state(blank, generator, size);
-                     BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-7) < 1e-5);
+                     BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 2e-8 * fineness(blank)) < 1e-5);
                    }
                  });
 }
@@ -117,26 +118,27 @@ BOOST_AUTO_TEST_CASE(tangent_after_a_plastic_increment)
 BOOST_AUTO_TEST_CASE(tangent_of_the_pressure)
 {
   std::mt19937 generator(4);
-  for_all_blanks(curved(elastic),
-                 [&](Blank &blank, const Entries &)
-                 {
-                   const Vector q = random_state(blank, generator, .02);
-                   for (const bool following : {true, false})
-                   {
-                     BOOST_TEST(tangent_error(with_pressure(blank, 7., following), q, scales(blank), 1e-4) < 1e-8);
-                     const Assembly alone = [&](const Vector &state, AssemblyTarget &target)
-                     { blank.assemble_pressure(state, 7., following, target); };
-                     if (following)
-                       BOOST_TEST(tangent_error(alone, q, std::vector<double>(q.size(), 1.), 1e-4) < 1e-9);
-                   }
-                   // Both kinds are the same where nothing has moved.
-                   const unsigned int n = blank.n_dofs();
-                   DenseTarget following(n), dead(n);
-                   blank.assemble_pressure(Vector(n), 7., true, following);
-                   blank.assemble_pressure(Vector(n), 7., false, dead);
-                   BOOST_TEST((following.residual - dead.residual).norm() == 0.);
-                   BOOST_TEST(dead.matrix.norm() == 0.);
-                 });
+  for_all_blanks(
+    curved(elastic),
+    [&](Blank &blank, const Entries &)
+    {
+      const Vector q = random_state(blank, generator, .02);
+      for (const bool following : {true, false})
+      {
+        BOOST_TEST(tangent_error(with_pressure(blank, 7., following), q, scales(blank), 1e-4 * fineness(blank)) < 1e-8);
+        const Assembly alone = [&](const Vector &state, AssemblyTarget &target)
+        { blank.assemble_pressure(state, blank.faces().front(), 7., following, target); };
+        if (following)
+          BOOST_TEST(tangent_error(alone, q, std::vector<double>(q.size(), 1.), 1e-4) < 1e-9);
+      }
+      // Both kinds are the same where nothing has moved.
+      const unsigned int n = blank.n_dofs();
+      DenseTarget following(n), dead(n);
+      blank.assemble_pressure(Vector(n), blank.faces().front(), 7., true, following);
+      blank.assemble_pressure(Vector(n), blank.faces().front(), 7., false, dead);
+      BOOST_TEST((following.residual - dead.residual).norm() == 0.);
+      BOOST_TEST(dead.matrix.norm() == 0.);
+    });
 }
 
 BOOST_AUTO_TEST_CASE(pressure_on_a_flat_blank)
@@ -145,7 +147,7 @@ BOOST_AUTO_TEST_CASE(pressure_on_a_flat_blank)
                  [](Blank &blank, const Entries &)
                  {
                    DenseTarget target(blank.n_dofs());
-                   blank.assemble_pressure(Vector(blank.n_dofs()), 7., true, target);
+                   blank.assemble_pressure(Vector(blank.n_dofs()), blank.faces().front(), 7., true, target);
                    const auto role = roles(blank);
                    double total    = 0.;
                    for (unsigned int i = 0; i < role.size(); ++i)
@@ -223,7 +225,7 @@ BOOST_AUTO_TEST_CASE(derivatives_of_contact_nodes)
               return node;
             };
             const ContactNode node = at(q);
-            BOOST_TEST(node.node == i);
+            BOOST_TEST((blank.positions(q)[node.node] - node.x).norm() <= node.thickness);
             BOOST_TEST(node.n_dofs <= ContactNode::max_dofs);
             BOOST_TEST(node.offset >= 0.);
             BOOST_TEST(node.thickness > 0.);

@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(elastic_forces_have_a_potential)
                    restore(blank, start);
                    const auto forces = residual(blank, q);
                    Eigen::VectorXd gradient(q.size());
-                   constexpr double h = 1e-4;
+                   const double h = 1e-4 * fineness(blank);
                    for (unsigned int i = 0; i < q.size(); ++i)
                    {
                      const auto difference = [&](const double step)
@@ -164,17 +164,17 @@ BOOST_AUTO_TEST_CASE(commit_updates_the_thickness)
                  [](Blank &blank, const Entries &)
                  {
                    // Stretched by the factor a along the radius (and, axisymmetric, around it).
-                   const auto role = roles(blank);
-                   const auto X    = blank.positions(Vector(blank.n_dofs()));
+                   const auto role     = roles(blank);
+                   const auto X        = blank.positions(Vector(blank.n_dofs()));
+                   const double strain = -.25 / .75 * (blank.axisymmetric() ? 2. : 1.) * std::log(1.02);
                    Vector q(blank.n_dofs());
                    for (unsigned int i = 0; i < q.size(); ++i)
-                     if (role[i].node != invalid_index && role[i].axis == 0)
-                       q[i] = .02 * X[role[i].node][0];
-                   BOOST_TEST(blank.smallest_thickness() == .01);
+                     if (role[i].node != invalid_index)
+                       q[i] = (role[i].axis == 0 ? .02 : std::exp(strain) - 1.) * X[role[i].node][role[i].axis];
+                   BOOST_TEST(std::abs(blank.smallest_thickness() - .01) < 1e-16);
                    reach(blank, q);
-                   const double strain = -.25 / .75 * (blank.axisymmetric() ? 2. : 1.) * std::log(1.02);
                    BOOST_TEST(std::abs(std::log(blank.smallest_thickness() / .01) - strain) < 1e-13);
-                   BOOST_TEST(std::abs(blank.largest_rotation(q)) == 0.);
+                   BOOST_TEST(std::abs(blank.largest_rotation(q)) < 1e-14);
                  });
 }
 
@@ -189,9 +189,17 @@ BOOST_AUTO_TEST_CASE(restart_goes_on_where_it_stopped)
                    reach(blank, q);
                    for (const auto &name : Registry<Blank>::names())
                    {
-                     const auto copy = make_blank(name, entries);
+                     std::unique_ptr<Blank> copy;
+                     try
+                     {
+                       copy = make_blank(name, entries);
+                     }
+                     catch (const SceneError &)
+                     {
+                       continue; // another kind of blank, which these entries do not suit
+                     }
                      if (copy->n_dofs() != blank.n_dofs())
-                       continue; // another kind of blank
+                       continue;
                      restore(*copy, saved(blank));
                      BOOST_TEST(visible(*copy, q) == visible(blank, q));
                      Vector further = q;

@@ -45,7 +45,7 @@ namespace
   Eigen::VectorXd pressure_load(Blank &blank, const double pressure)
   {
     DenseTarget target(blank.n_dofs(), false);
-    blank.assemble_pressure(Vector(blank.n_dofs()), pressure, true, target);
+    blank.assemble_pressure(Vector(blank.n_dofs()), blank.faces().front(), pressure, true, target);
     return -target.residual;
   }
 

@@ -81,7 +81,7 @@ namespace deltaform
           fixture->pair.predict_factors(q, nullptr);
           factors_due = false;
         }
-        blank->assemble_pressure(q, pressure, true, *system);
+        blank->assemble_pressure(q, blank->faces().front(), pressure, true, *system);
         if (fixture)
           fixture->pair.assemble(q, *system);
         return status;

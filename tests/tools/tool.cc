@@ -13,7 +13,7 @@ namespace
   Tool make(const std::string &entries, const double thickness = .2)
   {
     ParameterTree tree = ParameterTree::parse(entries, "test.prm");
-    Tool tool("punch", tree.root(), {{"thickness", thickness}});
+    Tool tool("punch", tree.root(), {{"thickness", thickness}}, {{"thickness", thickness}});
     tree.check_unused();
     return tool;
   }

@@ -48,15 +48,25 @@ namespace deltaform
     /// Unknowns that stay zero: symmetry at the axis r = 0, rotations of a membrane.
     virtual std::vector<DofIndex> fixed_dofs() const = 0;
 
-    /// Unknowns of one component on a named part of the boundary. @throws std::invalid_argument if there is no such
-    /// part.
+    /// Unknowns of one component on a named part of the boundary; empty if the blank has no such component (the
+    /// rotation of a solid). @throws std::invalid_argument if there is no such part.
     virtual std::vector<DofIndex> boundary_dofs(const std::string &boundary, Component component) const = 0;
 
     /// Names of the parts of the boundary.
     virtual std::vector<std::string> boundaries() const = 0;
 
-    /// Current measure of a part of the boundary: circumference of an edge (shell), by which line loads are multiplied.
-    virtual double reference_measure(const std::string &boundary) const = 0;
+    /// Where the unknowns of boundary_dofs() are in the undeformed blank, one point per unknown.
+    virtual std::vector<Point2> boundary_points(const std::string &boundary) const = 0;
+
+    /// What a unit load on a part of the boundary is to the unknowns of boundary_dofs(): initial circumference of an
+    /// edge (shell; line loads), consistent share of the initial area (solid; tractions).
+    virtual std::vector<double> boundary_weights(const std::string &boundary) const = 0;
+
+    /// Parts on which a pressure may act, the usual one first.
+    virtual std::vector<std::string> faces() const = 0;
+
+    /// Unknowns of a displacement component with their consistent shares of the initial volume, for body loads.
+    virtual std::vector<std::pair<DofIndex, double>> volume_weights(Component component) const = 0;
 
     /// A typical length that makes unknowns comparable: 1 for displacements, the thickness for rotations.
     virtual double dof_scale(DofIndex dof) const = 0;
@@ -75,6 +85,10 @@ namespace deltaform
     virtual bool axisymmetric() const = 0;
 
     virtual double initial_thickness() const = 0;
+
+    /// The length that penetrations and steps are compared with: the thickness of a shell, the shortest contact edge of
+    /// a solid.
+    virtual double typical_length() const = 0;
     ///@}
 
     /// @name In every iteration
@@ -82,10 +96,14 @@ namespace deltaform
     /// Add internal forces and, if wanted, their tangent at @p q. The trial history starts from the committed one.
     virtual Status assemble(const Vector &q, AssemblyTarget &target) = 0;
 
-    /// Add the forces of a pressure on the whole blank, positive if it pushes on the bottom face (along the director:
-    /// upward, for a flat blank). Following: on the current area along the current normal; dead: on the initial area
-    /// and normal.
-    virtual void assemble_pressure(const Vector &q, double pressure, bool following, AssemblyTarget &target) const = 0;
+    /// Add the forces of a pressure on one of faces(), positive if it pushes into the blank (on the bottom: along the
+    /// director, upward for a flat blank). Following: on the current area along the current normal; dead: on the
+    /// initial area and normal.
+    virtual void assemble_pressure(const Vector &q,
+                                   const std::string &face,
+                                   double pressure,
+                                   bool following,
+                                   AssemblyTarget &target) const = 0;
 
     /// Largest factor in (0, 1] by which @p dq may be taken so that no cell is turned inside out or rotated too far.
     virtual double admissible_step(const Vector &q, const Vector &dq) const = 0;
@@ -116,7 +134,8 @@ namespace deltaform
     /// Values along the blank, one row per node.
     virtual Table profile(const Vector &q) const = 0;
 
-    /// Picture for ParaView; @p nodal are further values per contact node (one per node), spread over the thickness.
+    /// Picture for ParaView; @p nodal are further values, one per entry of positions() (shell: spread over the
+    /// thickness).
     virtual Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const = 0;
 
     /// Positions of the nodes: r and z.

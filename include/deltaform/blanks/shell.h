@@ -47,14 +47,22 @@ namespace deltaform
     std::vector<DofIndex> fixed_dofs() const override;
     std::vector<DofIndex> boundary_dofs(const std::string &boundary, Component component) const override;
     std::vector<std::string> boundaries() const override;
-    double reference_measure(const std::string &boundary) const override;
+    std::vector<Point2> boundary_points(const std::string &boundary) const override;
+    std::vector<double> boundary_weights(const std::string &boundary) const override;
+    std::vector<std::string> faces() const override;
+    std::vector<std::pair<DofIndex, double>> volume_weights(Component component) const override;
     double dof_scale(DofIndex dof) const override;
     std::string describe_dof(DofIndex dof) const override;
     double stiffness_scale() const override;
     bool axisymmetric() const override;
     double initial_thickness() const override;
+    double typical_length() const override;
     Status assemble(const Vector &q, AssemblyTarget &target) override;
-    void assemble_pressure(const Vector &q, double pressure, bool following, AssemblyTarget &target) const override;
+    void assemble_pressure(const Vector &q,
+                           const std::string &face,
+                           double pressure,
+                           bool following,
+                           AssemblyTarget &target) const override;
     double admissible_step(const Vector &q, const Vector &dq) const override;
     unsigned int n_contact_nodes(Side side) const override;
     void contact_node(const Vector &q,

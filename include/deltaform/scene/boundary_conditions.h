@@ -15,10 +15,17 @@ namespace deltaform
 
     bool acts_in(const std::string &stage) const;
 
+    /// Value of dofs[i] at a time.
+    double at(unsigned int i, double time) const
+    {
+      return values.empty() ? value(time) : values[i](time);
+    }
+
     std::string name;
     std::vector<DofIndex> dofs;
-    TimeFunction value;
-    bool hold; ///< keep the value that the unknown has when the stage begins
+    TimeFunction value;               ///< of the first unknown
+    std::vector<TimeFunction> values; ///< of every unknown, where they depend on its place; else empty
+    bool hold;                        ///< keep the value that the unknown has when the stage begins
     std::vector<std::string> stages;
   };
 
@@ -29,7 +36,8 @@ namespace deltaform
     {
       pressure,
       dead_pressure,
-      edge
+      edge,
+      body
     };
 
     Load(const std::string &name, Section section, const Blank &blank);
@@ -41,8 +49,9 @@ namespace deltaform
 
     std::string name;
     Kind kind;
+    std::string face; ///< of a pressure
     std::vector<DofIndex> dofs;
-    double measure = 1; ///< of the edge
+    std::vector<double> weights; ///< what a unit load is to each unknown
     TimeFunction value;
     std::vector<std::string> stages;
   };

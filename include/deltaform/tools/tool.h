@@ -24,8 +24,13 @@ namespace deltaform
      * Read the tool from its section.
      * @param name of the section, by which results and messages call the tool
      * @param constants what the expressions of the section may use beside t: "thickness"
+     * @param penetration_constants the same for the allowed penetration, whose "thickness" is the blank's typical
+     * length
      */
-    Tool(const std::string &name, Section section, const std::map<std::string, double> &constants);
+    Tool(const std::string &name,
+         Section section,
+         const std::map<std::string, double> &constants,
+         const std::map<std::string, double> &penetration_constants);
 
     const std::string &name() const
     {

@@ -1,0 +1,156 @@
+#pragma once
+
+#include <deltaform/blanks/blank.h>
+#include <deltaform/blanks/solid_mesh.h>
+#include <deltaform/materials/material.h>
+#include <deltaform/materials/point_history.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+
+#include <map>
+#include <memory>
+
+namespace deltaform
+{
+  /**
+   * Axisymmetric or plane strain solid of quadrilaterals of degree 1 or 2, unknowns u_r and u_z. The volumetric strain
+   * is projected (degree 1: its mean over the cell; degree 2: linear in the cell), which makes it free of volumetric
+   * locking and derives from a potential. Finite strain: multiplicative plasticity in the logarithmic strain; or small
+   * strain. Derivation: doc/theory/solid.md.
+   */
+  class Solid : public Blank
+  {
+  public:
+    explicit Solid(Section &section);
+
+    unsigned int n_dofs() const override;
+    void add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
+    std::vector<DofIndex> fixed_dofs() const override;
+    std::vector<DofIndex> boundary_dofs(const std::string &boundary, Component component) const override;
+    std::vector<std::string> boundaries() const override;
+    std::vector<Point2> boundary_points(const std::string &boundary) const override;
+    std::vector<double> boundary_weights(const std::string &boundary) const override;
+    std::vector<std::string> faces() const override;
+    std::vector<std::pair<DofIndex, double>> volume_weights(Component component) const override;
+    double dof_scale(DofIndex dof) const override;
+    std::string describe_dof(DofIndex dof) const override;
+    double stiffness_scale() const override;
+    bool axisymmetric() const override;
+    double initial_thickness() const override;
+    double typical_length() const override;
+    Status assemble(const Vector &q, AssemblyTarget &target) override;
+    void assemble_pressure(const Vector &q,
+                           const std::string &face,
+                           double pressure,
+                           bool following,
+                           AssemblyTarget &target) const override;
+    double admissible_step(const Vector &q, const Vector &dq) const override;
+    unsigned int n_contact_nodes(Side side) const override;
+    void contact_node(const Vector &q,
+                      Side side,
+                      unsigned int node,
+                      ContactThickness thickness,
+                      ContactNode &result) const override;
+    const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
+    double largest_strain_increment() const override;
+    double largest_rotation(const Vector &dq) const override;
+    void commit(const Vector &q) override;
+    void set_contact_pressure(Side side, const std::vector<double> &pressure) override;
+    BlankEnergy energy() const override;
+    double smallest_thickness() const override;
+    Table profile(const Vector &q) const override;
+    Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
+    std::vector<Point2> positions(const Vector &q) const override;
+    void save(std::ostream &stream) const override;
+    void load(std::istream &stream) override;
+
+  private:
+    /// An edge of the boundary, walked with the body to the left: start, end, middle (degree 2).
+    using Edge = std::array<unsigned int, 3>;
+
+    /// What stays the same at a quadrature point.
+    struct QuadraturePoint
+    {
+      std::array<double, 9> shape{}, gradient_r{}, gradient_z{}; ///< N_a, dN_a/dR, dN_a/dZ
+      double radius = 1;                                         ///< R (plane strain: 1)
+      double weight = 0;                                         ///< volume: 2 pi R dA (plane strain: dA)
+    };
+
+    /// In-plane block (row-major) and hoop stretch of the deformation.
+    struct Deformation
+    {
+      std::array<double, 4> f{{1, 0, 0, 1}};
+      double hoop = 1;
+    };
+
+    /// One side as contact sees it: the nodes of a chain of edges, in order.
+    struct ContactFace
+    {
+      std::vector<unsigned int> nodes;
+      std::vector<Edge> edges;          ///< numbers of contact nodes
+      std::vector<double> arc;          ///< S0
+      std::vector<bool> weightless;     ///< the tributary area vanishes: no pair
+      mutable std::vector<double> area; ///< committed or last assembled
+    };
+
+    void set_up_dofs();
+    void set_up_points();
+    void set_up_boundary();
+    void set_up_face(ContactFace &face, const std::vector<std::string> &names);
+    void update_areas(const Vector &q) const;
+
+    template <unsigned int n_nodes, unsigned int n_points>
+    Status assemble_cells(const Vector &q, AssemblyTarget &target);
+
+    Point2 position(const Vector &q, unsigned int node) const;
+
+    /// Deformation at a quadrature point of a cell.
+    Deformation deformation(const Vector &q, unsigned int cell, unsigned int point) const;
+
+    /// Deformation from the committed to the trial state at a point of the whole blank.
+    Deformation increment(unsigned int point) const;
+
+    const std::vector<Edge> &edges(const std::string &boundary) const;
+    std::vector<unsigned int> boundary_nodes(const std::string &boundary) const;
+
+    /// Add the shares of a length of one edge: shape functions times 2 pi r ds.
+    void edge_weights(const std::array<Point2, 3> &x, std::array<double, 3> &result) const;
+
+    /// Average over the adjacent quadrature points, by volume.
+    std::vector<double> to_nodes(const std::vector<double> &point_values) const;
+
+    /// Distance of a point from the other side of the body.
+    double distance(const Vector &q, const Point2 &x, Side side) const;
+    void update_thickness(const Vector &q);
+
+    // As read
+    unsigned int degree_;
+    bool axisymmetric_, finite_;
+    SolidMesh mesh_;
+    std::unique_ptr<Material> material_;
+
+    // Discretization
+    std::unique_ptr<dealii::FESystem<2>> element_;
+    dealii::DoFHandler<2> dof_handler_;
+    unsigned int n_nodes_per_cell_, n_points_per_cell_;
+    std::vector<std::array<unsigned int, 9>> cells_; ///< nodes: corners, middles of the edges, centre
+    std::vector<Point2> nodes_;                      ///< undeformed
+    std::vector<Point2> parameters_;                 ///< of the nodes in the triangulation
+    std::vector<std::array<DofIndex, 2>> node_dofs_;
+    std::vector<QuadraturePoint> points_; ///< cell by cell
+    std::vector<double> projection_;      ///< of the volumetric strain, per cell: from points to points
+    std::map<std::string, std::vector<Edge>> boundary_edges_;
+    std::array<ContactFace, 2> faces_;
+    std::vector<std::array<unsigned int, 2>> columns_; ///< strip: bottom and top node of every station
+    double shortest_edge_ = 0, outermost_ = 0;
+
+    // State: committed and, where it differs, trial
+    PointHistory history_;
+    std::vector<Mandel> strain_, stress_, committed_stress_;
+    std::vector<Deformation> deformation_, committed_deformation_;
+    std::vector<std::array<double, 4>> plastic_metric_; ///< committed C_p^-1: rr, zz, hoop, rz
+    double smallest_thickness_ = 0;
+    BlankEnergy energy_;
+  };
+} // namespace deltaform

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <deltaform/base/section.h>
+#include <deltaform/base/types.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * The quadrilaterals of a solid blank with the names of the parts of their boundary. Meshes: a strip of given
+   * thickness along a meridian, with the entries of the shell (flat: rectangle, block, disc; vertical: tube; curved:
+   * segment of a ring or of a thick sphere), or a Gmsh file.
+   */
+  class SolidMesh
+  {
+  public:
+    /// Read the entries of the section.
+    SolidMesh(Section &section, unsigned int degree);
+
+    /// The cells; a strip lies in its parameter plane (station along the meridian, coordinate across), see place().
+    const dealii::Triangulation<2> &triangulation() const
+    {
+      return triangulation_;
+    }
+
+    /// Where a point of the triangulation lies in the undeformed body.
+    Point2 place(const Point2 &point) const;
+
+    /// Names by boundary id.
+    const std::vector<std::string> &boundaries() const
+    {
+      return boundaries_;
+    }
+
+    /// Is the body a strip, whose nodes lie in columns of equal first coordinate of the triangulation?
+    bool is_strip() const
+    {
+      return !stations_.empty();
+    }
+
+    /// Height of the strip, or of the box around the body.
+    double thickness() const
+    {
+      return thickness_;
+    }
+
+  private:
+    /// A place on the meridian: point, and where the top lies from it per unit of thickness.
+    struct Station
+    {
+      Point2 point;
+      Tensor1 director;
+    };
+
+    void read_strip(Section &section, unsigned int degree);
+    void read_gmsh(Section &section);
+
+    dealii::Triangulation<2> triangulation_;
+    std::vector<std::string> boundaries_;
+    std::vector<Station> stations_;
+    unsigned int stations_per_cell_ = 1;
+    double thickness_               = 0;
+  };
+} // namespace deltaform

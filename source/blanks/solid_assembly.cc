@@ -1,0 +1,248 @@
+// Internal forces and tangent of the solid: derivation in doc/theory/solid.md.
+#include <deltaform/base/assembly_target.h>
+#include <deltaform/blanks/solid.h>
+#include <deltaform/kinematics/logarithmic_strain.h>
+
+#include <cmath>
+
+namespace deltaform
+{
+  namespace
+  {
+    constexpr double root_half = .70710678118654752440;
+  }
+
+
+  template <unsigned int n_nodes, unsigned int n_points>
+  Status Solid::assemble_cells(const Vector &q, AssemblyTarget &target)
+  {
+    constexpr unsigned int n = 2 * n_nodes;
+    const bool tangent       = target.wants_tangent();
+    std::array<DofIndex, n> dofs;
+    std::array<double, n> residual, u;
+    std::array<double, n * n> matrix;
+    std::array<double, n_points> volumetric, mean;
+    std::array<AxialTensor, n_points> b;
+    std::array<double, 16 * n_points> moduli;
+    // spatial gradients and N/r
+    std::array<std::array<double, n_nodes>, n_points> g_r, g_z, g_t;
+
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+    {
+      const auto &cell         = cells_[c];
+      const unsigned int first = c * n_points;
+      const double *project    = &projection_[c * n_points * n_points];
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        for (unsigned int k = 0; k < 2; ++k)
+        {
+          dofs[2 * a + k] = node_dofs_[cell[a]][k];
+          u[2 * a + k]    = q[dofs[2 * a + k]];
+        }
+
+      // Trial elastic strain of all points
+      for (unsigned int p = 0; p < n_points; ++p)
+      {
+        const QuadraturePoint &point = points_[first + p];
+        double h_rr = 0, h_rz = 0, h_zr = 0, h_zz = 0, h_tt = 0;
+        for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          h_rr += point.gradient_r[a] * u[2 * a];
+          h_rz += point.gradient_z[a] * u[2 * a];
+          h_zr += point.gradient_r[a] * u[2 * a + 1];
+          h_zz += point.gradient_z[a] * u[2 * a + 1];
+          h_tt += point.shape[a] * u[2 * a];
+        }
+        h_tt                    = axisymmetric_ ? h_tt / point.radius : 0.;
+        Deformation &F          = deformation_[first + p];
+        F.f                     = {{1. + h_rr, h_rz, h_zr, 1. + h_zz}};
+        F.hoop                  = 1. + h_tt;
+        const double round_part = axisymmetric_ ? 1. / point.radius : 0.;
+        Mandel &e               = strain_[first + p];
+        if (!finite_)
+        {
+          e             = {{h_rr, h_zz, h_tt, root_half * (h_rz + h_zr)}};
+          volumetric[p] = h_rr + h_zz + h_tt;
+          for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            g_r[p][a] = point.gradient_r[a];
+            g_z[p][a] = point.gradient_z[a];
+            g_t[p][a] = point.shape[a] * round_part;
+          }
+          continue;
+        }
+        const auto &f     = F.f;
+        const double in_j = f[0] * f[3] - f[1] * f[2];
+        if (!(in_j > 0) || !(F.hoop > 0))
+          return Status::shorten("a cell of the solid is turned inside out", c);
+        const double inverse = 1. / in_j, around = round_part / F.hoop;
+        for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          g_r[p][a] = inverse * (f[3] * point.gradient_r[a] - f[2] * point.gradient_z[a]);
+          g_z[p][a] = inverse * (f[0] * point.gradient_z[a] - f[1] * point.gradient_r[a]);
+          g_t[p][a] = around * point.shape[a];
+        }
+        const auto &cp       = plastic_metric_[first + p];
+        b[p].xx              = f[0] * f[0] * cp[0] + 2 * f[0] * f[1] * cp[3] + f[1] * f[1] * cp[1];
+        b[p].yy              = f[2] * f[2] * cp[0] + 2 * f[2] * f[3] * cp[3] + f[3] * f[3] * cp[1];
+        b[p].xy              = f[0] * f[2] * cp[0] + (f[0] * f[3] + f[1] * f[2]) * cp[3] + f[1] * f[3] * cp[1];
+        b[p].zz              = F.hoop * F.hoop * cp[2];
+        e                    = LogarithmicStrain::strain(b[p]);
+        volumetric[p]        = std::log(in_j * F.hoop);
+        const Mandel plastic = material_->plastic_strain(history_.committed(first + p));
+        for (unsigned int k = 0; k < 4; ++k)
+          e[k] += plastic[k]; // the material subtracts it
+      }
+      for (unsigned int p = 0; p < n_points; ++p)
+      {
+        double projected = 0;
+        for (unsigned int k = 0; k < n_points; ++k)
+          projected += project[p * n_points + k] * volumetric[k];
+        for (unsigned int k = 0; k < 3; ++k)
+          strain_[first + p][k] += (projected - volumetric[p]) / 3.;
+      }
+
+      MaterialBatch batch;
+      batch.n_points        = n_points;
+      batch.third_direction = ThirdDirection::strain_given;
+      batch.strain          = &strain_[first];
+      batch.committed       = history_.committed(first);
+      batch.trial           = history_.trial(first);
+      batch.stress          = &stress_[first];
+      batch.tangent         = tangent ? moduli.data() : nullptr;
+      Status status         = material_->update(batch);
+      if (!status.good())
+      {
+        status.place = c;
+        return status;
+      }
+
+      for (unsigned int p = 0; p < n_points; ++p)
+        mean[p] = (stress_[first + p][0] + stress_[first + p][1] + stress_[first + p][2]) / 3.;
+      residual.fill(0.);
+      if (tangent)
+        matrix.fill(0.);
+      for (unsigned int p = 0; p < n_points; ++p)
+      {
+        // The stress that does work: deviator here, projected mean stress
+        const Mandel &tau = stress_[first + p];
+        const double w    = points_[first + p].weight;
+        double shift      = -mean[p];
+        for (unsigned int k = 0; k < n_points; ++k)
+          shift += project[p * n_points + k] * mean[k];
+        const double t_rr = w * (tau[0] + shift), t_zz = w * (tau[1] + shift), t_tt = w * (tau[2] + shift);
+        const double t_rz = w * root_half * tau[3];
+        for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          residual[2 * a] += t_rr * g_r[p][a] + t_rz * g_z[p][a] + t_tt * g_t[p][a];
+          residual[2 * a + 1] += t_rz * g_r[p][a] + t_zz * g_z[p][a];
+        }
+        if (!tangent)
+          continue;
+
+        // Virtual strain B and rate E of the trial strain, both with the projected volumetric part
+        std::array<std::array<double, n>, 4> B, E, DE;
+        LogarithmicStrain::Rate rate{};
+        if (finite_)
+          rate = LogarithmicStrain::rate(b[p]);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          double mean_r = 0, mean_z = 0;
+          for (unsigned int k = 0; k < n_points; ++k)
+          {
+            mean_r += project[p * n_points + k] * (g_r[k][a] + g_t[k][a]);
+            mean_z += project[p * n_points + k] * g_z[k][a];
+          }
+          const double gr = g_r[p][a], gz = g_z[p][a], gt = g_t[p][a];
+          const double add_r = (mean_r - gr - gt) / 3., add_z = (mean_z - gz) / 3.;
+          const unsigned int r = 2 * a, z = r + 1;
+          B[0][r] = gr + add_r;
+          B[1][r] = add_r;
+          B[2][r] = gt + add_r;
+          B[3][r] = root_half * gz;
+          B[0][z] = add_z;
+          B[1][z] = gz + add_z;
+          B[2][z] = add_z;
+          B[3][z] = root_half * gr;
+          if (finite_)
+            for (unsigned int s = 0; s < 4; ++s)
+            {
+              E[s][r] = rate[s][0] * gr + rate[s][1] * gz + rate[s][4] * gt + (s < 3 ? add_r : 0.);
+              E[s][z] = rate[s][2] * gr + rate[s][3] * gz + (s < 3 ? add_z : 0.);
+            }
+        }
+        const auto &rates = finite_ ? E : B;
+        const double *D   = &moduli[16 * p];
+        for (unsigned int s = 0; s < 4; ++s)
+          for (unsigned int j = 0; j < n; ++j)
+            DE[s][j] = w * (D[4 * s] * rates[0][j] + D[4 * s + 1] * rates[1][j] + D[4 * s + 2] * rates[2][j] +
+                            D[4 * s + 3] * rates[3][j]);
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            matrix[i * n + j] += B[0][i] * DE[0][j] + B[1][i] * DE[1][j] + B[2][i] * DE[2][j] + B[3][i] * DE[3][j];
+        if (!finite_)
+          continue;
+        // The gradients change: d(N_a,j) = -N_a,l du_l,j
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          for (unsigned int c2 = 0; c2 < n_nodes; ++c2)
+          {
+            const double along_r = t_rr * g_r[p][c2] + t_rz * g_z[p][c2];
+            const double along_z = t_rz * g_r[p][c2] + t_zz * g_z[p][c2];
+            double *row_r        = &matrix[2 * a * n + 2 * c2];
+            double *row_z        = row_r + n;
+            row_r[0] -= along_r * g_r[p][a] + t_tt * g_t[p][a] * g_t[p][c2];
+            row_r[1] -= along_r * g_z[p][a];
+            row_z[0] -= along_z * g_r[p][a];
+            row_z[1] -= along_z * g_z[p][a];
+          }
+      }
+      target.add(dofs.data(), n, tangent ? matrix.data() : nullptr, residual.data());
+    }
+    return {};
+  }
+
+
+  Status Solid::assemble(const Vector &q, AssemblyTarget &target)
+  {
+    return degree_ == 1 ? assemble_cells<4, 4>(q, target) : assemble_cells<9, 9>(q, target);
+  }
+
+
+  Solid::Deformation Solid::deformation(const Vector &q, const unsigned int cell, const unsigned int point) const
+  {
+    const QuadraturePoint &place = points_[cell * n_points_per_cell_ + point];
+    Deformation F;
+    for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
+    {
+      const auto &dofs = node_dofs_[cells_[cell][a]];
+      F.f[0] += place.gradient_r[a] * q[dofs[0]];
+      F.f[1] += place.gradient_z[a] * q[dofs[0]];
+      F.f[2] += place.gradient_r[a] * q[dofs[1]];
+      F.f[3] += place.gradient_z[a] * q[dofs[1]];
+      if (axisymmetric_)
+        F.hoop += place.shape[a] * q[dofs[0]] / place.radius;
+    }
+    return F;
+  }
+
+
+  double Solid::admissible_step(const Vector &q, const Vector &dq) const
+  {
+    // |d F F^-1| below one half keeps the determinant positive.
+    constexpr double largest_strain = .4;
+    double factor                   = 1.;
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+      for (unsigned int p = 0; p < n_points_per_cell_; ++p)
+      {
+        const Deformation F = deformation(q, c, p), G = deformation(dq, c, p);
+        const std::array<double, 4> h{{G.f[0] - 1., G.f[1], G.f[2], G.f[3] - 1.}};
+        const double inverse = 1. / (F.f[0] * F.f[3] - F.f[1] * F.f[2]);
+        const double l[4]    = {inverse * (h[0] * F.f[3] - h[1] * F.f[2]),
+                                inverse * (h[1] * F.f[0] - h[0] * F.f[1]),
+                                inverse * (h[2] * F.f[3] - h[3] * F.f[2]),
+                                inverse * (h[3] * F.f[0] - h[2] * F.f[1])};
+        const double size    = std::sqrt(l[0] * l[0] + l[1] * l[1] + l[2] * l[2] + l[3] * l[3]);
+        factor = std::min(factor, largest_strain / std::max({size, std::abs(G.hoop - 1.) / F.hoop, 1e-300}));
+      }
+    return factor;
+  }
+} // namespace deltaform

@@ -1,0 +1,206 @@
+// Tables and pictures of the accepted state of the solid.
+#include <deltaform/blanks/solid.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  namespace
+  {
+    double mises(const Mandel &t)
+    {
+      const double mean = (t[0] + t[1] + t[2]) / 3.;
+      double square     = t[3] * t[3];
+      for (unsigned int k = 0; k < 3; ++k)
+        square += (t[k] - mean) * (t[k] - mean);
+      return std::sqrt(1.5 * square);
+    }
+  } // namespace
+
+
+  Table Solid::profile(const Vector &q) const
+  {
+    Table table;
+    table.names = {"R0",
+                   "r",
+                   "z",
+                   "thickness",
+                   "eps_meridional",
+                   "eps_hoop",
+                   "eps_thickness",
+                   "equivalent_plastic_strain",
+                   "stress_meridional_bottom",
+                   "stress_meridional_top",
+                   "stress_hoop_bottom",
+                   "stress_hoop_top",
+                   "S0",
+                   "u_r",
+                   "u_z",
+                   "Z0",
+                   "stress_rr",
+                   "stress_zz",
+                   "stress_hoop",
+                   "stress_rz"};
+    table.units = {"length", "length", "length", "length", "1",      "1",      "1",      "1",      "stress", "stress",
+                   "stress", "stress", "length", "length", "length", "length", "stress", "stress", "stress", "stress"};
+
+    const unsigned int n = points_.size();
+    std::vector<double> plastic(n);
+    std::array<std::vector<double>, 4> stress;
+    for (auto &component : stress)
+      component.resize(n);
+    for (unsigned int p = 0; p < n; ++p)
+    {
+      plastic[p] = material_->equivalent_plastic_strain(history_.committed(p));
+      for (unsigned int k = 0; k < 4; ++k)
+        stress[k][p] = committed_stress_[p][k] * (k == 3 ? std::sqrt(.5) : 1.);
+    }
+    plastic = to_nodes(plastic);
+    for (auto &component : stress)
+      component = to_nodes(component);
+
+    // A strip: its middle line. Another body: the nodes that tools can touch, bottom first.
+    std::vector<std::vector<unsigned int>> groups;
+    std::vector<double> arc;
+    if (mesh_.is_strip())
+    {
+      std::map<long, std::vector<unsigned int>> stations;
+      for (unsigned int i = 0; i < nodes_.size(); ++i)
+        stations[std::lround(2 * parameters_[i][0])].push_back(i);
+      for (auto &[place, nodes] : stations)
+      {
+        std::sort(nodes.begin(),
+                  nodes.end(),
+                  [&](const unsigned int a, const unsigned int b) { return parameters_[a][1] < parameters_[b][1]; });
+        groups.push_back(nodes);
+      }
+    }
+    else
+      for (const auto &face : faces_)
+        for (const auto node : face.nodes)
+          groups.push_back({node});
+
+    const auto middle = [&](const std::vector<unsigned int> &nodes, const bool deformed) -> Point2
+    {
+      const auto at = [&](const unsigned int i) { return deformed ? position(q, i) : nodes_[i]; };
+      return at(nodes.front()) + .5 * (at(nodes.back()) - at(nodes.front()));
+    };
+    for (unsigned int g = 0; g < groups.size(); ++g)
+    {
+      const auto &nodes = groups[g];
+      const Point2 X = middle(nodes, false), x = middle(nodes, true);
+      arc.push_back(g == 0 ? 0. : arc.back() + X.distance(middle(groups[g - 1], false)));
+      // Of the middle line, by the neighbours.
+      const auto &before = groups[g == 0 ? 0 : g - 1], &after = groups[std::min<std::size_t>(g + 1, groups.size() - 1)];
+      const Tensor1 tangent    = middle(after, true) - middle(before, true);
+      const double stretch     = tangent.norm() / middle(after, false).distance(middle(before, false));
+      const bool strip         = mesh_.is_strip();
+      const double thickness   = strip ? position(q, nodes.back()).distance(position(q, nodes.front()))
+                                       : distance(q, x, g < faces_[0].nodes.size() ? Side::top : Side::bottom);
+      const double thickness_0 = strip ? nodes_[nodes.back()].distance(nodes_[nodes.front()]) : thickness;
+      const double hoop        = !axisymmetric_ ? 0.
+                                 : X[0] > 1e-9 * mesh_.thickness()
+                                   ? std::log(x[0] / X[0])
+                                   : std::log(middle(after, true)[0] / middle(after, false)[0]);
+      double plastic_mean = 0, share = 0;
+      std::array<double, 4> mean{};
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        const double w = nodes.size() == 1
+                           ? 1.
+                           : .5 * (parameters_[nodes[std::min<std::size_t>(k + 1, nodes.size() - 1)]][1] -
+                                   parameters_[nodes[k == 0 ? 0 : k - 1]][1]);
+        plastic_mean += w * plastic[nodes[k]];
+        for (unsigned int s = 0; s < 4; ++s)
+          mean[s] += w * stress[s][nodes[k]];
+        share += w;
+      }
+      const auto meridional = [&](const unsigned int i)
+      {
+        const Tensor1 t = tangent / tangent.norm();
+        return t[0] * t[0] * stress[0][i] + t[1] * t[1] * stress[1][i] + 2 * t[0] * t[1] * stress[3][i];
+      };
+      table.rows.push_back({X[0],
+                            x[0],
+                            x[1],
+                            thickness,
+                            std::log(stretch),
+                            hoop,
+                            std::log(thickness / thickness_0),
+                            plastic_mean / share,
+                            meridional(nodes.front()),
+                            meridional(nodes.back()),
+                            stress[2][nodes.front()],
+                            stress[2][nodes.back()],
+                            arc.back(),
+                            x[0] - X[0],
+                            x[1] - X[1],
+                            X[1],
+                            mean[0] / share,
+                            mean[1] / share,
+                            mean[2] / share,
+                            mean[3] / share});
+    }
+    return table;
+  }
+
+
+  Drawing Solid::draw(const Vector &q, const std::vector<DrawnField> &nodal) const
+  {
+    Drawing drawing;
+    drawing.points = positions(q);
+    drawing.fields.reserve(16 + nodal.size());
+    const auto add_field = [&](const std::string &name,
+                               const std::string &unit,
+                               const bool per_point,
+                               const unsigned int components) -> std::vector<double> &
+    {
+      drawing.fields.push_back({name, unit, per_point, components, {}});
+      return drawing.fields.back().values;
+    };
+    auto &displacement = add_field("displacement", "length", true, 2);
+    for (const auto &dofs : node_dofs_)
+    {
+      displacement.push_back(q[dofs[0]]);
+      displacement.push_back(q[dofs[1]]);
+    }
+    for (const auto &field : nodal)
+      drawing.fields.push_back(field);
+    auto &plastic = add_field("equivalent_plastic_strain", "1", false, 1);
+    std::array<std::vector<double> *, 4> stress{{&add_field("stress_rr", "stress", false, 1),
+                                                 &add_field("stress_zz", "stress", false, 1),
+                                                 &add_field("stress_hoop", "stress", false, 1),
+                                                 &add_field("stress_rz", "stress", false, 1)}};
+    auto &von_mises = add_field("stress_von_mises", "stress", false, 1);
+    auto &mean      = add_field("stress_mean", "stress", false, 1);
+
+    // A cell of degree 2 is drawn in four quarters, each with the values of its own corner's quadrature point.
+    constexpr unsigned int quarters[4][4]  = {{0, 6, 8, 4}, {6, 1, 5, 8}, {4, 8, 7, 2}, {8, 5, 3, 7}};
+    constexpr unsigned int whole[4]        = {0, 1, 3, 2};
+    constexpr unsigned int corner_point[4] = {0, 2, 6, 8};
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+      for (unsigned int part = 0; part < (degree_ == 1 ? 1 : 4); ++part)
+      {
+        for (const auto corner : degree_ == 1 ? whole : quarters[part])
+          drawing.cells.push_back(cells_[c][corner]);
+        Mandel tau{};
+        double strain          = 0;
+        const unsigned int n   = degree_ == 1 ? n_points_per_cell_ : 1;
+        const unsigned int one = degree_ == 1 ? 0 : corner_point[part];
+        for (unsigned int p = 0; p < n; ++p)
+        {
+          const unsigned int i = c * n_points_per_cell_ + one + p;
+          strain += material_->equivalent_plastic_strain(history_.committed(i)) / n;
+          for (unsigned int k = 0; k < 4; ++k)
+            tau[k] += committed_stress_[i][k] / n;
+        }
+        plastic.push_back(strain);
+        for (unsigned int k = 0; k < 4; ++k)
+          stress[k]->push_back(tau[k] * (k == 3 ? std::sqrt(.5) : 1.));
+        von_mises.push_back(mises(tau));
+        mean.push_back((tau[0] + tau[1] + tau[2]) / 3.);
+      }
+    return drawing;
+  }
+} // namespace deltaform

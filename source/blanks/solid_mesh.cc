@@ -1,0 +1,183 @@
+#include <deltaform/blanks/shell_mesh.h>
+#include <deltaform/blanks/solid_mesh.h>
+
+#include <deal.II/grid/grid_in.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Coordinates of the nodes across, in [-1/2, 1/2], whose distances follow the grading.
+    std::vector<double> levels(const TimeFunction &grading, const unsigned int n)
+    {
+      std::vector<double> result{0.};
+      for (unsigned int i = 0; i < n; ++i)
+        result.push_back(result.back() + grading((i + .5) / n));
+      for (auto &level : result)
+        level = level / result.back() - .5;
+      result.back() = .5;
+      return result;
+    }
+  } // namespace
+
+
+  SolidMesh::SolidMesh(Section &section, const unsigned int degree)
+  {
+    const std::string kind = section.choice(
+      "Mesh",
+      "strip",
+      {"strip", "gmsh"},
+      "Strip: Points, Fillet radii, Elements and Grading describe its middle line as for a shell, Thickness "
+      "its height; its boundaries are bottom, top, start and end. Gmsh: a file of quadrilaterals.");
+    if (kind == "gmsh")
+      read_gmsh(section);
+    else
+      read_strip(section, degree);
+  }
+
+
+  void SolidMesh::read_strip(Section &section, const unsigned int degree)
+  {
+    thickness_ =
+      section.number("Thickness", required(1.), Range::positive(), "length", "Initial thickness of the blank.");
+    const unsigned int n_across = section.integer(
+      "Elements through thickness", degree == 1 ? 4 : 2, 1, 100000, "Number of elements from bottom to top (strip).");
+    const auto grading =
+      section.function("Grading through thickness",
+                       Default<std::string>("1"),
+                       "1",
+                       "Relative size of the elements as a function of t = 0 at the bottom to 1 at the "
+                       "top; expression or table.");
+    for (unsigned int k = 0; k <= 64; ++k)
+      if (!(grading(k / 64.) > 0))
+        section.fail("Grading through thickness", "must be positive on [0, 1]");
+    const ShellMesh line(section, degree);
+
+    // At a kink, and where the meridian meets the axis at an angle, the director halves the angle (a mitre).
+    stations_per_cell_   = degree;
+    const unsigned int n = line.cells().size();
+    for (unsigned int c = 0; c <= n; ++c)
+    {
+      const auto &cell       = line.cells()[std::min(c, n - 1)];
+      const Point2 point     = line.nodes()[cell.nodes[c < n ? 0 : 1]];
+      const bool on_axis     = std::abs(point[0]) < 1e-12 * thickness_;
+      const double own       = cell.angle[c < n ? 0 : 1];
+      const double before    = c == n ? own : c > 0 ? line.cells()[c - 1].angle[1] : on_axis ? -own : own;
+      const double after     = c == n && on_axis ? 2 * std::acos(-1.) - own : own;
+      const double half_turn = .5 * (after - before), angle = .5 * (after + before);
+      const Tensor1 direction = Tensor1({-std::sin(angle), std::cos(angle)}) / std::cos(half_turn);
+      stations_.push_back({point, direction});
+      if (degree == 2 && c < n)
+        stations_.push_back(
+          {line.nodes()[cell.nodes[2]], Tensor1({-std::sin(cell.angle[2]), std::cos(cell.angle[2])})});
+    }
+
+    const auto across = levels(grading, n_across);
+    std::vector<Point2> vertices;
+    for (unsigned int c = 0; c <= n; ++c)
+      for (const double level : across)
+        vertices.emplace_back(c, level);
+    std::vector<dealii::CellData<2>> cells;
+    const unsigned int column = n_across + 1;
+    for (unsigned int c = 0; c < n; ++c)
+      for (unsigned int l = 0; l < n_across; ++l)
+      {
+        dealii::CellData<2> data;
+        const unsigned int corner = c * column + l;
+        data.vertices             = {corner, corner + column, corner + 1, corner + column + 1};
+        cells.push_back(data);
+      }
+    triangulation_.create_triangulation(vertices, cells, dealii::SubCellData());
+    boundaries_ = {"bottom", "top", "start", "end"};
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      for (unsigned int f = 0; f < 4; ++f)
+        if (cell->face(f)->at_boundary())
+          cell->face(f)->set_boundary_id(f == 2 ? 0 : f == 3 ? 1 : f == 0 ? 2 : 3);
+  }
+
+
+  void SolidMesh::read_gmsh(Section &section)
+  {
+    const std::string name =
+      section.text("File",
+                   Default<std::string>("blank.msh"),
+                   "File of the mesh, format 2 or 4 (Gmsh). Its physical curves name the boundaries.");
+    if (section.documentation())
+      return;
+    std::ifstream file(name);
+    if (!file)
+      section.fail("File", "cannot read '" + name + "'");
+    // deal.II keeps the numbers of the physical groups, not their names.
+    std::map<unsigned int, std::string> names;
+    std::string text;
+    while (std::getline(file, text))
+      if (text.rfind("$PhysicalNames", 0) == 0)
+      {
+        std::getline(file, text);
+        while (std::getline(file, text) && text[0] != '$')
+        {
+          std::istringstream words(text);
+          unsigned int dimension = 0, id = 0;
+          std::string quoted;
+          words >> dimension >> id;
+          std::getline(words, quoted);
+          const auto from = quoted.find('"'), to = quoted.rfind('"');
+          if (dimension == 1 && from < to)
+            names[id] = quoted.substr(from + 1, to - from - 1);
+        }
+      }
+    file.clear();
+    file.seekg(0);
+    try
+    {
+      dealii::GridIn<2> reader(triangulation_);
+      reader.read_msh(file);
+    }
+    catch (const dealii::ExceptionBase &error)
+    {
+      std::ostringstream why;
+      error.print_info(why);
+      section.fail("File", "'" + name + "' is no mesh of quadrilaterals that can be read: " + why.str());
+    }
+    double low = 1e300, high = -1e300;
+    for (const auto &vertex : triangulation_.get_vertices())
+    {
+      low  = std::min(low, vertex[1]);
+      high = std::max(high, vertex[1]);
+    }
+    thickness_ = section.number("Thickness",
+                                Default<double>(high - low),
+                                Range::positive(),
+                                "length",
+                                "A height, for expressions; by default that of the box around the body.");
+    std::map<dealii::types::boundary_id, unsigned int> index;
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      for (unsigned int f = 0; f < 4; ++f)
+        if (cell->face(f)->at_boundary())
+        {
+          const auto id = cell->face(f)->boundary_id();
+          if (index.count(id) == 0)
+          {
+            index[id] = boundaries_.size();
+            boundaries_.push_back(names.count(id) > 0 ? names[id]
+                                  : id == 0           ? "rest"
+                                                      : "boundary " + std::to_string(id));
+          }
+          cell->face(f)->set_boundary_id(index[id]);
+        }
+  }
+
+
+  Point2 SolidMesh::place(const Point2 &point) const
+  {
+    if (!is_strip())
+      return point;
+    const auto i = static_cast<unsigned int>(std::lround(point[0] * stations_per_cell_));
+    return stations_[i].point + thickness_ * point[1] * stations_[i].director;
+  }
+} // namespace deltaform

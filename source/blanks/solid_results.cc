@@ -1,0 +1,235 @@
+// Accepting an increment of the solid, its energies and measures, restart.
+#include <deltaform/blanks/solid.h>
+#include <deltaform/kinematics/logarithmic_strain.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  namespace
+  {
+    constexpr double root_2 = 1.41421356237309504880;
+
+    /// The in-plane rotation of a deformation gradient (polar decomposition).
+    double angle(const std::array<double, 4> &f)
+    {
+      return std::atan2(f[2] - f[1], f[0] + f[3]);
+    }
+
+    Mandel turned(const Mandel &t, const double by)
+    {
+      const double c = std::cos(2 * by), s = std::sin(2 * by);
+      const double mean = .5 * (t[0] + t[1]), half = .5 * (t[0] - t[1]), shear = t[3] / root_2;
+      return {{mean + half * c - shear * s, mean - half * c + shear * s, t[2], root_2 * (half * s + shear * c)}};
+    }
+  } // namespace
+
+
+  Solid::Deformation Solid::increment(const unsigned int point) const
+  {
+    const auto &a = deformation_[point].f, &b = committed_deformation_[point].f;
+    const double inverse = 1. / (b[0] * b[3] - b[1] * b[2]);
+    Deformation result;
+    result.f    = {{inverse * (a[0] * b[3] - a[1] * b[2]),
+                    inverse * (a[1] * b[0] - a[0] * b[1]),
+                    inverse * (a[2] * b[3] - a[3] * b[2]),
+                    inverse * (a[3] * b[0] - a[2] * b[1])}};
+    result.hoop = deformation_[point].hoop / committed_deformation_[point].hoop;
+    return result;
+  }
+
+
+  double Solid::largest_strain_increment() const
+  {
+    double largest = 0.;
+    for (unsigned int i = 0; i < points_.size(); ++i)
+    {
+      const Deformation d = increment(i);
+      const auto &f       = d.f;
+      const Mandel e      = LogarithmicStrain::strain(
+        {f[0] * f[0] + f[1] * f[1], f[2] * f[2] + f[3] * f[3], d.hoop * d.hoop, f[0] * f[2] + f[1] * f[3]});
+      const double radius = std::hypot(.5 * (e[0] - e[1]), e[3] / root_2);
+      largest             = std::max({largest, .5 * std::abs(e[0] + e[1]) + radius, std::abs(e[2])});
+    }
+    return largest;
+  }
+
+
+  double Solid::largest_rotation(const Vector &dq) const
+  {
+    // The spin of the displacement increment on the undeformed body would count stretch: take the committed one.
+    double largest = 0.;
+    for (unsigned int c = 0, i = 0; c < cells_.size(); ++c)
+      for (unsigned int p = 0; p < n_points_per_cell_; ++p, ++i)
+      {
+        const auto d         = deformation(dq, c, p).f;
+        const auto &b        = committed_deformation_[i].f;
+        const double inverse = 1. / (b[0] * b[3] - b[1] * b[2]);
+        const std::array<double, 4> f{{1. + inverse * ((d[0] - 1.) * b[3] - d[1] * b[2]),
+                                       inverse * (d[1] * b[0] - (d[0] - 1.) * b[1]),
+                                       inverse * (d[2] * b[3] - (d[3] - 1.) * b[2]),
+                                       1. + inverse * ((d[3] - 1.) * b[0] - d[2] * b[1])}};
+        largest = std::max(largest, std::abs(angle(f)));
+      }
+    return largest;
+  }
+
+
+  void Solid::commit(const Vector &q)
+  {
+    energy_.elastic = 0.;
+    for (unsigned int i = 0; i < points_.size(); ++i)
+    {
+      const double volume = points_[i].weight;
+      const Mandel before = material_->plastic_strain(history_.committed(i));
+      const Mandel after  = material_->plastic_strain(history_.trial(i));
+      // The flow takes place in the axes of now: the last stress is turned along.
+      const Mandel start = finite_ ? turned(committed_stress_[i], angle(increment(i).f)) : committed_stress_[i];
+      Mandel flow;
+      for (unsigned int k = 0; k < 4; ++k)
+      {
+        flow[k] = after[k] - before[k];
+        energy_.plastic += .5 * volume * (stress_[i][k] + start[k]) * flow[k];
+      }
+      energy_.elastic += volume * material_->elastic_energy(stress_[i]);
+      if (!finite_ || (flow[0] == 0 && flow[1] == 0 && flow[2] == 0 && flow[3] == 0))
+        continue;
+
+      // C_p^-1 = F^-1 exp(2 (e_trial - flow)) F^-T
+      auto &cp          = plastic_metric_[i];
+      const auto &f     = deformation_[i].f;
+      const double hoop = deformation_[i].hoop;
+      AxialTensor b;
+      b.xx     = f[0] * f[0] * cp[0] + 2 * f[0] * f[1] * cp[3] + f[1] * f[1] * cp[1];
+      b.yy     = f[2] * f[2] * cp[0] + 2 * f[2] * f[3] * cp[3] + f[3] * f[3] * cp[1];
+      b.xy     = f[0] * f[2] * cp[0] + (f[0] * f[3] + f[1] * f[2]) * cp[3] + f[1] * f[3] * cp[1];
+      b.zz     = hoop * hoop * cp[2];
+      Mandel e = LogarithmicStrain::strain(b);
+      for (unsigned int k = 0; k < 4; ++k)
+        e[k] -= flow[k];
+      b                 = LogarithmicStrain::inverse(e);
+      const double in_j = f[0] * f[3] - f[1] * f[2];
+      const double g[4] = {f[3] / in_j, -f[1] / in_j, -f[2] / in_j, f[0] / in_j};
+      cp[0]             = g[0] * g[0] * b.xx + 2 * g[0] * g[1] * b.xy + g[1] * g[1] * b.yy;
+      cp[1]             = g[2] * g[2] * b.xx + 2 * g[2] * g[3] * b.xy + g[3] * g[3] * b.yy;
+      cp[2]             = b.zz / (hoop * hoop);
+      cp[3]             = g[0] * g[2] * b.xx + (g[0] * g[3] + g[1] * g[2]) * b.xy + g[1] * g[3] * b.yy;
+    }
+    history_.commit();
+    committed_stress_      = stress_;
+    committed_deformation_ = deformation_;
+    update_areas(q);
+    update_thickness(q);
+  }
+
+
+  std::vector<double> Solid::to_nodes(const std::vector<double> &point_values) const
+  {
+    std::vector<double> result(nodes_.size(), 0.), volume(nodes_.size(), 0.);
+    for (unsigned int p = 0; p < points_.size(); ++p)
+      for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
+      {
+        const double share      = std::abs(points_[p].shape[a]) * points_[p].weight;
+        const unsigned int node = cells_[p / n_points_per_cell_][a];
+        result[node] += share * point_values[p];
+        volume[node] += share;
+      }
+    for (unsigned int i = 0; i < result.size(); ++i)
+      result[i] /= volume[i];
+    return result;
+  }
+
+
+  double Solid::distance(const Vector &q, const Point2 &x, const Side side) const
+  {
+    const auto &face = faces_[static_cast<unsigned int>(side)];
+    double nearest   = std::numeric_limits<double>::infinity();
+    for (const auto &edge : face.edges)
+    {
+      const Point2 a = position(q, face.nodes[edge[0]]), b = position(q, face.nodes[edge[1]]);
+      const Tensor1 along = b - a;
+      const double t      = std::clamp(((x - a) * along) / along.norm_square(), 0., 1.);
+      nearest             = std::min(nearest, (x - (a + t * along)).norm_square());
+    }
+    return std::sqrt(nearest);
+  }
+
+
+  void Solid::update_thickness(const Vector &q)
+  {
+    smallest_thickness_ = std::numeric_limits<double>::infinity();
+    for (const auto &[bottom, top] : columns_)
+      smallest_thickness_ = std::min(smallest_thickness_, position(q, top).distance(position(q, bottom)));
+    if (columns_.empty())
+    {
+      const auto &face = faces_[static_cast<unsigned int>(Side::top)];
+      for (const auto node : face.nodes)
+        smallest_thickness_ = std::min(smallest_thickness_, distance(q, position(q, node), Side::bottom));
+      if (!std::isfinite(smallest_thickness_))
+        smallest_thickness_ = mesh_.thickness();
+    }
+  }
+
+
+  void Solid::set_contact_pressure(const Side, const std::vector<double> &)
+  {
+    // A solid carries its transverse stress itself.
+  }
+
+
+  BlankEnergy Solid::energy() const
+  {
+    return energy_;
+  }
+
+
+  double Solid::smallest_thickness() const
+  {
+    return smallest_thickness_;
+  }
+
+
+  std::vector<Point2> Solid::positions(const Vector &q) const
+  {
+    std::vector<Point2> result;
+    for (unsigned int i = 0; i < nodes_.size(); ++i)
+      result.push_back(position(q, i));
+    return result;
+  }
+
+
+  void Solid::save(std::ostream &stream) const
+  {
+    std::vector<double> gradients;
+    for (const auto &F : committed_deformation_)
+    {
+      gradients.insert(gradients.end(), F.f.begin(), F.f.end());
+      gradients.push_back(F.hoop);
+    }
+    boost::archive::binary_oarchive archive(stream);
+    archive << history_ << committed_stress_ << gradients << plastic_metric_ << faces_[0].area << faces_[1].area
+            << smallest_thickness_ << energy_.elastic << energy_.plastic;
+  }
+
+
+  void Solid::load(std::istream &stream)
+  {
+    std::vector<double> gradients;
+    boost::archive::binary_iarchive archive(stream);
+    archive >> history_ >> committed_stress_ >> gradients >> plastic_metric_ >> faces_[0].area >> faces_[1].area >>
+      smallest_thickness_ >> energy_.elastic >> energy_.plastic;
+    for (unsigned int i = 0; i < committed_deformation_.size(); ++i)
+    {
+      std::copy_n(gradients.begin() + 5 * i, 4, committed_deformation_[i].f.begin());
+      committed_deformation_[i].hoop = gradients[5 * i + 4];
+    }
+    stress_      = committed_stress_;
+    deformation_ = committed_deformation_;
+  }
+} // namespace deltaform
