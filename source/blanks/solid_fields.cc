@@ -41,9 +41,14 @@ namespace deltaform
                    "stress_rr",
                    "stress_zz",
                    "stress_hoop",
-                   "stress_rz"};
-    table.units = {"length", "length", "length", "length", "1",      "1",      "1",      "1",      "stress", "stress",
-                   "stress", "stress", "length", "length", "length", "length", "stress", "stress", "stress", "stress"};
+                   "stress_rz",
+                   "u_r_bottom",
+                   "u_z_bottom",
+                   "u_r_top",
+                   "u_z_top"};
+    table.units = {"length", "length", "length", "length", "1",      "1",      "1",      "1",
+                   "stress", "stress", "stress", "stress", "length", "length", "length", "length",
+                   "stress", "stress", "stress", "stress", "length", "length", "length", "length"};
 
     const unsigned int n = points_.size();
     std::vector<double> plastic(n);
@@ -116,7 +121,8 @@ namespace deltaform
           mean[s] += w * stress[s][nodes[k]];
         share += w;
       }
-      const auto meridional = [&](const unsigned int i)
+      const auto displacement = [&](const unsigned int i, const unsigned int k) { return q[node_dofs_[i][k]]; };
+      const auto meridional   = [&](const unsigned int i)
       {
         const Tensor1 t = tangent / tangent.norm();
         return t[0] * t[0] * stress[0][i] + t[1] * t[1] * stress[1][i] + 2 * t[0] * t[1] * stress[3][i];
@@ -140,7 +146,11 @@ namespace deltaform
                             mean[0] / share,
                             mean[1] / share,
                             mean[2] / share,
-                            mean[3] / share});
+                            mean[3] / share,
+                            displacement(nodes.front(), 0),
+                            displacement(nodes.front(), 1),
+                            displacement(nodes.back(), 0),
+                            displacement(nodes.back(), 1)});
     }
     return table;
   }
