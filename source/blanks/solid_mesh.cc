@@ -12,15 +12,25 @@ namespace deltaform
 {
   namespace
   {
-    /// Coordinates of the nodes across, in [-1/2, 1/2], whose distances follow the grading.
+    /// Coordinates of the nodes across, in [-1/2, 1/2]: equal shares of the integral of 1/size.
     std::vector<double> levels(const TimeFunction &grading, const unsigned int n)
     {
-      std::vector<double> result{0.};
-      for (unsigned int i = 0; i < n; ++i)
-        result.push_back(result.back() + grading((i + .5) / n));
-      for (auto &level : result)
-        level = level / result.back() - .5;
-      result.back() = .5;
+      std::vector<double> result{-.5};
+      constexpr unsigned int n_samples = 8192;
+      double total                     = 0;
+      for (unsigned int k = 0; k < n_samples; ++k)
+        total += 1. / grading((k + .5) / n_samples);
+      double passed = 0;
+      for (unsigned int k = 0; k < n_samples; ++k)
+      {
+        const double step = 1. / grading((k + .5) / n_samples);
+        for (double wanted = total * result.size() / n; result.size() < n && wanted <= passed + step;
+             wanted        = total * result.size() / n)
+          result.push_back(grading.is_constant() ? static_cast<double>(result.size()) / n - .5
+                                                 : (k + (wanted - passed) / step) / n_samples - .5);
+        passed += step;
+      }
+      result.push_back(.5);
       return result;
     }
   } // namespace
@@ -56,25 +66,48 @@ namespace deltaform
     for (unsigned int k = 0; k <= 64; ++k)
       if (!(grading(k / 64.) > 0))
         section.fail("Grading through thickness", "must be positive on [0, 1]");
+    const auto variation =
+      section.function("Thickness variation",
+                       Default<std::string>("1"),
+                       "1",
+                       "Thickness relative to the entry Thickness as a function of t = arc length / length "
+                       "of the meridian; expression or table.");
+    const std::string reference = section.choice("Points lie on the",
+                                                 "middle",
+                                                 {"middle", "bottom", "top"},
+                                                 "Which line of the strip Points and Fillet radii describe.");
+    const double offset         = reference == "middle" ? 0. : reference == "bottom" ? .5 : -.5;
     const ShellMesh line(section, degree);
+    const double length = line.arc_length().back();
+    const auto height   = [&](const unsigned int node)
+    {
+      const double result = variation(line.arc_length()[node] / length);
+      if (!(result > 0))
+        section.fail("Thickness variation", "must be positive on [0, 1]");
+      return result;
+    };
 
     // At a kink, and where the meridian meets the axis at an angle, the director halves the angle (a mitre).
     stations_per_cell_   = degree;
     const unsigned int n = line.cells().size();
     for (unsigned int c = 0; c <= n; ++c)
     {
-      const auto &cell       = line.cells()[std::min(c, n - 1)];
-      const Point2 point     = line.nodes()[cell.nodes[c < n ? 0 : 1]];
-      const bool on_axis     = std::abs(point[0]) < 1e-12 * thickness_;
-      const double own       = cell.angle[c < n ? 0 : 1];
+      const auto &cell   = line.cells()[std::min(c, n - 1)];
+      const Point2 point = line.nodes()[cell.nodes[c < n ? 0 : 1]];
+      const double own   = cell.angle[c < n ? 0 : 1];
+      // Not if the meridian runs along the axis.
+      const bool on_axis     = std::abs(point[0]) < 1e-12 * thickness_ && std::abs(std::cos(own)) > 1e-6;
       const double before    = c == n ? own : c > 0 ? line.cells()[c - 1].angle[1] : on_axis ? -own : own;
       const double after     = c == n && on_axis ? 2 * std::acos(-1.) - own : own;
       const double half_turn = .5 * (after - before), angle = .5 * (after + before);
-      const Tensor1 direction = Tensor1({-std::sin(angle), std::cos(angle)}) / std::cos(half_turn);
-      stations_.push_back({point, direction});
+      const Tensor1 direction =
+        height(cell.nodes[c < n ? 0 : 1]) / std::cos(half_turn) * Tensor1({-std::sin(angle), std::cos(angle)});
+      stations_.push_back({point + offset * thickness_ * direction, direction});
       if (degree == 2 && c < n)
-        stations_.push_back(
-          {line.nodes()[cell.nodes[2]], Tensor1({-std::sin(cell.angle[2]), std::cos(cell.angle[2])})});
+      {
+        const Tensor1 middle = height(cell.nodes[2]) * Tensor1({-std::sin(cell.angle[2]), std::cos(cell.angle[2])});
+        stations_.push_back({line.nodes()[cell.nodes[2]] + offset * thickness_ * middle, middle});
+      }
     }
 
     const auto across = levels(grading, n_across);

@@ -2,6 +2,8 @@
 
 #include <deltaform/results/history.h>
 
+#include <algorithm>
+
 namespace deltaform
 {
   namespace
@@ -64,7 +66,7 @@ namespace deltaform
   } // namespace
 
   std::vector<CsvWriter::Column>
-  History::columns(const std::vector<std::string> &tools, const Units &units, const bool condition)
+  History::columns(const std::vector<std::string> &tools, const Units &units, const HistoryOptions &options)
   {
     std::vector<CsvWriter::Column> result{{"increment", "1"}, {"stage", "1"}, {"time", "time"}};
     for (const auto &tool : tools)
@@ -73,10 +75,15 @@ namespace deltaform
       result.push_back({tool + "_force_z", units.of("force")});
       result.push_back({tool + "_force_r", units.of("force")});
     }
-    for_each_number(condition,
+    for_each_number(options.condition,
                     [&](const Number &number) {
                       result.push_back({number.name, units.of(number.dimension)});
                     });
+    for (auto name : options.supports)
+    {
+      std::replace(name.begin(), name.end(), ' ', '_');
+      result.push_back({name + "_reaction", units.of("force")});
+    }
     return result;
   }
 
@@ -86,9 +93,8 @@ namespace deltaform
                    const Units &units,
                    const HistoryOptions &options)
     : condition_(options.condition),
-      file_(options.resume_after
-              ? reopen_history(path, comments, columns(tools, units, options.condition), *options.resume_after)
-              : CsvWriter(path, comments, columns(tools, units, options.condition)))
+      file_(options.resume_after ? reopen_history(path, comments, columns(tools, units, options), *options.resume_after)
+                                 : CsvWriter(path, comments, columns(tools, units, options)))
   {
   }
 
@@ -98,6 +104,8 @@ namespace deltaform
     for (const auto &tool : row.tools)
       cells.insert(cells.end(), {tool.travel, tool.force_z, tool.force_r});
     for_each_number(condition_, [&](const Number &number) { cells.emplace_back(number.value(row)); });
+    for (const double reaction : row.reactions)
+      cells.emplace_back(reaction);
     file_.row_of_cells(cells);
   }
 } // namespace deltaform

@@ -103,6 +103,17 @@ namespace deltaform
   }
 
 
+  double FormingProblem::reaction(const Support &support) const
+  {
+    double sum = 0.;
+    if (support.acts_in(stage_name_))
+      for (const auto dof : support.dofs)
+        if (!is_fixed_[dof])
+          sum += load_forces_[dof];
+    return sum;
+  }
+
+
   double FormingProblem::release_factor() const
   {
     return std::max(0., (stage_end_ - time_) / (stage_end_ - stage_begin_));

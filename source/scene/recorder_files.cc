@@ -36,6 +36,9 @@ namespace deltaform
     for (unsigned int i = 0; i < scene.actors.tools.size(); ++i)
       row.tools.push_back({problem.travel(i), problem.tool_forces()[i][1], problem.tool_forces()[i][0]});
 
+    for (const auto &support : scene.actors.supports)
+      row.reactions.push_back(problem.reaction(support));
+
     unsigned int governed = 0;
     ContactEnergy contact;
     row.min_epsilon = std::numeric_limits<double>::infinity();

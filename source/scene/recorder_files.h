@@ -30,6 +30,8 @@ namespace deltaform
       options.condition = scene.output->condition_every > 0;
       if (start)
         options.resume_after = start->increment;
+      for (const auto &support : scene.actors.supports)
+        options.supports.push_back(support.name);
       history = std::make_unique<History>(folder + "/history.csv", comments, names, units, options);
     }
 

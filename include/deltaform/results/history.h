@@ -37,17 +37,19 @@ namespace deltaform
     unsigned int rigid_modes         = 0;                                        ///< of the blank without contact
     double tool_work                 = 0;
     double elastic_energy = 0, plastic_energy = 0, friction_energy = 0;
-    double contact_energy = 0; ///< stored now in the penalty springs
-    double epsilon_work   = 0; ///< done by changing penalty factors at fixed penetration
-    double thickness_work = 0; ///< done by updating the thickness between increments
-    double load_work      = 0; ///< of other loads and of supports
-    double energy_error   = 0; ///< works minus energies, over the largest of them
+    double contact_energy = 0;     ///< stored now in the penalty springs
+    double epsilon_work   = 0;     ///< done by changing penalty factors at fixed penetration
+    double thickness_work = 0;     ///< done by updating the thickness between increments
+    double load_work      = 0;     ///< of other loads and of supports
+    double energy_error   = 0;     ///< works minus energies, over the largest of them
+    std::vector<double> reactions; ///< of the supports: sum of the forces (moments) that they exert on the blank
   };
 
   /// How a history is begun.
   struct HistoryOptions
   {
     bool condition = false;                   ///< with the columns condition_raw and condition_scaled
+    std::vector<std::string> supports;        ///< names in the order of HistoryRow::reactions
     std::optional<unsigned int> resume_after; ///< go on with the file on disk, without what follows this increment
   };
 
@@ -70,9 +72,10 @@ namespace deltaform
 
     void append(const HistoryRow &row);
 
-    /// Names of the columns for these tools, with the labels of their units.
-    static std::vector<CsvWriter::Column>
-    columns(const std::vector<std::string> &tools, const Units &units, bool condition = false);
+    /// Names of the columns for these tools and supports, with the labels of their units.
+    static std::vector<CsvWriter::Column> columns(const std::vector<std::string> &tools,
+                                                  const Units &units,
+                                                  const HistoryOptions &options = HistoryOptions());
 
   private:
     bool condition_;

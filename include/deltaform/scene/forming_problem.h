@@ -132,6 +132,9 @@ namespace deltaform
 
     double travel(unsigned int tool) const;
 
+    /// Sum of the forces (moments) of a support on the blank in the committed state; 0 where it does not act.
+    double reaction(const Support &support) const;
+
     /// The committed state. load() belongs before resume_stage(). @throws SceneError if it is that of another scene.
     void save(std::ostream &stream) const;
     void load(std::istream &stream);
