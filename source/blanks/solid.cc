@@ -24,7 +24,7 @@ namespace deltaform
                        {"finite", "small"},
                        "Finite strain, or displacements so small that the undeformed body serves for equilibrium.") ==
         "finite"),
-      mesh_(section, degree_), dof_handler_(mesh_.triangulation())
+      mesh_(section, degree_, axisymmetric_), dof_handler_(mesh_.triangulation())
   {
     auto bottom =
       section.names("Contact bottom",

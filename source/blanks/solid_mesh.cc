@@ -36,7 +36,7 @@ namespace deltaform
   } // namespace
 
 
-  SolidMesh::SolidMesh(Section &section, const unsigned int degree)
+  SolidMesh::SolidMesh(Section &section, const unsigned int degree, const bool axisymmetric)
   {
     const std::string kind = section.choice(
       "Mesh",
@@ -47,11 +47,11 @@ namespace deltaform
     if (kind == "gmsh")
       read_gmsh(section);
     else
-      read_strip(section, degree);
+      read_strip(section, degree, axisymmetric);
   }
 
 
-  void SolidMesh::read_strip(Section &section, const unsigned int degree)
+  void SolidMesh::read_strip(Section &section, const unsigned int degree, const bool axisymmetric)
   {
     thickness_ =
       section.number("Thickness", required(1.), Range::positive(), "length", "Initial thickness of the blank.");
@@ -96,9 +96,9 @@ namespace deltaform
       const Point2 point = line.nodes()[cell.nodes[c < n ? 0 : 1]];
       const double own   = cell.angle[c < n ? 0 : 1];
       // Not if the meridian runs along the axis.
-      const bool on_axis     = std::abs(point[0]) < 1e-12 * thickness_ && std::abs(std::cos(own)) > 1e-6;
-      const double before    = c == n ? own : c > 0 ? line.cells()[c - 1].angle[1] : on_axis ? -own : own;
-      const double after     = c == n && on_axis ? 2 * std::acos(-1.) - own : own;
+      const bool on_axis  = axisymmetric && std::abs(point[0]) < 1e-12 * thickness_ && std::abs(std::cos(own)) > 1e-6;
+      const double before = c == n ? own : c > 0 ? line.cells()[c - 1].angle[1] : on_axis ? -own : own;
+      const double after  = c == n && on_axis ? 2 * std::acos(-1.) - own : own;
       const double half_turn = .5 * (after - before), angle = .5 * (after + before);
       const Tensor1 direction =
         height(cell.nodes[c < n ? 0 : 1]) / std::cos(half_turn) * Tensor1({-std::sin(angle), std::cos(angle)});

@@ -20,7 +20,7 @@ namespace deltaform
   {
   public:
     /// Read the entries of the section.
-    SolidMesh(Section &section, unsigned int degree);
+    SolidMesh(Section &section, unsigned int degree, bool axisymmetric);
 
     /// The cells; a strip lies in its parameter plane (station along the meridian, coordinate across), see place().
     const dealii::Triangulation<2> &triangulation() const
@@ -57,7 +57,7 @@ namespace deltaform
       Tensor1 director;
     };
 
-    void read_strip(Section &section, unsigned int degree);
+    void read_strip(Section &section, unsigned int degree, bool axisymmetric);
     void read_gmsh(Section &section);
 
     dealii::Triangulation<2> triangulation_;
