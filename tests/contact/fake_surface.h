@@ -85,7 +85,7 @@ namespace deltaform
     {
       PairFixture(const ContactSurface &surface, const Entries &contact, const Entries &tool_entries)
         : tree(ParameterTree::parse("", "test", all(contact, tool_entries))),
-          contact_section(tree.root().sub("Contact")), settings(contact_section, {{"thickness", 1.}}, {{"thickness", 1.}}),
+          contact_section(tree.root().sub("Contact")), settings(contact_section, {{"thickness", 1.}}),
           tool("tool", tree.root().sub("Tools").sub("tool"), {{"thickness", 1.}}, {{"thickness", 1.}}),
           pair(surface, tool, settings, tree.root().sub("Tools").sub("tool")), n_blank(surface.n_contact_dofs()),
           n(n_blank)
