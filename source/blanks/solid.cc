@@ -184,6 +184,12 @@ namespace deltaform
   }
 
 
+  double Solid::modulus() const
+  {
+    return material_->young_modulus();
+  }
+
+
   bool Solid::axisymmetric() const
   {
     return axisymmetric_;

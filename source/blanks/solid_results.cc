@@ -206,6 +206,20 @@ namespace deltaform
   }
 
 
+  void Solid::rigid_motion(const Vector &q,
+                           const Tensor1 &translation,
+                           const double rotation,
+                           const std::function<void(DofIndex, double)> &set) const
+  {
+    for (unsigned int i = 0; i < nodes_.size(); ++i)
+    {
+      const Point2 x = position(q, i);
+      set(node_dofs_[i][0], translation[0] - rotation * x[1]);
+      set(node_dofs_[i][1], translation[1] + rotation * x[0]);
+    }
+  }
+
+
   void Solid::save(std::ostream &stream) const
   {
     std::vector<double> gradients;

@@ -36,6 +36,7 @@ namespace deltaform
     double dof_scale(DofIndex dof) const override;
     std::string describe_dof(DofIndex dof) const override;
     double stiffness_scale() const override;
+    double modulus() const override;
     bool axisymmetric() const override;
     double initial_thickness() const override;
     double typical_length() const override;
@@ -62,6 +63,10 @@ namespace deltaform
     Table profile(const Vector &q) const override;
     Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
     std::vector<Point2> positions(const Vector &q) const override;
+    void rigid_motion(const Vector &q,
+                      const Tensor1 &translation,
+                      double rotation,
+                      const std::function<void(DofIndex, double)> &set) const override;
     void save(std::ostream &stream) const override;
     void load(std::istream &stream) override;
 
