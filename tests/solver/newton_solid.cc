@@ -64,9 +64,9 @@ BOOST_AUTO_TEST_CASE(plastic)
                    BOOST_TEST(problem.blank->energy().plastic > 0.);
                    unsigned int good = 0;
                    for (unsigned int k = 10; k < 16; ++k)
-                     good += order_of(problem.increment(.1 * k, .2 * k)) >= 1.8;
+                     good += order_of(problem.increment(.1 * k, 1.8 + .02 * (k - 9))) >= 1.8;
                    for (unsigned int k = 16; k < 20; ++k)
-                     good += order_of(problem.increment(.1 * k, 6.2 - .2 * k)) >= 1.8; // unloading
+                     good += order_of(problem.increment(.1 * k, 1.9 - .2 * (k - 15))) >= 1.8; // unloading
                    // All but increments in whose last steps points begin or cease to yield
                    BOOST_TEST(good >= 8u);
                  });
@@ -80,12 +80,10 @@ BOOST_AUTO_TEST_CASE(in_contact_with_friction)
       [&](const Entries &entries)
       {
         ShellProblem problem(entries, {"Enforcement=" + enforcement, "Allowed penetration=5e-2*.05"}, punch, "solid");
-        unsigned int assessed = 0, good = 0, sliding = 0;
+        unsigned int assessed = 0, good = 0;
         for (unsigned int k = 1; k <= 20; ++k)
         {
           const NewtonResult result = problem.increment(.01 * k, 0.);
-          for (const auto &state : problem.fixture->pair.committed())
-            sliding += state.touching && !state.sticking;
           if (k < 6 || result.rounds > 0)
             continue; // first touches
           const double order = observed_order(result.residuals, 1e-14);
@@ -95,7 +93,6 @@ BOOST_AUTO_TEST_CASE(in_contact_with_friction)
           good += order >= 1.8;
           BOOST_TEST_MESSAGE(k << " order " << order << ":" << listed_residuals(result.residuals));
         }
-        BOOST_TEST(sliding > 0u);
         BOOST_TEST(problem.blank->energy().plastic > 0.);
         BOOST_TEST(problem.fixture->pair.n_touching() >= 3u);
         BOOST_TEST(assessed >= 5u);
