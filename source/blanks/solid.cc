@@ -176,17 +176,17 @@ namespace deltaform
   }
 
 
-  double Solid::modulus() const
-  {
-    return material_->young_modulus();
-  }
-
-
   double Solid::stiffness_scale() const
   {
     // Of a node of cells that are about as long as high: E (per unit width), times the radius of the ring it stands
     // for.
     return material_->young_modulus() * (axisymmetric_ ? outermost_ : 1.);
+  }
+
+
+  double Solid::modulus() const
+  {
+    return material_->young_modulus();
   }
 
 

@@ -27,6 +27,8 @@ namespace deltaform
     // spatial gradients and N/r
     std::array<std::array<double, n_nodes>, n_points> g_r, g_z, g_t;
 
+    if (linear_ && tangent)
+      constant_matrices_.clear();
     for (unsigned int c = 0; c < cells_.size(); ++c)
     {
       const auto &cell         = cells_[c];
@@ -195,6 +197,8 @@ namespace deltaform
             row_z[1] -= along_z * g_z[p][a];
           }
       }
+      if (linear_ && tangent)
+        constant_matrices_.insert(constant_matrices_.end(), matrix.begin(), matrix.end());
       target.add(dofs.data(), n, tangent ? matrix.data() : nullptr, residual.data());
     }
     return {};
@@ -203,7 +207,54 @@ namespace deltaform
 
   Status Solid::assemble(const Vector &q, AssemblyTarget &target)
   {
+    if (!constant_matrices_.empty())
+      return assemble_constant(q, target);
     return degree_ == 1 ? assemble_cells<4, 4>(q, target) : assemble_cells<9, 9>(q, target);
+  }
+
+
+  Status Solid::assemble_constant(const Vector &q, AssemblyTarget &target)
+  {
+    const unsigned int n = 2 * n_nodes_per_cell_;
+    std::array<DofIndex, 18> dofs;
+    std::array<double, 18> u, residual;
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+    {
+      const double *matrix = &constant_matrices_[c * n * n];
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        dofs[i] = node_dofs_[cells_[c][i / 2]][i % 2];
+        u[i]    = q[dofs[i]];
+      }
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        residual[i] = 0.;
+        for (unsigned int j = 0; j < n; ++j)
+          residual[i] += matrix[i * n + j] * u[j];
+      }
+      target.add(dofs.data(), n, target.wants_tangent() ? matrix : nullptr, residual.data());
+    }
+    return {};
+  }
+
+
+  void Solid::update_linear_stress(const Vector &q)
+  {
+    // One more pass over the law, for strains and stresses only: nobody has asked for them on the way.
+    struct Nowhere : public AssemblyTarget
+    {
+      void add(const DofIndex *, unsigned int, const double *, const double *) override
+      {
+      }
+      bool wants_tangent() const override
+      {
+        return false;
+      }
+    } nowhere;
+    if (degree_ == 1)
+      assemble_cells<4, 4>(q, nowhere);
+    else
+      assemble_cells<9, 9>(q, nowhere);
   }
 
 

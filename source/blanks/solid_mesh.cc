@@ -1,7 +1,10 @@
 #include <deltaform/blanks/shell_mesh.h>
 #include <deltaform/blanks/solid_mesh.h>
 
+#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
 
 #include <cmath>
 #include <fstream>
@@ -41,11 +44,14 @@ namespace deltaform
     const std::string kind = section.choice(
       "Mesh",
       "strip",
-      {"strip", "gmsh"},
+      {"strip", "disc segment", "gmsh"},
       "Strip: Points, Fillet radii, Elements and Grading describe its middle line as for a shell, Thickness "
-      "its height; its boundaries are bottom, top, start and end. Gmsh: a file of quadrilaterals.");
+      "its height; its boundaries are bottom, top, start and end. Disc segment: the lower quarter of a disc or ball "
+      "about the axis; boundaries arc, axis and equator. Gmsh: a file of quadrilaterals.");
     if (kind == "gmsh")
       read_gmsh(section);
+    else if (kind == "disc segment")
+      read_disc_segment(section);
     else
       read_strip(section, degree, axisymmetric);
   }
@@ -203,6 +209,39 @@ namespace deltaform
           }
           cell->face(f)->set_boundary_id(index[id]);
         }
+  }
+
+
+  void SolidMesh::read_disc_segment(Section &section)
+  {
+    const double radius =
+      section.number("Radius", required(1.), Range::positive(), "length", "Radius of the disc segment.");
+    const double height   = section.number("Centre z",
+                                         Default<double>(0.),
+                                         Range::any(),
+                                         "length",
+                                         "Height of the centre of the disc segment, on the axis.");
+    const int refinements = section.integer("Refinements", 3, 0, 10, "Each halves the cells of the disc segment.");
+    thickness_            = radius;
+    dealii::GridGenerator::quarter_hyper_ball(triangulation_, Point2(), radius);
+    dealii::GridTools::rotate(-.5 * std::acos(-1.), triangulation_);
+    dealii::GridTools::shift(Tensor1({0., height}), triangulation_);
+    triangulation_.set_manifold(0, dealii::SphericalManifold<2>(Point2(0., height)));
+    boundaries_ = {"arc", "axis", "equator"};
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      for (unsigned int f = 0; f < 4; ++f)
+        if (cell->face(f)->at_boundary())
+        {
+          const Point2 middle = cell->face(f)->center();
+          cell->face(f)->set_boundary_id(std::abs(middle[0]) < 1e-9 * radius            ? 1
+                                         : std::abs(middle[1] - height) < 1e-9 * radius ? 2
+                                                                                        : 0);
+        }
+    triangulation_.refine_global(refinements);
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      for (const auto v : cell->vertex_indices())
+        if (std::abs(cell->vertex(v)[0]) < 1e-9 * radius)
+          cell->vertex(v)[0] = 0.;
   }
 
 

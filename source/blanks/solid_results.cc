@@ -83,6 +83,8 @@ namespace deltaform
 
   void Solid::commit(const Vector &q)
   {
+    if (linear_)
+      update_linear_stress(q);
     energy_.elastic = 0.;
     for (unsigned int i = 0; i < points_.size(); ++i)
     {

@@ -3,7 +3,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/fe/mapping_q.h>
 
 #include <Eigen/Dense>
 
@@ -20,7 +20,8 @@ namespace deltaform
     n_nodes_per_cell_ = (degree_ + 1) * (degree_ + 1);
 
     const dealii::FE_Q<2> scalar(degree_);
-    const dealii::MappingQ1<2> mapping;
+    // Curved boundaries of degree 2 where the mesh has manifolds
+    const dealii::MappingQ<2> mapping(degree_);
     std::vector<unsigned int> node_of_dof(dof_handler_.n_dofs(), invalid_index);
     std::vector<DofIndex> dofs(element_->n_dofs_per_cell());
     for (const auto &cell : dof_handler_.active_cell_iterators())
@@ -106,6 +107,18 @@ namespace deltaform
     deformation_.assign(points_.size(), Deformation());
     committed_deformation_ = deformation_;
     plastic_metric_.assign(points_.size(), {{1., 1., 1., 0.}});
+
+    if (finite_ || material_->history_size() > 0)
+      return;
+    // Are the moduli the same at zero and at some strain?
+    std::array<Mandel, 2> strain{{{}, {{1e-3, -2e-3, 5e-4, 7e-4}}}}, stress;
+    std::array<double, 32> moduli;
+    MaterialBatch batch;
+    batch.n_points = 2;
+    batch.strain   = strain.data();
+    batch.stress   = stress.data();
+    batch.tangent  = moduli.data();
+    linear_ = material_->update(batch).good() && std::equal(moduli.begin(), moduli.begin() + 16, moduli.begin() + 16);
   }
 
 

@@ -190,6 +190,13 @@ namespace deltaform
         state.touching = false;
         state.force = state.tangential_force = 0.;
         state.gap                            = projected_gap_[i] - node.offset;
+        if (own_unknown)
+        {
+          // A node without area has no pair, but its multiplier needs an equation: lambda = 0.
+          const DofIndex dof    = first_multiplier_ + i;
+          const double residual = q[dof], one = 1.;
+          target.add(&dof, 1, target.wants_tangent() ? &one : nullptr, &residual);
+        }
         continue;
       }
 

@@ -16,6 +16,7 @@ import tempfile
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import reference_values as exact
+import solid_tables
 
 
 class Runner:
@@ -204,6 +205,7 @@ def capstan_series(run):
 TABLES = {"stretch": stretch, "stretch increments": stretch_increments, "plate large": plate_large,
           "plate linear": plate_linear, "cylinder": cylinder, "cylinder thickness": cylinder_thickness,
           "elastica": elastica, "springback": springback, "capstan": capstan, "capstan series": capstan_series}
+TABLES.update(solid_tables.make(markdown, series))
 
 
 def main():

@@ -1,5 +1,5 @@
 #pragma once
-// A shell with pressure and one tool, without a scene: enough to see how Newton's method converges.
+// A shell or solid with pressure and one tool, without a scene: enough to see how Newton's method converges.
 #include "../blanks/any_blank.h"
 #include "../contact/fake_surface.h"
 #include "convergence.h"
@@ -13,8 +13,11 @@ namespace deltaform
     public:
       /// A flat disc or strip of radius 1, clamped at its edge. @p contact and @p tool: see PairFixture; none: no
       /// contact
-      ShellProblem(const Entries &blank_entries, const Entries &contact, const Entries &tool)
-        : blank(make_blank("shell",
+      ShellProblem(const Entries &blank_entries,
+                   const Entries &contact,
+                   const Entries &tool,
+                   const std::string &kind = "shell")
+        : blank(make_blank(kind,
                            Entries{"Blank/Points=0 0; 1 0",
                                    "Blank/Thickness=.05",
                                    "Blank/Elements=20",
@@ -49,10 +52,12 @@ namespace deltaform
         for (const auto dof : blank->fixed_dofs())
           prescribed[dof] = true;
         for (const auto component : {Component::r, Component::z, Component::rotation})
-          prescribed[blank->boundary_dofs("end", component).front()] = true;
+          for (const auto dof : blank->boundary_dofs("end", component))
+            prescribed[dof] = true;
         if (!blank->axisymmetric())
           for (const auto component : {Component::r, Component::rotation})
-            prescribed[blank->boundary_dofs("start", component).front()] = true;
+            for (const auto dof : blank->boundary_dofs("start", component))
+              prescribed[dof] = true;
         scale.assign(n, 1.);
         size.assign(n, 1.);
         for (unsigned int i = 0; i < blank->n_dofs(); ++i)

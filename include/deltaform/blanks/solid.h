@@ -108,6 +108,10 @@ namespace deltaform
     template <unsigned int n_nodes, unsigned int n_points>
     Status assemble_cells(const Vector &q, AssemblyTarget &target);
 
+    /// Small strain and a law that is linear: every cell's matrix is kept from the first pass, no law is asked again.
+    Status assemble_constant(const Vector &q, AssemblyTarget &target);
+    void update_linear_stress(const Vector &q);
+
     Point2 position(const Vector &q, unsigned int node) const;
 
     /// Deformation at a quadrature point of a cell.
@@ -148,6 +152,8 @@ namespace deltaform
     std::map<std::string, std::vector<Edge>> boundary_edges_;
     std::array<ContactFace, 2> faces_;
     std::vector<std::array<unsigned int, 2>> columns_; ///< strip: bottom and top node of every station
+    bool linear_ = false;                              ///< small strain, and moduli that do not depend on the strain
+    std::vector<double> constant_matrices_;            ///< of linear_, cell by cell
     double shortest_edge_ = 0, outermost_ = 0;
 
     // State: committed and, where it differs, trial

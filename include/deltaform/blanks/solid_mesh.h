@@ -59,6 +59,7 @@ namespace deltaform
 
     void read_strip(Section &section, unsigned int degree, bool axisymmetric);
     void read_gmsh(Section &section);
+    void read_disc_segment(Section &section);
 
     dealii::Triangulation<2> triangulation_;
     std::vector<std::string> boundaries_;
