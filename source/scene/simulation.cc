@@ -31,6 +31,7 @@ namespace deltaform
       {
         problem_.begin_stage(stage);
         last_increment_ = 0.;
+        step_.reset();
       }
       status   = run_stage(stage);
       resumed_ = false;
@@ -77,7 +78,8 @@ namespace deltaform
         journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) + ", in increment " +
                          std::to_string(increment_ + 1) + ": " + failure + ". The smallest increment, " +
                          text::format(stage.smallest_increment) + ", was reached.");
-        step_             = std::nullopt;
+        // The failed attempt has moved tools and contact.
+        problem_.begin_increment(time_);
         before_giving_up_ = checkpoint();
         return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
       }
@@ -91,8 +93,9 @@ namespace deltaform
       ++increment_;
       control.accept(result.iterations - result.correction_iterations);
       recorder_.record(problem_, stage, time_, increment_, cost);
-      cost  = IncrementCost();
-      step_ = control.state();
+      cost                 = IncrementCost();
+      step_                = control.state();
+      accepted_iterations_ = total_iterations_;
       if (recorder_.checkpoint_due() || control.finished(time_))
         recorder_.save(checkpoint());
     }
