@@ -26,7 +26,7 @@ def rows(where=folder):
 
 
 few = ["--set", "Blank/Elements=25", "--set", "Output/Pictures=0"]
-stop = ["--set", "Steps/form/Smallest increment=1e-3", "--set", "Solver/Maximal corrections=1"]
+stop = ["--set", "Steps/form/Smallest increment=1e-3", "--set", "Solver/Maximal corrections=0"]
 run(0, "no saved state", *few, "--resume")
 before = (folder / "history.csv").read_bytes()
 run(0, "is finished", *few, "--resume")
@@ -48,7 +48,8 @@ if rows()[:len(kept)] != kept or len(rows()) <= len(kept):
 # A longer stroke.
 run(0, "resumed after increment", *few, "--set", "Contact/Allowed penetration=1e-4", "--set", "Steps/form/End time=1.05",
     "--resume")
-run(1, "Cannot resume: the saved state at time 1.05", *few, "--set", "Steps/form/End time=0.5", "--resume")
+run(1, "Cannot resume: the saved state at time 1.05", *few, "--set", "Steps/Stages=form, release", "--set",
+    "Steps/form/End time=0.5", "--set", "Steps/release/End time=1.2", "--resume")
 
 state = folder / "checkpoint.bin"
 content = bytearray(state.read_bytes())
