@@ -75,9 +75,11 @@ namespace deltaform
                         " cut back: " + failure);
         if (control.reject(next - time_))
           continue;
+        const std::string neck = necking_.finding();
         journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) + ", in increment " +
                          std::to_string(increment_ + 1) + ": " + failure + ". The smallest increment, " +
-                         text::format(stage.smallest_increment) + ", was reached.");
+                         text::format(stage.smallest_increment) + ", was reached." +
+                         (neck.empty() ? "" : " The " + neck + "."));
         // The failed attempt has moved tools and contact.
         problem_.begin_increment(time_);
         before_giving_up_ = checkpoint();
@@ -89,6 +91,7 @@ namespace deltaform
       if (condition_ && condition_->due(increment_ + 1))
         cost.condition = condition_->measure(problem_, q);
       problem_.commit(q);
+      necking_.observe(scene_.actors.blank->profile(q));
       time_ = next;
       ++increment_;
       control.accept(result.iterations - result.correction_iterations);

@@ -5,6 +5,7 @@
 #include <deltaform/scene/checkpoint.h>
 #include <deltaform/scene/condition_report.h>
 #include <deltaform/scene/forming_problem.h>
+#include <deltaform/scene/necking.h>
 #include <deltaform/scene/recorder.h>
 #include <deltaform/scene/scene.h>
 
@@ -57,6 +58,8 @@ namespace deltaform
     unsigned int increment_ = 0, total_iterations_ = 0, failed_iterations_ = 0;
     bool promise_failed_ = false;
     Vector before_; ///< the solution one increment before the committed one
+
+    NeckingWatch necking_;
 
     unsigned int stage_ = 0;     ///< index of the current one
     bool resumed_       = false; ///< in the middle of the current stage
