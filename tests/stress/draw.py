@@ -8,8 +8,10 @@ import random
 
 RULE = """A scene is called sensible if
   - no tool has a sharp corner, and an element turns by at most half a radian around the smallest tool radius
-    (h <= (r + t/2)/2): a coarser mesh cannot follow the tool;
-  - delta lies between 1e-7 t and 1e-2 t: below is round-off (the program refuses it), above a tenth of the bending is lost;
+    (h <= (r + t/2)/2): a coarser mesh cannot follow the tool; and no element is shorter than a quarter of the thickness:
+    a shell knows no such detail, and its contact forces alternate from node to node (Limits in the README);
+  - delta lies between 1e-7 t (and 2e-10 of the blank's size) and 1e-2 t: below is round-off, which the program refuses, above
+    the sheet is no longer where the tool is;
   - friction is at most .3, Poisson's ratio at most .49, E/sigma_y at least 100;
   - the smallest increment is at most 1e-4 of the stage;
   - the metal can take the shape: the strain it is asked for stays below the uniform strain, at which the force in the sheet
@@ -146,8 +148,10 @@ def draw(seed):
     smallest_radius = min(profile, radius if hemisphere else edge)
     if h > .5 * (smallest_radius + .5):
         against.append("elements too long for the smallest tool radius")
-    if not 1e-7 <= delta <= 1e-2:
-        against.append("delta out of 1e-7..1e-2 t")
+    if blank / elements * (.4 if graded else 1.) < .25:
+        against.append("elements shorter than t/4")
+    if not max(1e-7, 2e-10 * blank) <= delta <= 1e-2:
+        against.append("delta out of range")
     if friction > .3:
         against.append("friction above .3")
     if known["poisson"] > .49:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs scenes drawn at random and checks that each ends well: done with the promise kept, or with a clear error.
 
-    stress.py PROGRAM FOLDER [--first N] [--count N] [--jobs N] [--seconds N] [--resume N] [--write PAGE] [--keep]
+    stress.py PROGRAM FOLDER [--first N] [--count N] [--seeds LIST] [--jobs N] [--seconds N] [--resume N] [--write PAGE] [--keep]
 
 Never allowed, whatever the scene: a crash, a hang (more than --seconds), NaN or infinity in a result, a promise
 p <= delta that is broken silently, an exit status without its message. These make the exit status of this script 1; so
@@ -186,20 +186,30 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--count", type=int, default=1000)
+    parser.add_argument("--seeds", help="these scenes instead: '3,5,8'")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--resume", type=int, default=0)
     parser.add_argument("--share", type=float, default=0, help="of the sensible scenes that has to complete")
     parser.add_argument("--write", type=pathlib.Path, help="page for the table")
+    parser.add_argument("--again", type=pathlib.Path, help="make the page of an earlier results.jsonl, run nothing")
     parser.add_argument("--keep", action="store_true")
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     print(draw.RULE)
-    seeds = range(arguments.first, arguments.first + arguments.count)
+    seeds = list(range(arguments.first, arguments.first + arguments.count))
+    if arguments.seeds:
+        seeds = [int(seed) for seed in arguments.seeds.split(",")]
+    if arguments.again:
+        results = [json.loads(line) for line in arguments.again.read_text().splitlines()]
+        results = [dict(r, **draw.draw(r["seed"])[1]) for r in results]
+        arguments.first, arguments.count = results[0]["seed"], len(results)
+        arguments.write.write_text(table(results, arguments)[0])
+        return 0
     results = []
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool, open(arguments.folder / "results.jsonl", "w") as log:
         futures = [pool.submit(run_one, arguments.program, arguments.folder, seed, arguments.seconds,
-                               seed - arguments.first < arguments.resume, arguments.keep) for seed in seeds]
+                               position < arguments.resume, arguments.keep) for position, seed in enumerate(seeds)]
         for future in futures:
             r = future.result()
             results.append(r)
