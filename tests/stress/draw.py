@@ -17,7 +17,7 @@ RULE = """A scene is called sensible if
   - the metal can take the shape: the strain it is asked for stays below the uniform strain, at which the force in the sheet
     passes its maximum (Considere: sigma' = sigma in tension; Swift 1952 allows more, so that this is on the safe side):
       stretching: ln of the length of the dome's arc over its chord, twice it in thickness; friction concentrates it by 1 + 2 mu;
-      drawing: ratio of blank to punch radius at most 1 + .8 n/(n + .1) for exponent n, less friction; punch and die radius >= 4 t;
+      drawing: ratio of blank to punch radius at most 1 + .8 n/(n + .1) for the uniform strain n, less friction; tool radii >= 4 t;
                a holder by force presses with at most 2 % of the flow stress, by gap leaves at least 1.1 t;
       bending: t/(2 r) below the uniform strain, or any r >= 2 t without stretching (a free strip);
   - a linear elastic sheet is strained by less than .05, or its flow stress would be far exceeded in reality."""
