@@ -55,8 +55,10 @@ namespace deltaform
     const double stretch = node.stretch - before_[i].stretch;
     const double thinned = node.thinning - before_[i].thinning;
     const double fall    = 1 - node.force() / before_[i].force();
-    // A change in the last digits is no change.
-    const bool softens = node.stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9;
+    // A metal under plastic loading does not soften: d tau >= 0, so that F falls by no more than d eps. A larger fall
+    // is unloading or bending, and no neck. A change in the last digits is no change.
+    const bool softens =
+      node.stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9 && fall <= 1.001 * stretch;
     if (!softens || !(thinned > 3 * median))
       return "";
     return "node " + std::to_string(i) + " at R0 = " + text::format(node.place) + " necks: its thickness is " +

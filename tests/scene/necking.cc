@@ -59,6 +59,18 @@ BOOST_AUTO_TEST_CASE(unloading_is_no_neck)
   BOOST_TEST(finding(.2, .15, .22, .15, .21) == "");
 }
 
+BOOST_AUTO_TEST_CASE(falling_stress_is_no_neck)
+{
+  // The section stretches and thins, but its stress falls: a sheet that is unloaded or bent back.
+  NeckingWatch watch;
+  watch.observe(bar(.2, .15, .21));
+  Table next = bar(.2, .15, .22);
+  for (const unsigned int column : {4u, 5u, 6u})
+    next.rows[3][column] -= .05;
+  watch.observe(next);
+  BOOST_TEST(watch.finding() == "");
+}
+
 BOOST_AUTO_TEST_CASE(nothing_known_is_no_neck)
 {
   NeckingWatch watch;

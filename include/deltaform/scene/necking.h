@@ -11,9 +11,9 @@ namespace deltaform
    * Finds out whether a sheet that cannot be formed any further necks. The section force of a node, per unit initial
    * width, is F = tau h0 exp(-eps), tau the mean meridional stress (Kirchhoff) and eps the meridional strain. In
    * tension it grows with the strain until d tau/d eps = tau (Considere 1885): a node whose section stretches although
-   * its force falls has lost its load-bearing capacity, and what else the sheet is asked to give comes from there. A
-   * neck is that at the node with the smallest thickness, thinning at least three times as fast as the blank's median
-   * node.
+   * its force falls has lost its load-bearing capacity (unless tau falls too: that is unloading), and what else the
+   * sheet is asked to give comes from there. A neck is that at the node with the smallest thickness, thinning at least
+   * three times as fast as the blank's median node.
    */
   class NeckingWatch
   {
