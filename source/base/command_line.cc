@@ -69,7 +69,14 @@ namespace deltaform
       const auto equals = text.find('=');
       CommandLine::Variation result;
       if (equals != std::string::npos)
-        result = {text::trim(text.substr(0, equals)), text::split(text.substr(equals + 1), ',')};
+      {
+        // Values with commas of their own, such as tables, are separated by semicolons.
+        const std::string values = text.substr(equals + 1);
+        const char separator     = values.find(';') != std::string::npos ? ';' : ',';
+        result                   = {text::trim(text.substr(0, equals)), text::split(values, separator)};
+        if (separator == ';' && result.values.size() > 1 && result.values.back().empty())
+          result.values.pop_back(); // "0: 0, 1: 1;" is one value
+      }
       const bool has_gap = std::find(result.values.begin(), result.values.end(), "") != result.values.end();
       if (result.entry.empty() || result.values.empty() || has_gap)
         throw UsageError("--vary \"" + text + "\": expected \"Section/Entry=value,value,...\".");
@@ -114,7 +121,12 @@ namespace deltaform
     line.quiet   = values["quiet"].as<bool>();
     line.resume  = values["resume"].as<bool>();
     for (const auto &text : value_or(values, "vary", Strings()))
+    {
       line.variations.push_back(variation(text));
+      for (std::size_t i = 0; i + 1 < line.variations.size(); ++i)
+        if (line.variations[i].entry == line.variations.back().entry)
+          throw UsageError("--vary \"" + line.variations[i].entry + "\" is stated twice.");
+    }
     if (line.command == Command::help)
       return line;
 
@@ -167,7 +179,8 @@ Options of a run
   --quiet                      print warnings and errors only
 
 Options of a sweep (and --set, --output, --quiet)
-  --vary "Section/Entry=a,b,c" the values to run; with several --vary, all combinations
+  --vary "Section/Entry=a,b,c" the values to run; with several --vary, all combinations;
+                               values that contain commas: "Section/Entry=a;b;c"
   --jobs N                     runs at a time (1)
 
 Exit status
@@ -176,6 +189,7 @@ Exit status
    2  it did not converge; what was computed is written and can be resumed
    3  the promise, penetration <= allowed penetration, could not be kept
   64  the command line is wrong
+  A sweep is done if all its runs are; else its status is the largest of theirs.
 
 Examples
   deltaform prm/cup.prm --output output/cup

@@ -138,7 +138,6 @@ namespace deltaform
     {
       state.delta      = delta;
       state.multiplier = state.touching ? state.force : 0.;
-      state.shift      = 0.; // until the factors are predicted
     }
 
     std::vector<double> factors;

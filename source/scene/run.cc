@@ -6,6 +6,7 @@
 #include <deltaform/materials/material.h>
 #include <deltaform/scene/run.h>
 #include <deltaform/scene/simulation.h>
+#include <deltaform/scene/sweep.h>
 
 #include <filesystem>
 #include <iostream>
@@ -116,8 +117,8 @@ namespace deltaform
       std::cout << CommandLine::help();
       return exit_status::done;
     case CommandLine::Command::sweep:
-      break;
+      return run_sweep(command);
     }
-    throw UsageError("This version cannot sweep yet: run the scene once per value with --set.");
+    return exit_status::wrong_usage;
   }
 } // namespace deltaform

@@ -31,6 +31,7 @@ namespace deltaform
       {
         problem_.begin_stage(stage);
         last_increment_ = 0.;
+        step_.reset();
       }
       status   = run_stage(stage);
       resumed_ = false;
@@ -74,10 +75,13 @@ namespace deltaform
                         " cut back: " + failure);
         if (control.reject(next - time_))
           continue;
+        const std::string neck = necking_.finding();
         journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) + ", in increment " +
                          std::to_string(increment_ + 1) + ": " + failure + ". The smallest increment, " +
-                         text::format(stage.smallest_increment) + ", was reached.");
-        step_             = std::nullopt;
+                         text::format(stage.smallest_increment) + ", was reached." +
+                         (neck.empty() ? "" : " The " + neck + "."));
+        // The failed attempt has moved tools and contact.
+        problem_.begin_increment(time_);
         before_giving_up_ = checkpoint();
         return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
       }
@@ -87,12 +91,14 @@ namespace deltaform
       if (condition_ && condition_->due(increment_ + 1))
         cost.condition = condition_->measure(problem_, q);
       problem_.commit(q);
+      necking_.observe(scene_.actors.blank->profile(q));
       time_ = next;
       ++increment_;
       control.accept(result.iterations - result.correction_iterations);
       recorder_.record(problem_, stage, time_, increment_, cost);
-      cost  = IncrementCost();
-      step_ = control.state();
+      cost                 = IncrementCost();
+      step_                = control.state();
+      accepted_iterations_ = total_iterations_;
       if (recorder_.checkpoint_due() || control.finished(time_))
         recorder_.save(checkpoint());
     }

@@ -23,7 +23,7 @@ namespace deltaform
       const bool go_on = step_.has_value();
       const auto step  = step_.value_or(StepControl::State());
       boost::archive::binary_oarchive archive(stream);
-      archive << last_increment_ << total_iterations_ << failed_iterations_ << before_ << go_on << step.increment
+      archive << last_increment_ << accepted_iterations_ << failed_iterations_ << before_ << go_on << step.increment
               << step.quiet;
     }
     problem_.save(stream);
@@ -55,6 +55,7 @@ namespace deltaform
       if (go_on)
         step_ = step;
     }
+    accepted_iterations_ = total_iterations_;
     problem_.load(stream);
     resumed_ = true;
     problem_.resume_stage(stages[stage_]);

@@ -68,8 +68,19 @@ BOOST_AUTO_TEST_CASE(sweep)
              boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(varied_values_with_commas)
+{
+  const auto line = parse({"sweep", "a.prm", "--vary", "A/b=0: 0, 1: 1; 0: 0, 1: 2", "--vary", "A/c=0: 0, 1: 3;"});
+  BOOST_REQUIRE_EQUAL(line.variations.size(), 2u);
+  BOOST_TEST(line.variations[0].values == (std::vector<std::string>{"0: 0, 1: 1", "0: 0, 1: 2"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(line.variations[1].values == (std::vector<std::string>{"0: 0, 1: 3"}), boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(wrong_usage)
 {
+  check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=1", "--vary", "A/b=2"}), {"A/b", "stated twice"});
+  check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=1;;2"}), {"value,value"});
   check_contains(complaint({}), {"No scene is named", "--help"});
   check_contains(complaint({"--check"}), {"No scene is named"});
   check_contains(complaint({"a.prm", "b.prm"}), {"'b.prm'", "too many"});

@@ -62,12 +62,13 @@ BOOST_AUTO_TEST_CASE(columns_are_those_of_the_contract)
   BOOST_TEST(lines[2] == "# units: 1,1,time,in,tonf,tonf,in,tonf,tonf,1,1,1,1,in,1,in,tonf/in,tonf/in,1,1,in,"
                          "tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,1");
   // Part of the interface: add, do not rename.
-  BOOST_TEST(lines[3] == "increment,stage,time,punch_travel,punch_force_z,punch_force_r,"
-                         "die_travel,die_force_z,die_force_r,newton_iterations,penalty_rounds,penalty_iterations,cutbacks,"
-                         "max_penetration,max_penetration_over_delta,max_penetration_between_nodes,"
-                         "min_epsilon,max_epsilon,floor_share,contact_pairs,min_thickness,"
-                         "tool_work,elastic_energy,plastic_energy,friction_energy,contact_energy,"
-                         "epsilon_work,thickness_work,load_work,energy_error");
+  BOOST_TEST(lines[3] ==
+             "increment,stage,time,punch_travel,punch_force_z,punch_force_r,"
+             "die_travel,die_force_z,die_force_r,newton_iterations,penalty_rounds,penalty_iterations,cutbacks,"
+             "max_penetration,max_penetration_over_delta,max_penetration_between_nodes,"
+             "min_epsilon,max_epsilon,floor_share,contact_pairs,min_thickness,"
+             "tool_work,elastic_energy,plastic_energy,friction_energy,contact_energy,"
+             "epsilon_work,thickness_work,load_work,energy_error");
 }
 
 BOOST_AUTO_TEST_CASE(condition_numbers_only_where_asked)
@@ -81,8 +82,9 @@ BOOST_AUTO_TEST_CASE(condition_numbers_only_where_asked)
   one.condition_scaled = 12.5;
   history.append(one);
   const auto lines = lines_of(path);
-  check_contains(lines[1], {",min_thickness,condition_raw,condition_scaled,condition_without_contact,rigid_modes,digits_lost,"
-                            "tool_work,"});
+  check_contains(lines[1],
+                 {",min_thickness,condition_raw,condition_scaled,condition_without_contact,rigid_modes,digits_lost,"
+                  "tool_work,"});
   check_contains(lines[2], {",0,nan,12.5,nan,0,nan,0,"});
 }
 

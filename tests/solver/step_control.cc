@@ -100,4 +100,23 @@ BOOST_AUTO_TEST_CASE(the_first_increment_lies_between_the_limits)
   BOOST_TEST(StepControl(what, 0., 1., 1e-6, .01, .1, {}).increment() == .01);
 }
 
+BOOST_AUTO_TEST_CASE(resumed_control_goes_on_as_the_first)
+{
+  const StepSettings what = settings();
+  StepControl first(what, 0., 1., .01, 1e-6, .1, {});
+  first.accept(2);
+  first.reject(.01);
+  StepControl second(what, 0., 1., .02, 1e-6, .1, {});
+  second.restore(first.state());
+  for (const unsigned int iterations : {3u, 20u, 8u, 1u}) // of which the first is waited for after the failure
+  {
+    BOOST_TEST(second.next(.3) == first.next(.3));
+    first.accept(iterations);
+    second.accept(iterations);
+  }
+  StepControl bounded(what, 0., 1., .1, .05, .1, {});
+  bounded.restore(first.state());
+  BOOST_TEST(bounded.increment() >= .05);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

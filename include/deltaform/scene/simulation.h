@@ -5,6 +5,7 @@
 #include <deltaform/scene/checkpoint.h>
 #include <deltaform/scene/condition_report.h>
 #include <deltaform/scene/forming_problem.h>
+#include <deltaform/scene/necking.h>
 #include <deltaform/scene/recorder.h>
 #include <deltaform/scene/scene.h>
 
@@ -58,9 +59,13 @@ namespace deltaform
     bool promise_failed_ = false;
     Vector before_; ///< the solution one increment before the committed one
 
-    unsigned int stage_ = 0;                     ///< index of the current one
-    bool resumed_       = false;                 ///< in the middle of the current stage
-    std::optional<StepControl::State> step_;     ///< of the resumed stage; none after a failure, which starts afresh
-    std::optional<Checkpoint> before_giving_up_; ///< the state that a run which failed can be resumed from
+    NeckingWatch necking_;
+
+    unsigned int stage_ = 0;     ///< index of the current one
+    bool resumed_       = false; ///< in the middle of the current stage
+    /// After the last accepted increment of the stage, if there is one: what a resumed run goes on with.
+    std::optional<StepControl::State> step_;
+    unsigned int accepted_iterations_ = 0;
+    std::optional<Checkpoint> before_giving_up_; ///< what a run that failed can be resumed from
   };
 } // namespace deltaform

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <deltaform/base/table.h>
+
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * Finds out whether a sheet that cannot be formed any further necks. The section force of a node, per unit initial
+   * width, is F = tau h0 exp(-eps), tau the mean meridional stress (Kirchhoff) and eps the meridional strain. In
+   * tension it grows with the strain until d tau/d eps = tau (Considere 1885): a node whose section stretches although
+   * its force falls has lost its load-bearing capacity (unless tau falls too: that is unloading), and what else the
+   * sheet is asked to give comes from there. A neck is that at the node with the smallest thickness, thinning at least
+   * three times as fast as the blank's median node.
+   */
+  class NeckingWatch
+  {
+  public:
+    /// @param profile of the blank after an accepted increment; tables without the columns of a shell are ignored
+    void observe(const Table &profile);
+
+    /// "node 12 at R0 = 0.9 necks: ...", or empty if the last increment shows no neck.
+    std::string finding() const;
+
+  private:
+    struct Node
+    {
+      double place = 0, thickness = 0, stretch = 0, thinning = 0, stress = 0;
+      double force() const; ///< over h0
+    };
+
+    std::vector<Node> before_, now_;
+  };
+} // namespace deltaform

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <deltaform/base/command_line.h>
+
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// One run of a sweep.
+  struct SweepRun
+  {
+    std::vector<std::string> values; ///< of the varied entries, in the order of the command line
+    std::string folder;
+    std::string main_tool; ///< empty if there is none
+    int exit_status = -1;  ///< -1: has not ended
+  };
+
+  /**
+   * Run a scene once per combination of the varied values, each in a process and a folder of its own, and collect the
+   * results in sweep.csv, which is written again whenever a run ends.
+   * @return exit status: 0 if all runs are done, else the largest of theirs
+   * @throws SceneError before anything runs if one of the combinations is no valid scene
+   */
+  int run_sweep(const CommandLine &command);
+} // namespace deltaform

@@ -1,0 +1,68 @@
+#include <deltaform/base/text.h>
+#include <deltaform/scene/necking.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  double NeckingWatch::Node::force() const
+  {
+    return stress * std::exp(-stretch);
+  }
+
+
+  void NeckingWatch::observe(const Table &profile)
+  {
+    std::vector<std::size_t> columns;
+    for (const auto *const name : {"R0",
+                                   "thickness",
+                                   "eps_meridional",
+                                   "eps_thickness",
+                                   "stress_meridional_bottom",
+                                   "stress_meridional_mid",
+                                   "stress_meridional_top"})
+    {
+      const auto column = std::find(profile.names.begin(), profile.names.end(), name);
+      if (column == profile.names.end())
+        return;
+      columns.push_back(column - profile.names.begin());
+    }
+    before_ = std::move(now_);
+    now_.clear();
+    for (const auto &row : profile.rows)
+    {
+      const auto cell = [&](const unsigned int i) { return row[columns[i]]; };
+      // The mean by Simpson's rule; bending, which is odd, drops out.
+      now_.push_back({cell(0), cell(1), cell(2), -cell(3), (cell(4) + 4 * cell(5) + cell(6)) / 6});
+    }
+  }
+
+
+  std::string NeckingWatch::finding() const
+  {
+    if (now_.empty() || before_.size() != now_.size())
+      return "";
+    const auto thinner = [](const Node &a, const Node &b) { return a.thickness < b.thickness; };
+    const auto i       = static_cast<std::size_t>(std::min_element(now_.begin(), now_.end(), thinner) - now_.begin());
+    std::vector<double> rates;
+    for (std::size_t k = 0; k < now_.size(); ++k)
+      rates.push_back(std::abs(now_[k].thinning - before_[k].thinning));
+    std::nth_element(rates.begin(), rates.begin() + rates.size() / 2, rates.end());
+    const double median = rates[rates.size() / 2];
+
+    const Node &node     = now_[i];
+    const double stretch = node.stretch - before_[i].stretch;
+    const double thinned = node.thinning - before_[i].thinning;
+    const double fall    = 1 - node.force() / before_[i].force();
+    // A metal under plastic loading does not soften: d tau >= 0, so that F falls by no more than d eps. A larger fall
+    // is unloading or bending, and no neck. A change in the last digits is no change.
+    const bool softens =
+      node.stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9 && fall <= 1.001 * stretch;
+    if (!softens || !(thinned > 3 * median))
+      return "";
+    return "node " + std::to_string(i) + " at R0 = " + text::format(node.place) + " necks: its thickness is " +
+           text::format(node.thickness) + ", in the last increment it stretched by " + text::format(stretch) +
+           " while its section force fell by " + text::format(100 * fall) + " % (past Considere's maximum)";
+  }
+} // namespace deltaform

@@ -1,0 +1,128 @@
+#include "sweep_table.h"
+
+#include <deltaform/base/child_process.h>
+#include <deltaform/base/journal.h>
+#include <deltaform/base/scene_error.h>
+#include <deltaform/scene/scene.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// All combinations; the values of the last variation change fastest.
+    std::vector<SweepRun> combinations(const std::vector<CommandLine::Variation> &variations)
+    {
+      std::vector<SweepRun> runs(1);
+      for (const auto &variation : variations)
+      {
+        std::vector<SweepRun> longer;
+        for (const auto &run : runs)
+          for (const auto &value : variation.values)
+          {
+            longer.push_back(run);
+            longer.back().values.push_back(value);
+          }
+        runs = std::move(longer);
+      }
+      return runs;
+    }
+
+    /// The --set of a run: those of the command line, then the varied values.
+    std::vector<std::string> assignments(const CommandLine &command, const SweepRun &run)
+    {
+      std::vector<std::string> result = command.sets;
+      for (std::size_t i = 0; i < run.values.size(); ++i)
+        result.push_back(command.variations[i].entry + "=" + run.values[i]);
+      return result;
+    }
+
+    void make_folder(const std::string &folder)
+    {
+      std::error_code error;
+      std::filesystem::create_directories(folder, error);
+      if (error)
+        throw SceneError("Cannot make the folder '" + folder + "' for the results: " + error.message() +
+                         ". Choose another with --output.");
+    }
+
+    /// Build the scene of every combination and name the folders. @return the label of the units
+    std::string check_all(const CommandLine &command, std::vector<SweepRun> &runs, std::string &folder)
+    {
+      std::string units;
+      for (std::size_t i = 0; i < runs.size(); ++i)
+        try
+        {
+          auto tree = ParameterTree::read(command.scene, assignments(command, runs[i]));
+          const Scene scene(tree);
+          if (scene.output->main_tool != invalid_index)
+            runs[i].main_tool = scene.actors.tools[scene.output->main_tool]->name();
+          units = scene.units;
+          if (folder.empty())
+            folder = !scene.output->folder.empty()
+                       ? scene.output->folder
+                       : "output/" + std::filesystem::path(command.scene).stem().string() + "_sweep";
+          char name[32];
+          std::snprintf(name, sizeof name, "/run_%03u", static_cast<unsigned int>(i + 1));
+          runs[i].folder = folder + name;
+        }
+        catch (const SceneError &error)
+        {
+          std::string values;
+          for (std::size_t k = 0; k < runs[i].values.size(); ++k)
+            values += (k > 0 ? ", " : "") + command.variations[k].entry + "=" + runs[i].values[k];
+          throw SceneError("The sweep was not started: run " + std::to_string(i + 1) + " of " +
+                           std::to_string(runs.size()) + " (" + values + ") is no valid scene. " + error.what());
+        }
+      return units;
+    }
+  } // namespace
+
+
+  int run_sweep(const CommandLine &command)
+  {
+    auto runs          = combinations(command.variations);
+    std::string folder = command.output;
+    const Units units(check_all(command, runs, folder));
+    make_folder(folder);
+    Journal journal(command.quiet ? Journal::Console::quiet : Journal::Console::automatic);
+
+    std::map<int, std::size_t> running;
+    std::size_t next = 0, n_ended = 0, n_failed = 0;
+    int worst = exit_status::done;
+    while (n_ended < runs.size())
+    {
+      for (; next < runs.size() && running.size() < command.jobs; ++next)
+      {
+        make_folder(runs[next].folder);
+        // Of an earlier sweep: it must not be taken for the outcome of this one.
+        for (const auto *const name : {"/summary.json", "/history.csv"})
+          std::filesystem::remove(runs[next].folder + name);
+        std::vector<std::string> arguments{own_program(), command.scene, "--quiet", "--output", runs[next].folder};
+        for (const auto &assignment : assignments(command, runs[next]))
+          arguments.insert(arguments.end(), {"--set", assignment});
+        running[start_process(arguments, runs[next].folder + "/console.txt")] = next;
+      }
+      const EndedProcess ended = wait_for_process();
+      const auto which         = running.find(ended.process);
+      if (which == running.end())
+        continue;
+      runs[which->second].exit_status = ended.exit_status;
+      worst                           = std::max(worst, ended.exit_status);
+      running.erase(which);
+      ++n_ended;
+      n_failed += ended.exit_status != exit_status::done;
+      write_sweep_table(folder, command, runs, units);
+      journal.progress("sweep: " + std::to_string(n_ended) + " of " + std::to_string(runs.size()) + " runs ended, " +
+                       std::to_string(n_failed) + " not done, " + std::to_string(running.size()) + " running");
+    }
+    journal.finish_progress();
+    journal.note(std::to_string(runs.size() - n_failed) + " of " + std::to_string(runs.size()) +
+                 " runs done; table in " + folder + "/sweep.csv");
+    return worst;
+  }
+} // namespace deltaform

@@ -1,0 +1,155 @@
+#include "sweep_table.h"
+
+#include <deltaform/base/text.h>
+#include <deltaform/results/table_file.h>
+
+#include <boost/property_tree/json_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+
+namespace deltaform
+{
+  namespace
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+    /// The numbers of a column, or nothing.
+    using Columns = std::map<std::string, std::vector<double>>;
+
+    /// history.csv by columns; empty if there is none. Names of stages and tools hold no comma.
+    Columns read_history(const std::string &folder)
+    {
+      Columns result;
+      std::vector<std::string> names;
+      std::ifstream file(folder + "/history.csv");
+      for (std::string line; std::getline(file, line);)
+      {
+        if (line.empty() || line[0] == '#')
+          continue;
+        const auto cells = text::split(line, ',');
+        if (names.empty())
+          names = cells;
+        else if (cells.size() == names.size())
+          for (std::size_t i = 0; i < cells.size(); ++i)
+            result[names[i]].push_back(std::strtod(cells[i].c_str(), nullptr));
+      }
+      return result;
+    }
+
+    double last(const Columns &columns, const std::string &name)
+    {
+      const auto column = columns.find(name);
+      return column == columns.end() ? nan : column->second.back();
+    }
+
+    double largest(const Columns &columns, const std::string &name)
+    {
+      double result     = nan;
+      const auto column = columns.find(name);
+      if (column != columns.end())
+        for (const double value : column->second)
+          result = std::fmax(result, value); // a number if there is one
+      return result;
+    }
+
+    boost::property_tree::ptree read_summary(const std::string &folder)
+    {
+      boost::property_tree::ptree summary;
+      try
+      {
+        boost::property_tree::read_json(folder + "/summary.json", summary);
+      }
+      catch (const boost::property_tree::json_parser_error &)
+      {
+        // A run that was killed has none; its row says so.
+      }
+      return summary;
+    }
+
+    /// What became of a run that left no summary: its own words.
+    std::string last_words(const SweepRun &run)
+    {
+      if (run.exit_status > 128)
+        return "ended by signal " + std::to_string(run.exit_status - 128);
+      std::string words;
+      std::ifstream console(run.folder + "/console.txt");
+      for (std::string line; std::getline(console, line);)
+        if (!line.empty())
+          words = line;
+      return words.empty() ? "no results" : words;
+    }
+  } // namespace
+
+
+  void write_sweep_table(const std::string &folder,
+                         const CommandLine &command,
+                         const std::vector<SweepRun> &runs,
+                         const Units &units)
+  {
+    std::vector<CsvWriter::Column> columns{{"run", "1"}};
+    for (const auto &variation : command.variations)
+      columns.push_back({variation.entry, "1"});
+    columns.insert(columns.end(),
+                   {{"exit_status", "1"},
+                    {"outcome", "1"},
+                    {"time", "time"},
+                    {"travel", "length"},
+                    {"force_z", "force"},
+                    {"increments", "1"},
+                    {"newton_iterations", "1"},
+                    {"penalty_rounds", "1"},
+                    {"cutbacks", "1"},
+                    {"max_penetration", "length"},
+                    {"max_penetration_over_delta", "1"},
+                    {"max_epsilon", "force/length"},
+                    {"max_condition_raw", "1"},
+                    {"max_condition_scaled", "1"},
+                    {"min_thickness", "length"},
+                    {"energy_error", "1"},
+                    {"seconds", "s"},
+                    {"folder", "1"}});
+    std::vector<std::vector<CsvWriter::Cell>> rows;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+    {
+      const SweepRun &run = runs[i];
+      if (run.exit_status < 0)
+        continue;
+      const Columns history = read_history(run.folder);
+      const auto summary    = read_summary(run.folder);
+      const auto number     = [&](const char *const name) { return summary.get<double>(name, nan); };
+      std::vector<CsvWriter::Cell> row{i + 1.};
+      row.insert(row.end(), run.values.begin(), run.values.end());
+      const std::vector<CsvWriter::Cell> results{static_cast<double>(run.exit_status),
+                                                 summary.empty() ? last_words(run)
+                                                                 : summary.get<std::string>("outcome", ""),
+                                                 last(history, "time"),
+                                                 last(history, run.main_tool + "_travel"),
+                                                 last(history, run.main_tool + "_force_z"),
+                                                 number("increments"),
+                                                 number("newton_iterations"),
+                                                 number("penalty_rounds"),
+                                                 number("cutbacks"),
+                                                 largest(history, "max_penetration"),
+                                                 number("max_penetration_over_delta"),
+                                                 largest(history, "max_epsilon"),
+                                                 largest(history, "condition_raw"),
+                                                 largest(history, "condition_scaled"),
+                                                 number("min_thickness"),
+                                                 number("energy_error"),
+                                                 number("seconds"),
+                                                 std::filesystem::path(run.folder).filename().string()};
+      row.insert(row.end(), results.begin(), results.end());
+      rows.push_back(row);
+    }
+    const std::vector<std::string> comments{"sweep of " + command.scene,
+                                            "travel and force are those of the main tool in the last increment; nan: "
+                                            "unknown, or not asked for"};
+    write_table(folder + "/sweep.csv", comments, columns, rows, units);
+  }
+} // namespace deltaform

@@ -1,0 +1,83 @@
+#include <deltaform/scene/necking.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+
+using namespace deltaform;
+
+namespace
+{
+  /// A bar of five nodes in tension, of Hollomon's metal tau = eps^n, whose node 3 has the strain @p neck.
+  Table bar(const double n, const double rest, const double neck)
+  {
+    Table table;
+    table.names = {"R0",
+                   "thickness",
+                   "eps_meridional",
+                   "eps_thickness",
+                   "stress_meridional_bottom",
+                   "stress_meridional_mid",
+                   "stress_meridional_top"};
+    for (unsigned int i = 0; i < 5; ++i)
+    {
+      const double strain = i == 3 ? neck : rest, stress = std::pow(strain, n);
+      // Bending stresses on top, which must not matter.
+      table.rows.push_back({.1 * i, std::exp(-strain / 2), strain, -strain / 2, stress - .3, stress, stress + .3});
+    }
+    return table;
+  }
+
+  std::string
+  finding(const double n, const double rest, const double neck, const double next_rest, const double next_neck)
+  {
+    NeckingWatch watch;
+    watch.observe(bar(n, rest, neck));
+    watch.observe(bar(n, next_rest, next_neck));
+    return watch.finding();
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(necking)
+
+BOOST_AUTO_TEST_CASE(force_passes_its_maximum_at_strain_n)
+{
+  // Considere: tau = eps^n has the largest force at eps = n.
+  BOOST_TEST(finding(.2, .15, .18, .15, .199) == "");
+  const std::string found = finding(.2, .15, .21, .15, .22);
+  BOOST_TEST(found.find("node 3 at R0 = 0.3") == 0u);
+  BOOST_TEST(found.find("necks") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_that_thins_evenly_does_not_neck)
+{
+  BOOST_TEST(finding(.2, .3, .31, .31, .32) == "");
+}
+
+BOOST_AUTO_TEST_CASE(unloading_is_no_neck)
+{
+  BOOST_TEST(finding(.2, .15, .22, .15, .21) == "");
+}
+
+BOOST_AUTO_TEST_CASE(falling_stress_is_no_neck)
+{
+  // The section stretches and thins, but its stress falls: a sheet that is unloaded or bent back.
+  NeckingWatch watch;
+  watch.observe(bar(.2, .15, .21));
+  Table next = bar(.2, .15, .22);
+  for (const unsigned int column : {4u, 5u, 6u})
+    next.rows[3][column] -= .05;
+  watch.observe(next);
+  BOOST_TEST(watch.finding() == "");
+}
+
+BOOST_AUTO_TEST_CASE(nothing_known_is_no_neck)
+{
+  NeckingWatch watch;
+  BOOST_TEST(watch.finding() == "");
+  watch.observe(Table());
+  watch.observe(bar(.2, .1, .3));
+  BOOST_TEST(watch.finding() == "");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,229 @@
+#!/usr/bin/env python3
+"""Runs scenes drawn at random and checks that each ends well: done with the promise kept, or with a clear error.
+
+    stress.py PROGRAM FOLDER [--first N] [--count N] [--seeds LIST] [--jobs N] [--seconds N] [--resume N] [--write PAGE] [--keep]
+
+Never allowed, whatever the scene: a crash, a hang (more than --seconds), NaN or infinity in a result, a promise
+p <= delta that is broken silently, an exit status without its message. These make the exit status of this script 1; so
+does a share of completed sensible scenes below --share. --resume N kills the first N scenes that take long enough at
+random moments, and demands the same results from the resumed run. A scene is known by its number:
+'stress.py PROGRAM FOLDER --first 17 --count 1 --keep' runs number 17 alone and keeps its results.
+"""
+import argparse
+import collections
+import concurrent.futures
+import csv
+import json
+import math
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+import draw
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "scenes"))
+import resume
+
+BAD = ("crash", "hang", "NaN in a result", "promise broken silently", "status and message disagree", "resumed run differs")
+
+
+def csv_rows(path):
+    with open(path, newline="") as file:
+        return list(csv.reader(line for line in file if not line.startswith("#")))
+
+
+def not_finite(folder):
+    """Name of a result with a number that is none, or None."""
+    for path in sorted(folder.glob("*.csv")):
+        for row in csv_rows(path)[1:]:
+            for cell in row:
+                if re.fullmatch(r"[+-]?(nan|inf|infinity)", cell.strip(), re.IGNORECASE):
+                    return path.name
+    for path in sorted(folder.glob("*.vtu")):
+        if re.search(rb"[>\s][+-]?(nan|inf)[<\s]", path.read_bytes(), re.IGNORECASE):
+            return path.name
+    return None
+
+
+def worst_promise(folder):
+    """Largest p/delta of the history, and the penetration beyond delta that belongs to it."""
+    rows = csv_rows(folder / "history.csv")
+    ratio, depth = rows[0].index("max_penetration_over_delta"), rows[0].index("max_penetration")
+    worst = (0., 0.)
+    for row in rows[1:]:
+        worst = max(worst, (float(row[ratio]), float(row[depth])))
+    return worst[0], worst[1] * (1 - 1 / worst[0]) if worst[0] > 1 else 0.
+
+
+def shorten(message):
+    """The kind of a failure: its message without numbers and names."""
+    known = (("more than", "slow: increments were still accepted" if "increments" in message else "no increment accepted"),
+             ("necks", "necking"), ("promise p <= delta", "promise could not be kept, said so"),
+             ("round-off", "delta below round-off, refused"), ("tangent is singular", "tangent singular: limit load or free to move"),
+             ("did not converge", "Newton did not converge"), ("strain increment", "strain increment too large"),
+             ("rotation increment", "rotation increment too large"), ("corrections of the penalty", "corrections did not end"),
+             ("cuts", "a tool cuts the blank, refused"), ("never reaches", "travel never reached, refused"))
+    for part, kind in known:
+        if part in message:
+            return kind
+    return re.sub(r"[-+]?\d[\d.e+-]*", "#", message)[:90]
+
+
+def judge(tags, folder, status, said, seconds, limit):
+    """The outcome of a run: (kind, message)."""
+    message = next((line for line in said.splitlines() if "deltaform:" in line or "warning" in line), said.strip()[-300:])
+    if status is None:
+        rows = csv_rows(folder / "history.csv")[1:] if (folder / "history.csv").exists() else []
+        # The last row may be half written.
+        return "hang", f"more than {limit:g} s" + (f"; {rows[-2][0]} increments to time {rows[-2][2]}" if len(rows) > 1 else "")
+    if status < 0 or "an error of the program" in said or status not in (0, 1, 2, 3):
+        return "crash", f"exit status {status}: {message or said[-200:]}"
+    bad = not_finite(folder) if folder.exists() else None
+    if bad:
+        return "NaN in a result", bad
+    if status == 1:
+        return ("refused", message) if "deltaform:" in said else ("status and message disagree", said[-200:])
+    if (folder / "history.csv").exists():
+        ratio, beyond = worst_promise(folder)
+        # 1e-6 of delta, or some units in the last place of a coordinate (ten digits are printed).
+        if ratio > 1 + 1e-6 and beyond > 1e-12 * tags["size"]:
+            return "promise broken silently", f"p/delta = {ratio:.9g}"
+    summary = json.loads((folder / "summary.json").read_text())
+    if summary["exit_status"] != status or (status != 0) != ("stopped at time" in said):
+        return "status and message disagree", message
+    if status == 0:
+        return ("done", "") if abs(summary["time"] - 1) < 1e-9 else ("status and message disagree", "done before the end")
+    return ("necks" if "necks" in message else "stopped", message)
+
+
+def run_one(program, work, seed, limit, interrupt, keep):
+    text, tags = draw.draw(seed)
+    tags["size"] = max(float(number) for number in re.search(r"Points = 0 0; (\S+)", text).groups())
+    scene, folder = work / f"{seed:05d}.prm", work / f"{seed:05d}"
+    shutil.rmtree(folder, ignore_errors=True)
+    scene.write_text(text)
+    command = [program, str(scene), "--quiet", "--output", str(folder), "--set", "Output/Checkpoint interval=0"]
+    begin = time.monotonic()
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=limit)
+        status, said = done.returncode, done.stdout + done.stderr
+    except subprocess.TimeoutExpired:
+        status, said = None, ""
+    seconds = time.monotonic() - begin
+    kind, message = judge(tags, folder, status, said, seconds, limit)
+    if interrupt and kind in ("done", "stopped", "necks"):
+        killed = work / f"{seed:05d}_killed"
+        shutil.rmtree(killed, ignore_errors=True)
+        again = command[:4] + [str(killed)] + command[5:]
+        _, tags["resumed"] = resume.interrupt(again, killed, seconds, 3, random.Random(seed))
+        different = resume.compare(folder, killed)
+        if different:
+            kind, message = "resumed run differs", ", ".join(different)
+        elif not keep:
+            shutil.rmtree(killed)
+    if not keep and kind not in BAD:
+        shutil.rmtree(folder, ignore_errors=True)
+        scene.unlink()
+    return dict(tags, outcome=kind, message=message, seconds=seconds, status=status)
+
+
+def table(results, arguments):
+    """The page of results in Markdown."""
+    outcomes = [kind for kind in ("done", "necks", "stopped", "refused") + BAD if any(r["outcome"] == kind for r in results)]
+    lines = ["# Stress test", "",
+             f"Made by `tests/stress/stress.py build/release/deltaform FOLDER --first {arguments.first} --count {arguments.count} "
+             f"--seconds {arguments.seconds:g} --resume {arguments.resume} --write doc/stress.md`: scenes drawn at random from the seeds {arguments.first} to "
+             f"{arguments.first + arguments.count - 1}. A scene that takes longer than {arguments.seconds:g} s counts as a hang, which depends on "
+             "the machine and on what else it does.", "",
+             "| outcome | meaning |", "|---|---|",
+             "| done | full stroke, p <= delta in every increment (checked in history.csv, not believed) |",
+             "| necks | exit status 2; the message names the node that necks |",
+             "| stopped | exit status 2 or 3, with a message that says why; what was computed is written |",
+             "| refused | exit status 1 before anything runs, with a message that names the entry |", ""]
+
+    def add(title, groups):
+        lines.extend([f"| {title} | scenes | " + " | ".join(outcomes) + " |", "|---|" + "---:|" * (len(outcomes) + 1)])
+        for name, members in groups:
+            count = collections.Counter(r["outcome"] for r in members)
+            lines.append(f"| {name} | {len(members)} | " + " | ".join(str(count[o]) for o in outcomes) + " |")
+        lines.append("")
+
+    sensible = [r for r in results if r["sensible"]]
+    add("judgement", [("sensible", sensible), ("not sensible", [r for r in results if not r["sensible"]]), ("all", results)])
+    add("process", [(k, [r for r in results if r["kind"] == k]) for k in ("drawing", "stretching", "bending")])
+    add("material", [(law, [r for r in results if r["law"] == law]) for law in draw.LAWS])
+    names = sorted({f for r in results for f in r["features"]})
+    add("with", [(f, [r for r in results if f in r["features"]]) for f in names])
+    complete = sum(r["outcome"] in ("done", "necks") for r in sensible)
+    lines.append(f"**{complete} of {len(sensible)} sensible scenes completed ({100 * complete / max(1, len(sensible)):.1f} %; aim: 98 %)**; "
+                 f"{sum(r['outcome'] in BAD for r in results)} of {len(results)} ended in a way that is never allowed. "
+                 f"Median time {sorted(r['seconds'] for r in results)[len(results) // 2]:.2f} s, longest "
+                 f"{max(r['seconds'] for r in results):.1f} s.")
+    resumed = [r for r in results if r.get("resumed")]
+    if resumed:
+        lines.append(f"{len(resumed)} scenes were killed at random moments ({sum(r['resumed'] for r in resumed)} times) and resumed; "
+                     f"{sum(r['outcome'] == 'resumed run differs' for r in resumed)} of them gave other results than the run left alone.")
+    lines += ["", "## What is called sensible", "", "```", draw.RULE, "```", "", "## Failures by kind", "",
+              "| kind | sensible | others | scenes (the first eight; sensible ones in bold) |", "|---|---:|---:|---|"]
+    kinds = collections.defaultdict(list)
+    for r in results:
+        if r["outcome"] != "done":
+            kinds[f"{r['outcome']}: {shorten(r['message'])}"].append(r)
+    for kind, members in sorted(kinds.items(), key=lambda item: -len(item[1])):
+        members.sort(key=lambda r: (not r["sensible"], r["seed"]))
+        shown = ", ".join(f"**{r['seed']}**" if r["sensible"] else str(r["seed"]) for r in members[:8])
+        lines.append(f"| {kind.replace('|', '/')} | {sum(r['sensible'] for r in members)} | "
+                     f"{sum(not r['sensible'] for r in members)} | {shown} |")
+    return "\n".join(lines) + "\n", complete / max(1, len(sensible))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program")
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--count", type=int, default=1000)
+    parser.add_argument("--seeds", help="these scenes instead: '3,5,8'")
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--resume", type=int, default=0)
+    parser.add_argument("--share", type=float, default=0, help="of the sensible scenes that has to complete")
+    parser.add_argument("--write", type=pathlib.Path, help="page for the table")
+    parser.add_argument("--again", type=pathlib.Path, help="make the page of an earlier results.jsonl, run nothing")
+    parser.add_argument("--keep", action="store_true")
+    arguments = parser.parse_args()
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    print(draw.RULE)
+    seeds = list(range(arguments.first, arguments.first + arguments.count))
+    if arguments.seeds:
+        seeds = [int(seed) for seed in arguments.seeds.split(",")]
+    if arguments.again:
+        results = [json.loads(line) for line in arguments.again.read_text().splitlines()]
+        results = [dict(r, **draw.draw(r["seed"])[1]) for r in results]
+        arguments.first, arguments.count = results[0]["seed"], len(results)
+        arguments.write.write_text(table(results, arguments)[0])
+        return 0
+    results = []
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool, open(arguments.folder / "results.jsonl", "w") as log:
+        futures = [pool.submit(run_one, arguments.program, arguments.folder, seed, arguments.seconds,
+                               position < arguments.resume, arguments.keep) for position, seed in enumerate(seeds)]
+        for future in futures:
+            r = future.result()
+            results.append(r)
+            log.write(json.dumps(r) + "\n")
+            log.flush()
+            if r["outcome"] in BAD or r["sensible"] and r["outcome"] != "done":
+                print(f"{r['seed']}: {'sensible, ' if r['sensible'] else ''}{r['outcome']}: {r['message']}", flush=True)
+    page, share = table(results, arguments)
+    print(page[page.index("| judgement"):page.index("## What")])
+    if arguments.write:
+        arguments.write.write_text(page)
+    return 1 if any(r["outcome"] in BAD for r in results) or share < arguments.share else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
