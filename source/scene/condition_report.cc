@@ -1,5 +1,4 @@
 #include <deltaform/scene/condition_report.h>
-#include <deltaform/solver/condition.h>
 
 #include <Eigen/Dense>
 
@@ -51,16 +50,22 @@ namespace deltaform
   }
 
 
+  void ConditionReport::watch(FormingProblem &problem)
+  {
+    // Another assembly at the end would not be harmless: a rule may predict in every one, and return maps start from
+    // the last one's result, so that the run would no longer be the one that was asked about.
+    problem.before_contact([this](const System &system) { without_ = condition::free_matrix(system); });
+  }
+
+
   ConditionNumbers ConditionReport::measure(FormingProblem &problem, const Vector &q)
   {
     Timers::Scope timer(timers_, timer_);
+    problem.before_contact({});
     ConditionNumbers result;
-    System &system = problem.system();
-
-    if (!problem.assemble_without_contact(q).good())
-      return result;
+    const System &system            = problem.system();
     const std::vector<int> numbers  = condition::free_numbers(system);
-    const condition::Matrix without = condition::free_matrix(system);
+    const condition::Matrix without = std::move(without_);
     const int n                     = without.rows();
 
     // Rigid: the blank resists with less than 1e-9 of its largest stiffness. Travels of force-driven tools and
@@ -84,8 +89,6 @@ namespace deltaform
       basis = Eigen::HouseholderQR<Eigen::MatrixXd>(basis).householderQ() * Eigen::MatrixXd::Identity(n, modes.size());
     result.without_contact = condition::number_on_complement(without, basis, method_);
 
-    if (!problem.assemble(q, true).good())
-      return result;
     const condition::Matrix with = condition::free_matrix(system);
     result.raw                   = condition::number(with, method_);
 

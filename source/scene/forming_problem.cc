@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace deltaform
 {
@@ -170,6 +171,8 @@ namespace deltaform
       factors_due_ = false;
     }
     assemble_loads(q, *system_);
+    if (tangent && before_contact_)
+      before_contact_(*system_);
     for (auto *pair : active_pairs_)
       pair->assemble(q, *system_);
     if (tangent && status_changed())
@@ -185,13 +188,9 @@ namespace deltaform
   }
 
 
-  Status FormingProblem::assemble_without_contact(const Vector &q)
+  void FormingProblem::before_contact(std::function<void(const System &)> action)
   {
-    system_->clear(true);
-    const Status status = actors_.blank->assemble(q, *system_);
-    if (status.good())
-      assemble_loads(q, *system_);
-    return status;
+    before_contact_ = std::move(action);
   }
 
 

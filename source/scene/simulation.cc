@@ -61,6 +61,9 @@ namespace deltaform
     NewtonResult result;
     while (!control.finished(time_))
     {
+      const bool measured = condition_ && condition_->due(increment_ + 1);
+      if (measured)
+        condition_->watch(problem_);
       const double next         = control.next(time_);
       const std::string failure = attempt(next, q, result);
       cost.iterations += result.iterations;
@@ -88,7 +91,7 @@ namespace deltaform
 
       last_increment_ = next - time_;
       before_         = problem_.committed();
-      if (condition_ && condition_->due(increment_ + 1))
+      if (measured)
         cost.condition = condition_->measure(problem_, q);
       problem_.commit(q);
       necking_.observe(scene_.actors.blank->profile(q));

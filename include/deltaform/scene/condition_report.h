@@ -2,7 +2,7 @@
 
 #include <deltaform/base/timers.h>
 #include <deltaform/scene/forming_problem.h>
-#include <deltaform/solver/condition_method.h>
+#include <deltaform/solver/condition.h>
 
 #include <limits>
 #include <string>
@@ -32,7 +32,11 @@ namespace deltaform
       return increment % every_ == 0;
     }
 
-    /// Of the converged but not yet committed state @p q of @p problem.
+    /// Before the increment is solved: keep the tangent without contact terms of the last assembly.
+    void watch(FormingProblem &problem);
+
+    /// Of the converged but not yet committed state @p q of @p problem, which is not touched: the tangents are those of
+    /// the last Newton iteration.
     ConditionNumbers measure(FormingProblem &problem, const Vector &q);
 
   private:
@@ -40,5 +44,6 @@ namespace deltaform
     condition::Method method_;
     Timers &timers_;
     Timers::Index timer_;
+    condition::Matrix without_; ///< tangent of the last assembly, without contact
   };
 } // namespace deltaform

@@ -9,6 +9,7 @@
 #include <deltaform/solver/newton.h>
 #include <deltaform/solver/system.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -70,8 +71,9 @@ namespace deltaform
     /// Accept @p q as the state at the end of the increment.
     void commit(const Vector &q);
 
-    /// The blank's and the loads' tangent alone, for condition numbers.
-    Status assemble_without_contact(const Vector &q);
+    /// Call @p action in every assembly of the tangent, when it holds the blank's and the loads' terms and not yet
+    /// those of contact; empty: no more.
+    void before_contact(std::function<void(const System &)> action);
 
     const Blank &blank() const
     {
@@ -173,6 +175,7 @@ namespace deltaform
     bool cycling_     = false;
     bool factors_due_ = false; ///< the rule has to predict in the next assembly
     std::vector<ContactPair *> active_pairs_;
+    std::function<void(const System &)> before_contact_; ///< mostly empty
     Augmentation augmentation_;
     std::vector<Tensor1> tool_forces_;
     std::vector<double> travels_;
