@@ -37,19 +37,35 @@ def compare(one, other):
     return [name for name in sorted(a.keys() | b.keys()) if a.get(name) != b.get(name)]
 
 
+def saved(folder):
+    """When the state in a folder was saved, None if there is none."""
+    try:
+        return (folder / "checkpoint.bin").stat().st_mtime_ns
+    except FileNotFoundError:
+        return None
+
+
 def interrupt(command, folder, span, kills, chance):
-    """Run and kill until the run ends by itself. Returns its status and how many kills left something to resume."""
+    """Run and kill until the run ends by itself. Returns its status and how many kills left something to resume.
+
+    Every other kill waits for the run's first saved state: of a short run most of the time is start-up.
+    """
     resumable = 0
     for attempt in range(kills + 1):
-        options = ["--resume"] if attempt else []
+        options, before = ["--resume"] if attempt else [], saved(folder)
         process = subprocess.Popen(command + options, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         if attempt < kills:
-            time.sleep(chance.uniform(.1, 1.) * span)
+            if attempt % 2 == 0:
+                while process.poll() is None and saved(folder) == before:
+                    time.sleep(5e-4)
+                time.sleep(chance.choice((0., chance.uniform(0., .3) * span)))
+            else:
+                time.sleep(chance.uniform(.1, 1.) * span)
             process.kill()
         status = process.wait()
         if status >= 0:
             return status, resumable
-        resumable += (folder / "checkpoint.bin").exists()
+        resumable += saved(folder) is not None
     raise AssertionError("the last attempt is not killed")
 
 
