@@ -15,6 +15,28 @@ namespace deltaform
       constants["auto"] = -1.;
       return constants;
     }
+
+    /// Share of the friction force that a node receives, s = d(foot point)/d(node), and its gradient.
+    struct SlipTransfer
+    {
+      double rate = 0., along_normal = 0., along_tangent = 0.;
+    };
+
+    /**
+     * 1/(1 + k distance) with the mean curvature k of the tool over the thickness. With the curvature at the foot point
+     * the force would jump where a line meets an arc, and a node that comes to rest there would have no equilibrium.
+     */
+    SlipTransfer slip_transfer(const Shape &shape, const double offset, const Projection &projection)
+    {
+      if (offset == 0. || projection.slip_rate == 0.)
+        return {projection.slip_rate, -projection.turning * projection.slip_rate, 0.};
+      const double k = shape.mean_curvature(projection.arc_length, offset);
+      const double s = 1. / (1. + k * projection.distance);
+      return {s,
+              -s * s * k,
+              -s * s * projection.distance * projection.slip_rate *
+                shape.curvature_change(projection.arc_length, offset)};
+    }
   } // namespace
 
 
@@ -330,8 +352,9 @@ namespace deltaform
       dofs[n++] = first_multiplier_ + i;
 
     const auto &N = projection.normal, &tau = projection.tangent;
-    const double s      = projection.slip_rate;
-    const Tensor1 force = normal.force * N - friction.force * s * tau;
+    const SlipTransfer slip = friction_ ? slip_transfer(tool_.shape(), node.offset, projection) : SlipTransfer();
+    const double s          = slip.rate;
+    const Tensor1 force     = normal.force * N - friction.force * s * tau;
     if (normal.touching)
       tool_force_ -= force;
 
@@ -353,9 +376,11 @@ namespace deltaform
     Tensor2 dF;
     for (unsigned int a = 0; a < 2; ++a)
       for (unsigned int b = 0; b < 2; ++b)
-        dF[a][b] = normal.derivative * N[a] * N[b] + pressing * turning * tau[a] * tau[b] -
-                   s * tau[a] * (friction.slip_rate * s * tau[b] + friction.force_rate * normal.derivative * N[b]) +
-                   t * turning * s * (tau[a] * N[b] + N[a] * tau[b]);
+        dF[a][b] =
+          normal.derivative * N[a] * N[b] + pressing * turning * tau[a] * tau[b] -
+          s * tau[a] *
+            (friction.slip_rate * projection.slip_rate * tau[b] + friction.force_rate * normal.derivative * N[b]) -
+          t * tau[a] * (slip.along_normal * N[b] + slip.along_tangent * tau[b]) + t * s * turning * N[a] * tau[b];
     matrix.fill(0.);
     for (unsigned int k = 0; k < n_motion; ++k)
     {

@@ -64,8 +64,10 @@ namespace deltaform
       const bool measured = condition_ && condition_->due(increment_ + 1);
       if (measured)
         condition_->watch(problem_);
-      const double next         = control.next(time_);
-      const std::string failure = attempt(next, q, result);
+      const double next = control.next(time_);
+      // Cut twice, or as short as it may be: the length of the increment is not the reason.
+      const bool last_resort = cost.cutbacks >= 2 || (next - time_) * scene_.steps->shrink < stage.smallest_increment;
+      const std::string failure = attempt(next, last_resort, q, result);
       cost.iterations += result.iterations;
       cost.rounds += result.rounds;
       cost.correction_iterations += result.correction_iterations;
@@ -109,7 +111,7 @@ namespace deltaform
   }
 
 
-  std::string Simulation::attempt(const double time, Vector &q, NewtonResult &result)
+  std::string Simulation::attempt(const double time, const bool last_resort, Vector &q, NewtonResult &result)
   {
     promise_failed_ = false;
     problem_.begin_increment(time);
@@ -117,20 +119,32 @@ namespace deltaform
     if (scene_.steps->extrapolate && last_increment_ > 0)
       q.sadd(1. + (time - time_) / last_increment_, -(time - time_) / last_increment_, before_);
 
-    result =
-      newton_.solve(q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor());
-    if (!result.converged() && result.outcome != NewtonResult::Outcome::not_corrected)
+    const auto solve = [&](const bool damped)
+    {
+      const unsigned int before = result.iterations;
+      result                    = newton_.solve(
+        q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor(), damped);
+      result.iterations += before;
+    };
+    const auto failed = [&]() { return !result.converged() && result.outcome != NewtonResult::Outcome::not_corrected; };
+    result            = NewtonResult();
+    solve(false);
+    if (failed())
     {
       // Once more, with first touches soft at first.
-      const unsigned int iterations = result.iterations;
       problem_.begin_increment(time);
       if (problem_.soften(1e-4))
       {
-        q      = problem_.committed();
-        result = newton_.solve(
-          q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor());
-        result.iterations += iterations;
+        q = problem_.committed();
+        solve(false);
       }
+    }
+    if (failed() && last_resort)
+    {
+      // The blank may snap to another equilibrium, however short the increment is.
+      problem_.begin_increment(time);
+      q = problem_.committed();
+      solve(true);
     }
     if (result.outcome == NewtonResult::Outcome::not_corrected || result.converged())
     {

@@ -78,11 +78,14 @@ namespace deltaform
                              const Vector &prescribed,
                              const std::vector<bool> &is_prescribed,
                              const Vector &q_committed,
-                             const double force_floor)
+                             const double force_floor,
+                             const bool damped)
   {
     NewtonResult result;
-    const unsigned int n = q.size();
+    const unsigned int n = q.size(), max_iterations = damped ? std::max(damped_iterations, settings_.max_iterations)
+                                                             : settings_.max_iterations;
     Vector increments(n), d(n), start(n);
+    damping_ = 0.;
     system_.set_prescribed(is_prescribed);
 
     result.status = problem_.assemble(q, true);
@@ -107,10 +110,9 @@ namespace deltaform
       }
       const bool moved = last_step <= settings_.displacement_tolerance * travelled || last_step <= 1e-14;
       // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
-      const double tolerance =
-        iteration < settings_.max_iterations ? settings_.force_tolerance : settings_.relaxed_tolerance;
-      const bool fresh   = iteration == 0 && result.rounds == 0; // forces of the extrapolated start
-      const bool settled = moved || residual <= 1e-3 * tolerance || iteration >= settings_.max_iterations;
+      const double tolerance = iteration < max_iterations ? settings_.force_tolerance : settings_.relaxed_tolerance;
+      const bool fresh       = iteration == 0 && result.rounds == 0; // forces of the extrapolated start
+      const bool settled     = moved || residual <= 1e-3 * tolerance || iteration >= max_iterations;
       if (!fresh && pending == 0. && residual <= tolerance && problem_.consistent(tolerance * last_magnitude_) &&
           settled)
       {
@@ -129,8 +131,8 @@ namespace deltaform
         result.status = problem_.assemble(q, true);
         residual      = measure(is_prescribed, force_floor, result);
       }
-      const bool close = residual < 1e2 * settings_.relaxed_tolerance && iteration < 2 * settings_.max_iterations;
-      if ((iteration >= settings_.max_iterations && !close) || !std::isfinite(residual))
+      const bool close = residual < 1e2 * settings_.relaxed_tolerance && iteration < 2 * max_iterations;
+      if ((iteration >= max_iterations && !close) || !std::isfinite(residual))
       {
         result.outcome = NewtonResult::Outcome::diverged;
         return result;
@@ -156,13 +158,15 @@ namespace deltaform
         }
       }
 
+      if (damped && pending == 0. && !descend(q, is_prescribed, increments, d))
+      {
+        result.outcome = NewtonResult::Outcome::singular;
+        return result;
+      }
       problem_.prepare_step(d);
-      double factor     = problem_.admissible_step(q, d);
-      start             = q;
-      double work_start = 0.;
-      for (unsigned int i = 0; i < n; ++i)
-        if (!is_prescribed[i])
-          work_start += d[i] * system_.residual()[i];
+      double factor           = problem_.admissible_step(q, d);
+      start                   = q;
+      const double work_start = work_along(d, is_prescribed);
 
       const auto go = [&](const double alpha)
       {
@@ -170,14 +174,6 @@ namespace deltaform
           q[i] = alpha == 1. && is_prescribed[i] ? prescribed[i] : start[i] + alpha * d[i];
         problem_.advance(alpha);
         result.status = problem_.assemble(q, true);
-      };
-      const auto work_along_step = [&]()
-      {
-        double work = 0.;
-        for (unsigned int i = 0; i < n; ++i)
-          if (!is_prescribed[i])
-            work += d[i] * system_.residual()[i];
-        return work;
       };
       // Inadmissible states first: go back until the laws can be evaluated.
       go(factor);
@@ -202,7 +198,7 @@ namespace deltaform
         const bool strict            = iteration >= 3;
         const double wanted          = (strict ? .2 : .8) * std::abs(work_start);
         double last_good             = factor;
-        double low = 0., high = factor, work_low = work_start, work = work_along_step(), work_high = work;
+        double low = 0., high = factor, work_low = work_start, work = work_along(d, is_prescribed), work_high = work;
         for (unsigned int search = 0; search < 6 && work > wanted && factor > smallest_factor; ++search)
         {
           ++result.line_searches;
@@ -215,7 +211,7 @@ namespace deltaform
             continue;
           }
           last_good = factor;
-          work      = work_along_step();
+          work      = work_along(d, is_prescribed);
           if (work > 0)
           {
             high      = factor;

@@ -172,6 +172,13 @@ namespace deltaform
   }
 
 
+  void System::add_to_diagonal(const double factor, const std::vector<double> &scale)
+  {
+    for (unsigned int i = 0; i < n_sparse_; ++i)
+      *entry(i, i) += factor * scale[i] * scale[i];
+  }
+
+
   double System::diagonal(const DofIndex dof) const
   {
     return dof < n_sparse_ ? *entry(dof, dof) : 0.;

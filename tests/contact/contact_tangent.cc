@@ -27,7 +27,7 @@ namespace
     std::vector<std::pair<Point2, Tensor1>> result;
     const double mirror = tool.side() == Side::top && !tool.shape().in_scene_frame() ? -1. : 1.;
     for (const auto &segment : tool.shape().segments())
-      for (const double part : {.3, .6})
+      for (const double part : {.03, .3, .6})
       {
         Point2 foot;
         Tensor1 normal;

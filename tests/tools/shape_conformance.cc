@@ -200,6 +200,50 @@ BOOST_AUTO_TEST_CASE(slip_rate_is_the_derivative_of_the_arc_length)
     });
 }
 
+BOOST_AUTO_TEST_CASE(mean_curvature_is_how_the_normal_turns)
+{
+  // Between two feet, whatever joints lie between them: the angle between their normals.
+  for_all(
+    [](const Shape &shape, const Point2 &x, const Projection &p)
+    {
+      const Point2 foot  = x - p.distance * p.normal;
+      const Projection a = shape.project(foot - .05 * p.tangent), b = shape.project(foot + .05 * p.tangent);
+      const double between = shape.slip(a.arc_length, b.arc_length);
+      if (!(between > .01 && between < .2))
+        return false;
+      const double length = shape.length();
+      for (const auto &segment : shape.segments())
+        if (segment.kind == Shape::Segment::Kind::arc && segment.radius == 0)
+          for (const double corner : {segment.arc_start,
+                                      -segment.arc_start,
+                                      2 * length - segment.arc_start,
+                                      segment.arc_start - length,
+                                      segment.arc_start + length})
+            if (std::abs(corner - a.arc_length - between / 2) < .11)
+              return true; // a corner turns the normal without length
+      const double angle = std::atan2(a.normal[0] * b.normal[1] - a.normal[1] * b.normal[0], a.normal * b.normal);
+      const double found = between * shape.mean_curvature(a.arc_length + between / 2, between / 2);
+      BOOST_TEST(std::abs(found + angle) < 1e-9);
+      return true;
+    });
+}
+
+BOOST_AUTO_TEST_CASE(mean_curvature_has_no_jumps)
+{
+  for_all(
+    [](const Shape &shape, const Point2 &, const Projection &p)
+    {
+      constexpr double reach = .1, h = 1e-7;
+      const double s      = p.arc_length;
+      const double change = shape.mean_curvature(s + h, reach) - shape.mean_curvature(s - h, reach);
+      const double slope  = shape.curvature_change(s, reach);
+      BOOST_TEST(std::abs(change) <= 2 * h / (reach * shape.smallest_radius()) + 1e-13);
+      if (slope == shape.curvature_change(s - h, reach) && slope == shape.curvature_change(s + h, reach))
+        BOOST_TEST(std::abs(change - 2 * h * slope) < 1e-13); // round-off of s over reach and radius
+      return true;
+    });
+}
+
 BOOST_AUTO_TEST_CASE(warm_start_changes_nothing)
 {
   for_all(

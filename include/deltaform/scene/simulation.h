@@ -41,7 +41,8 @@ namespace deltaform
     Checkpoint checkpoint() const;
 
     /// Try the increment from the committed state to @p time. @return empty if accepted, else the cause of the failure
-    std::string attempt(double time, Vector &q, NewtonResult &result);
+    /// @param last_resort shorter increments do not help: try damped steps as well
+    std::string attempt(double time, bool last_resort, Vector &q, NewtonResult &result);
 
     /// Why a Newton solve failed, in words.
     std::string explain(const NewtonResult &result) const;

@@ -110,16 +110,34 @@ namespace deltaform
      * @param is_prescribed which they are
      * @param q_committed start of the increment, for the scale of the displacements
      * @param force_floor forces below this are round-off
+     * @param damped      for an increment in which the blank snaps through: where the step leads uphill, follow the
+     * motion of the blank in a viscous medium instead, to where it comes to rest. The solution is of the same
+     * equations; takes many more iterations.
      */
     NewtonResult solve(Vector &q,
                        const Vector &prescribed,
                        const std::vector<bool> &is_prescribed,
                        const Vector &q_committed,
-                       double force_floor);
+                       double force_floor,
+                       bool damped = false);
 
   private:
     /// Relative residual; remembers the worst unknown.
     double measure(const std::vector<bool> &is_prescribed, double force_floor, NewtonResult &result) const;
+
+    /// d.R: what the residual does along a step.
+    double work_along(const Vector &d, const std::vector<bool> &is_prescribed) const;
+
+    /**
+     * Pseudo-transient continuation: while @p d leads uphill (d.R > 0, the tangent K is indefinite), solve with K +
+     * damping M instead, M the squares of the scales, which is a step of the implicit Euler method for M q' = -R of the
+     * length 1/damping. C.T. Kelley, D.E. Keyes, Convergence analysis of pseudo-transient continuation, SIAM J. Numer.
+     * Anal. 35 (1998) 508.
+     * @return false if the matrix is singular
+     */
+    bool descend(const Vector &q, const std::vector<bool> &is_prescribed, const Vector &increments, Vector &d);
+
+    static constexpr unsigned int damped_iterations = 200; ///< instead of the maximal number of iterations
 
     NonlinearProblem &problem_;
     System &system_;
@@ -127,6 +145,7 @@ namespace deltaform
     const std::vector<double> &scale_, &size_;
     double smallest_motion_;            ///< displacements below are not a scale to measure steps by
     mutable double last_magnitude_ = 0; ///< the scale of the last measured residual
+    double damping_                = 0; ///< of the next iteration, force over length
     Timers &timers_;
     Timers::Index timer_solve_;
   };

@@ -66,6 +66,9 @@ namespace deltaform
       return magnitude_;
     }
 
+    /// Add @p factor scale^2 to the diagonal of the sparse unknowns of the assembled tangent.
+    void add_to_diagonal(double factor, const std::vector<double> &scale);
+
     /// Diagonal entry of the tangent of a sparse unknown; 0 for the others.
     double diagonal(DofIndex dof) const;
 

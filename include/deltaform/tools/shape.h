@@ -85,6 +85,13 @@ namespace deltaform
     /// The arc length from foot point @p a to foot point @p b, the short way round if the profile is closed.
     double slip(double a, double b) const;
 
+    /// Mean curvature (convex positive, 1/length) between the places @p reach before and behind @p arc_length: without
+    /// the jumps of the curvature where lines and arcs join. Corners count as straight.
+    double mean_curvature(double arc_length, double reach) const;
+
+    /// d(mean curvature)/d(arc length).
+    double curvature_change(double arc_length, double reach) const;
+
     /// Length of the profile (endless lines as drawn).
     double length() const;
 
@@ -133,6 +140,10 @@ namespace deltaform
                  const Tensor1 &tangent_before,
                  const Tensor1 &tangent_after,
                  double radius);
+
+    /// Call @p action with a place on the profile and with those of its images: once around, mirrored at the axis.
+    template <typename Action>
+    void for_each_image(double arc_length, const Action &action) const;
 
     Projection project_one_side(const Point2 &x, unsigned int hint) const;
 
