@@ -147,6 +147,7 @@ namespace deltaform
   {
     time_              = time;
     softening_         = 1.;
+    slack_             = 0.;
     slip_limit_        = settings_.allowed_slip(time);
     trial_             = committed_;
     energy_of_changes_ = 0.;
@@ -242,6 +243,12 @@ namespace deltaform
       NormalResponse normal;
       if (std::isfinite(gap))
         normal = settings_.enforcement->respond(state, gap, state.multiplier);
+      if (slack_ > 0 && normal.touching != state.touching && !own_unknown && is_idle(state, gap))
+      {
+        normal = NormalResponse();
+        if (state.touching)
+          normal = {true, state.shift - state.epsilon * gap, -state.epsilon, false};
+      }
       if (softening_ < 1 && !committed_[i].touching)
       {
         normal.force *= own_unknown ? 1. : softening_;
@@ -257,7 +264,7 @@ namespace deltaform
         const double lambda = std::max(state.multiplier, 0.);
         friction            = friction_->update(lambda,
                                      before.touching ? before.tangential_force : 0.,
-                                     tool_.shape().slip(start, projection.arc_length),
+                                     tool_.shape().slip(start, projection.arc_length, node.offset),
                                      state.epsilon_tangential);
         friction.force += friction.force_rate * (normal.force - lambda);
       }
@@ -274,6 +281,13 @@ namespace deltaform
       if (normal.touching || own_unknown)
         add_pair(i, node, projection, normal, friction, target);
     }
+  }
+
+
+  bool ContactPair::is_idle(const PairState &state, const double gap) const
+  {
+    return std::abs(state.multiplier) <= slack_ && std::abs(state.shift - state.epsilon * gap) <= slack_ &&
+           gap >= -state.delta;
   }
 
 
@@ -376,11 +390,10 @@ namespace deltaform
     Tensor2 dF;
     for (unsigned int a = 0; a < 2; ++a)
       for (unsigned int b = 0; b < 2; ++b)
-        dF[a][b] =
-          normal.derivative * N[a] * N[b] + pressing * turning * tau[a] * tau[b] -
-          s * tau[a] *
-            (friction.slip_rate * projection.slip_rate * tau[b] + friction.force_rate * normal.derivative * N[b]) -
-          t * tau[a] * (slip.along_normal * N[b] + slip.along_tangent * tau[b]) + t * s * turning * N[a] * tau[b];
+        dF[a][b] = normal.derivative * N[a] * N[b] + pressing * turning * tau[a] * tau[b] -
+                   s * tau[a] * (friction.slip_rate * s * tau[b] + friction.force_rate * normal.derivative * N[b]) -
+                   t * tau[a] * (slip.along_normal * N[b] + slip.along_tangent * tau[b]) +
+                   t * s * turning * N[a] * tau[b];
     matrix.fill(0.);
     for (unsigned int k = 0; k < n_motion; ++k)
     {

@@ -30,8 +30,8 @@ namespace deltaform
       }
       if (friction_ && (state.touching || before.touching))
       {
-        const double start   = before.touching ? before.arc_length : state.slip_start;
-        const double slip    = state.touching ? tool_.shape().slip(start, state.arc_length) : 0.;
+        const double start = before.touching ? before.arc_length : state.slip_start;
+        const double slip  = state.touching ? tool_.shape().slip(start, state.arc_length, description_[i].offset) : 0.;
         const double earlier = before.touching ? before.tangential_force : 0.;
         const auto stored    = [](const PairState &s)
         {

@@ -306,6 +306,13 @@ namespace deltaform
   }
 
 
+  void FormingProblem::allow_slack(const double force)
+  {
+    for (auto *pair : active_pairs_)
+      pair->allow_slack(force);
+  }
+
+
   bool FormingProblem::soften(const double share)
   {
     for (auto *pair : active_pairs_)

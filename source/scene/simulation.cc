@@ -66,7 +66,8 @@ namespace deltaform
         condition_->watch(problem_);
       const double next = control.next(time_);
       // Cut twice, or as short as it may be: the length of the increment is not the reason.
-      const bool last_resort = cost.cutbacks >= 2 || (next - time_) * scene_.steps->shrink < stage.smallest_increment;
+      const bool last_resort =
+        cost.cutbacks >= 2 || control.leaping() || (next - time_) * scene_.steps->shrink < stage.smallest_increment;
       const std::string failure = attempt(next, last_resort, q, result);
       cost.iterations += result.iterations;
       cost.rounds += result.rounds;
@@ -119,7 +120,7 @@ namespace deltaform
     if (scene_.steps->extrapolate && last_increment_ > 0)
       q.sadd(1. + (time - time_) / last_increment_, -(time - time_) / last_increment_, before_);
 
-    const auto solve = [&](const bool damped)
+    const auto solve = [&](const Damping damped)
     {
       const unsigned int before = result.iterations;
       result                    = newton_.solve(
@@ -128,7 +129,7 @@ namespace deltaform
     };
     const auto failed = [&]() { return !result.converged() && result.outcome != NewtonResult::Outcome::not_corrected; };
     result            = NewtonResult();
-    solve(false);
+    solve(Damping::none);
     if (failed())
     {
       // Once more, with first touches soft at first.
@@ -136,16 +137,18 @@ namespace deltaform
       if (problem_.soften(1e-4))
       {
         q = problem_.committed();
-        solve(false);
+        solve(Damping::none);
       }
     }
-    if (failed() && last_resort)
-    {
-      // The blank may snap to another equilibrium, however short the increment is.
-      problem_.begin_increment(time);
-      q = problem_.committed();
-      solve(true);
-    }
+    // The blank may snap to another equilibrium, however short the increment is.
+    if (last_resort)
+      for (const Damping damping : {Damping::damped, Damping::with_slack})
+        if (failed())
+        {
+          problem_.begin_increment(time);
+          q = problem_.committed();
+          solve(damping);
+        }
     if (result.outcome == NewtonResult::Outcome::not_corrected || result.converged())
     {
       const std::string broken = problem_.broken_promise();

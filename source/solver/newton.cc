@@ -79,11 +79,12 @@ namespace deltaform
                              const std::vector<bool> &is_prescribed,
                              const Vector &q_committed,
                              const double force_floor,
-                             const bool damped)
+                             const Damping damped)
   {
     NewtonResult result;
-    const unsigned int n = q.size(), max_iterations = damped ? std::max(damped_iterations, settings_.max_iterations)
-                                                             : settings_.max_iterations;
+    const unsigned int n = q.size(), max_iterations = damped != Damping::none
+                                                        ? std::max(damped_iterations, settings_.max_iterations)
+                                                        : settings_.max_iterations;
     Vector increments(n), d(n), start(n);
     damping_ = 0.;
     system_.set_prescribed(is_prescribed);
@@ -111,8 +112,12 @@ namespace deltaform
       const bool moved = last_step <= settings_.displacement_tolerance * travelled || last_step <= 1e-14;
       // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
       const double tolerance = iteration < max_iterations ? settings_.force_tolerance : settings_.relaxed_tolerance;
-      const bool fresh       = iteration == 0 && result.rounds == 0; // forces of the extrapolated start
-      const bool settled     = moved || residual <= 1e-3 * tolerance || iteration >= max_iterations;
+      if (damped == Damping::with_slack && iteration >= slack_iterations)
+        problem_.allow_slack(
+          (iteration >= 3 * slack_iterations ? settings_.relaxed_tolerance : settings_.force_tolerance) *
+          last_magnitude_);
+      const bool fresh   = iteration == 0 && result.rounds == 0; // forces of the extrapolated start
+      const bool settled = moved || residual <= 1e-3 * tolerance || iteration >= max_iterations;
       if (!fresh && pending == 0. && residual <= tolerance && problem_.consistent(tolerance * last_magnitude_) &&
           settled)
       {
@@ -158,7 +163,7 @@ namespace deltaform
         }
       }
 
-      if (damped && pending == 0. && !descend(q, is_prescribed, increments, d))
+      if (damped != Damping::none && pending == 0. && !descend(q, is_prescribed, increments, d))
       {
         result.outcome = NewtonResult::Outcome::singular;
         return result;
@@ -189,6 +194,11 @@ namespace deltaform
         return result;
       }
       double now = measure(is_prescribed, force_floor, result);
+      // Less damping where it goes well: Newton's step again once the blank has come to rest.
+      if (now <= residual)
+        damping_ *= .25;
+      if (damping_ < 1e-14 * system_.largest_diagonal())
+        damping_ = 0.;
       if (settings_.line_search && pending == 0. && now > residual &&
           (!problem_.status_changed() || iteration >= problem_.patience()))
       {

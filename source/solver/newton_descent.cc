@@ -35,7 +35,7 @@ namespace deltaform
       system_.add_to_diagonal(damping_, scale_);
       {
         Timers::Scope timer(timers_, timer_solve_);
-        if (!system_.factorize() || !system_.solve(increments, d))
+        if (!system_.factorize(1e-12) || !system_.solve(increments, d))
           return false;
       }
       work = work_along(d, is_prescribed);
@@ -43,10 +43,6 @@ namespace deltaform
         break;
       damping_ *= 4.;
     }
-    // Less at the next iteration: the step is Newton's again once the blank has come to rest.
-    damping_ *= .25;
-    if (damping_ < 1e-14 * system_.largest_diagonal())
-      damping_ = 0.;
     return true;
   }
 } // namespace deltaform

@@ -54,6 +54,7 @@ namespace deltaform
 
   void StepControl::accept(const unsigned int iterations)
   {
+    leaps_ = 0;
     if (quiet_ > 0)
     {
       --quiet_;
@@ -67,10 +68,17 @@ namespace deltaform
   bool StepControl::reject(const double tried)
   {
     const double shorter = tried * settings_.shrink;
-    if (shorter < smallest_)
+    quiet_               = 1;
+    if (leaps_ == 0 && shorter >= smallest_)
+    {
+      increment_ = shorter;
+      return true;
+    }
+    // At a place where the blank snaps through a longer increment may lead to the equilibrium beyond.
+    if (leaps_ == most_leaps)
       return false;
-    increment_ = shorter;
-    quiet_     = 1;
+    ++leaps_;
+    increment_ = std::min(10. * tried, largest_);
     return true;
   }
 

@@ -209,6 +209,9 @@ namespace deltaform
       else if (shift > 0)
         *diagonal += shift * std::max(std::abs(*diagonal), 1e-12 * scale);
     }
+    // A force-driven tool that has lost the blank: it moves along its force.
+    for (unsigned int b = 0; b < n_border_; ++b)
+      border_block_[b * n_border_ + b] += shift * scale;
     shift_ = shift;
     ++n_factorizations_;
     if (!trilinos_->analysed && trilinos_->factorization->SymbolicFactorization() != 0)

@@ -156,58 +156,6 @@ namespace deltaform
   }
 
 
-  template <typename Action>
-  void Shape::for_each_image(const double arc_length, const Action &action) const
-  {
-    const double total = length();
-    action(arc_length);
-    if (closed_)
-    {
-      action(arc_length + total);
-      action(arc_length - total);
-    }
-    if (start_ == End::axis)
-      action(-arc_length);
-    if (end_ == End::axis)
-      action(2 * total - arc_length);
-  }
-
-
-  double Shape::mean_curvature(const double arc_length, const double reach) const
-  {
-    double turned = 0.;
-    for_each_image(arc_length,
-                   [&](const double s)
-                   {
-                     for (const Segment &segment : segments_)
-                       if (segment.kind == Segment::Kind::arc && segment.radius > 0)
-                       {
-                         const double end     = std::min(s + reach, segment.arc_start + segment.length);
-                         const double overlap = end - std::max(s - reach, segment.arc_start);
-                         if (overlap > 0)
-                           turned += (segment.convex ? 1. : -1.) * overlap / segment.radius;
-                       }
-                   });
-    return turned / (2 * reach);
-  }
-
-
-  double Shape::curvature_change(const double arc_length, const double reach) const
-  {
-    double change = 0.;
-    for (const double side : {-1., 1.})
-      for_each_image(arc_length + side * reach,
-                     [&](const double s)
-                     {
-                       for (const Segment &segment : segments_)
-                         if (segment.kind == Segment::Kind::arc && segment.radius > 0 && s > segment.arc_start &&
-                             s < segment.arc_start + segment.length)
-                           change += side * (segment.convex ? 1. : -1.) / segment.radius;
-                     });
-    return change / (2 * reach);
-  }
-
-
   double Shape::smallest_radius() const
   {
     double result = infinity;

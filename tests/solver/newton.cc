@@ -79,6 +79,10 @@ namespace
       return 0;
     }
 
+    void allow_slack(double) override
+    {
+    }
+
     bool consistent(const double) const override
     {
       return n_inconsistent == 0 || n_inconsistent-- == 0;

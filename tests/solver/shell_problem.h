@@ -119,6 +119,10 @@ namespace deltaform
         return 2;
       }
 
+      void allow_slack(double) override
+      {
+      }
+
       bool consistent(const double allowed_tension) const override
       {
         return !fixture || fixture->pair.consistent(allowed_tension);

@@ -244,6 +244,29 @@ BOOST_AUTO_TEST_CASE(mean_curvature_has_no_jumps)
     });
 }
 
+BOOST_AUTO_TEST_CASE(slip_of_a_node_kept_off_does_work_with_its_share_of_the_force)
+{
+  // d(slip)/d(node) = 1/(1 + mean k offset) for a node at the distance of the offset, joints or not.
+  for_all(
+    [](const Shape &shape, const Point2 &x, const Projection &p)
+    {
+      constexpr double offset = .04, h = 1e-6;
+      const Point2 node     = x + (offset - p.distance) * p.normal;
+      const Projection here = shape.project(node), a = shape.project(node - h * p.tangent),
+                       b = shape.project(node + h * p.tangent);
+      if (std::abs(here.distance - offset) > 1e-9 || here.slip_rate == 0. || a.segment != b.segment ||
+          std::abs(shape.slip(a.arc_length, b.arc_length)) > 1e-4)
+        return false;
+      const double slope = shape.slip(a.arc_length, b.arc_length, offset) / (2 * h);
+      BOOST_TEST(std::abs(slope - 1. / (1. + offset * shape.mean_curvature(here.arc_length, offset))) < 1e-7);
+      // In two parts as in one.
+      const double start = here.arc_length - .2;
+      BOOST_TEST(std::abs(shape.slip(start, b.arc_length, offset) - shape.slip(start, a.arc_length, offset) -
+                          2 * h * slope) < 1e-8);
+      return true;
+    });
+}
+
 BOOST_AUTO_TEST_CASE(warm_start_changes_nothing)
 {
   for_all(

@@ -11,6 +11,7 @@
 #include <deltaform/kinematics/contact_surface.h>
 #include <deltaform/tools/tool.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,8 +33,8 @@ namespace deltaform
 
   /**
    * One side of the blank against one tool: the loop over the nodes, with trial and committed state. Forces on the
-   * blank are lambda N - t s tau with N the normal, tau the tangent of the tool and s = d(foot point)/d(node), averaged:
-   * derivation of residual and tangent in doc/theory/contact.md.
+   * blank are lambda N - t s tau with N the normal, tau the tangent of the tool and s = d(foot point)/d(node),
+   * averaged: derivation of residual and tangent in doc/theory/contact.md.
    */
   class ContactPair
   {
@@ -147,6 +148,14 @@ namespace deltaform
     /// Contact pressure of every node (committed force over current tributary area).
     std::vector<double> pressure(const Vector &q) const;
 
+    /// Until the end of this increment a pair with a smaller force than @p force, pressure or tension, stays what it
+    /// is, touching or not. Where a flat part of the blank lies on a flat tool no pair carries a force; all states are
+    /// solutions, and the iteration would choose among them for ever.
+    void allow_slack(const double force)
+    {
+      slack_ = std::max(slack_, force);
+    }
+
     unsigned int n_touching() const;
 
     /// Displacement unknowns of a touching node and the tool's normal there.
@@ -187,6 +196,9 @@ namespace deltaform
 
     /// K_nn (or K_tt) = (J^T n)^T K (J^T n) with the nodal block of the blank's tangent.
     double nodal_stiffness(unsigned int i, const ContactNode &node, const Tensor1 &direction) const;
+
+    /// Is the force of the pair, estimated and now, within the slack?
+    bool is_idle(const PairState &state, double gap) const;
 
     double neighbour_factor(unsigned int i) const;
 
@@ -243,6 +255,7 @@ namespace deltaform
     std::vector<double> noise_;                    ///< round-off of the gap, which is a difference of large numbers
     std::vector<unsigned int> hint_;               ///< segment of the last projection
     bool status_changed_  = false;
+    double slack_         = 0; ///< see allow_slack()
     double median_factor_ = 0;
     double softening_     = 1;                              ///< share of the factor of first touches, see soften()
     double slip_limit_    = 0;                              ///< allowed elastic slip at the end of the increment

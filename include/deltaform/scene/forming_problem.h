@@ -53,6 +53,7 @@ namespace deltaform
     bool status_changed() const override;
     unsigned int patience() const override;
     bool consistent(double allowed_tension) const override;
+    void allow_slack(double force) override;
     unsigned int correct() override;
     ///@}
 

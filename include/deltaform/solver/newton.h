@@ -43,6 +43,9 @@ namespace deltaform
     /// @p allowed_tension.
     virtual bool consistent(double allowed_tension) const = 0;
 
+    /// From now on constraints with forces up to @p force need not change between active and inactive.
+    virtual void allow_slack(double force) = 0;
+
     /// After convergence: @return how many parameters (penalty factors) were changed, so that the solve must go on.
     virtual unsigned int correct() = 0;
   };
@@ -83,6 +86,16 @@ namespace deltaform
     }
   };
 
+  /// For an increment in which the blank snaps through: where the step leads uphill, follow the motion of the blank in
+  /// a viscous medium instead, to where it comes to rest. The solution is of the same equations; takes many more
+  /// iterations.
+  enum class Damping : unsigned char
+  {
+    none,
+    damped,
+    with_slack ///< and pairs that carry next to nothing need not decide whether they touch
+  };
+
   /**
    * Newton's method with a line search on the work of the residual along the step, and rounds of corrections after
    * convergence. Converged: |R| <= tolerance * sum of absolute contributions, and the last step small against the
@@ -110,16 +123,13 @@ namespace deltaform
      * @param is_prescribed which they are
      * @param q_committed start of the increment, for the scale of the displacements
      * @param force_floor forces below this are round-off
-     * @param damped      for an increment in which the blank snaps through: where the step leads uphill, follow the
-     * motion of the blank in a viscous medium instead, to where it comes to rest. The solution is of the same
-     * equations; takes many more iterations.
      */
     NewtonResult solve(Vector &q,
                        const Vector &prescribed,
                        const std::vector<bool> &is_prescribed,
                        const Vector &q_committed,
                        double force_floor,
-                       bool damped = false);
+                       Damping damped = Damping::none);
 
   private:
     /// Relative residual; remembers the worst unknown.
@@ -138,6 +148,7 @@ namespace deltaform
     bool descend(const Vector &q, const std::vector<bool> &is_prescribed, const Vector &increments, Vector &d);
 
     static constexpr unsigned int damped_iterations = 200; ///< instead of the maximal number of iterations
+    static constexpr unsigned int slack_iterations  = 4;   ///< before slack is allowed; three times as many: more
 
     NonlinearProblem &problem_;
     System &system_;

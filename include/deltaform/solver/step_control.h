@@ -44,8 +44,15 @@ namespace deltaform
     /// The increment was accepted with this many iterations.
     void accept(unsigned int iterations);
 
-    /// The increment failed. @return false if the smallest increment is reached
+    /// The increment failed: a shorter one is next; at the smallest one, some longer ones. @return false if nothing is
+    /// left to try
     bool reject(double tried);
+
+    /// Do shorter increments not help?
+    bool leaping() const
+    {
+      return leaps_ > 0;
+    }
 
     double increment() const
     {
@@ -71,6 +78,8 @@ namespace deltaform
 
   private:
     const StepSettings &settings_;
+    static constexpr unsigned int most_leaps = 4;
+    unsigned int leaps_                      = 0; ///< tries of longer increments since the last one was accepted
     double end_, smallest_, largest_, increment_;
     std::vector<double> meet_;
     unsigned int quiet_ = 0; ///< accepted increments that have to pass before it grows again

@@ -85,6 +85,17 @@ namespace deltaform
     /// The arc length from foot point @p a to foot point @p b, the short way round if the profile is closed.
     double slip(double a, double b) const;
 
+    /**
+     * The slip of a node that is kept off the profile by @p offset while its foot goes from @p a to @p b: the integral
+     * of (1 + k offset)/(1 + mean k offset) over the arc length, so that a friction force that reaches the node by the
+     * share 1/(1 + mean k offset) does the same work on both sides (doc/theory/contact.md). On lines, and on arcs away
+     * from their ends, the arc length itself.
+     */
+    double slip(double a, double b, double offset) const;
+
+    /// At a place that is no joint; of a corner 0.
+    double curvature(double arc_length) const;
+
     /// Mean curvature (convex positive, 1/length) between the places @p reach before and behind @p arc_length: without
     /// the jumps of the curvature where lines and arcs join. Corners count as straight.
     double mean_curvature(double arc_length, double reach) const;

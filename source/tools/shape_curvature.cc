@@ -1,0 +1,111 @@
+// The curvature of a profile without its jumps, and the slip of a node that is kept off the profile.
+#include <deltaform/tools/shape.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace deltaform
+{
+  template <typename Action>
+  void Shape::for_each_image(const double arc_length, const Action &action) const
+  {
+    const double total = length();
+    action(arc_length);
+    if (closed_)
+    {
+      action(arc_length + total);
+      action(arc_length - total);
+    }
+    if (start_ == End::axis)
+      action(-arc_length);
+    if (end_ == End::axis)
+      action(2 * total - arc_length);
+  }
+
+
+  double Shape::mean_curvature(const double arc_length, const double reach) const
+  {
+    double turned = 0.;
+    for_each_image(arc_length,
+                   [&](const double s)
+                   {
+                     for (const Segment &segment : segments_)
+                       if (segment.kind == Segment::Kind::arc && segment.radius > 0)
+                       {
+                         const double end     = std::min(s + reach, segment.arc_start + segment.length);
+                         const double overlap = end - std::max(s - reach, segment.arc_start);
+                         if (overlap > 0)
+                           turned += (segment.convex ? 1. : -1.) * overlap / segment.radius;
+                       }
+                   });
+    return turned / (2 * reach);
+  }
+
+
+  double Shape::curvature_change(const double arc_length, const double reach) const
+  {
+    double change = 0.;
+    for (const double side : {-1., 1.})
+      for_each_image(arc_length + side * reach,
+                     [&](const double s)
+                     {
+                       for (const Segment &segment : segments_)
+                         if (segment.kind == Segment::Kind::arc && segment.radius > 0 && s > segment.arc_start &&
+                             s < segment.arc_start + segment.length)
+                           change += side * (segment.convex ? 1. : -1.) / segment.radius;
+                     });
+    return change / (2 * reach);
+  }
+
+
+  double Shape::curvature(const double arc_length) const
+  {
+    double result = 0.;
+    for_each_image(arc_length,
+                   [&](const double s)
+                   {
+                     for (const Segment &segment : segments_)
+                       if (segment.kind == Segment::Kind::arc && segment.radius > 0 && s > segment.arc_start &&
+                           s < segment.arc_start + segment.length)
+                         result += (segment.convex ? 1. : -1.) / segment.radius;
+                   });
+    return result;
+  }
+
+
+  double Shape::slip(const double a, const double b, const double offset) const
+  {
+    const double whole = slip(a, b);
+    if (offset == 0. || whole == 0.)
+      return whole;
+    // Where the integrand has kinks: the joints and their images, and the offset before and behind each.
+    const double first = std::min(a, a + whole), last = std::max(a, a + whole);
+    std::vector<double> kinks{first, last};
+    bool any = false;
+    for (const Segment &segment : segments_)
+      for (const double joint : {segment.arc_start, segment.arc_start + segment.length})
+        for_each_image(joint,
+                       [&](const double s)
+                       {
+                         any |= s + offset > first && s - offset < last;
+                         for (const double kink : {s - offset, s, s + offset})
+                           if (kink > first && kink < last)
+                             kinks.push_back(kink);
+                       });
+    if (!any)
+      return whole;
+    std::sort(kinks.begin(), kinks.end());
+    const double gauss                = std::sqrt(.6);
+    const std::array<double, 3> point = {{-gauss, 0., gauss}}, weight = {{5. / 18., 8. / 18., 5. / 18.}};
+    double sum = 0.;
+    for (unsigned int k = 0; k + 1 < kinks.size(); ++k)
+    {
+      const double length = kinks[k + 1] - kinks[k], middle = .5 * (kinks[k + 1] + kinks[k]);
+      const double ahead = 1. + offset * curvature(middle);
+      for (unsigned int g = 0; g < 3; ++g)
+        sum += weight[g] * length * ahead / (1. + offset * mean_curvature(middle + .5 * length * point[g], offset));
+    }
+    return whole > 0 ? sum : -sum;
+  }
+} // namespace deltaform
