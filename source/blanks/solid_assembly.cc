@@ -10,7 +10,26 @@ namespace deltaform
   namespace
   {
     constexpr double root_half = .70710678118654752440;
-  }
+
+    /// For a pass over the cells whose forces nobody wants.
+    class Nowhere : public AssemblyTarget
+    {
+    public:
+      explicit Nowhere(const bool tangent) : tangent_(tangent)
+      {
+      }
+      void add(const DofIndex *, unsigned int, const double *, const double *) override
+      {
+      }
+      bool wants_tangent() const override
+      {
+        return tangent_;
+      }
+
+    private:
+      bool tangent_;
+    };
+  } // namespace
 
 
   template <unsigned int n_nodes, unsigned int n_points>
@@ -207,8 +226,22 @@ namespace deltaform
 
   Status Solid::assemble(const Vector &q, AssemblyTarget &target)
   {
-    if (!constant_matrices_.empty())
-      return assemble_constant(q, target);
+    if (!linear_)
+      return assemble_all(q, target);
+    if (constant_matrices_.empty())
+    {
+      // Also where a run is resumed: the forces are those of the matrices from the first iteration on, to the last digit.
+      Nowhere nowhere(true);
+      const Status status = assemble_all(q, nowhere);
+      if (!status.good())
+        return status;
+    }
+    return assemble_constant(q, target);
+  }
+
+
+  Status Solid::assemble_all(const Vector &q, AssemblyTarget &target)
+  {
     return degree_ == 1 ? assemble_cells<4, 4>(q, target) : assemble_cells<9, 9>(q, target);
   }
 
@@ -241,20 +274,8 @@ namespace deltaform
   void Solid::update_linear_stress(const Vector &q)
   {
     // One more pass over the law, for strains and stresses only: nobody has asked for them on the way.
-    struct Nowhere : public AssemblyTarget
-    {
-      void add(const DofIndex *, unsigned int, const double *, const double *) override
-      {
-      }
-      bool wants_tangent() const override
-      {
-        return false;
-      }
-    } nowhere;
-    if (degree_ == 1)
-      assemble_cells<4, 4>(q, nowhere);
-    else
-      assemble_cells<9, 9>(q, nowhere);
+    Nowhere nowhere(false);
+    assemble_all(q, nowhere);
   }
 
 

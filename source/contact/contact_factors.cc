@@ -137,7 +137,6 @@ namespace deltaform
         state.epsilon_tangential = tangential_factor(state, nodal_stiffness(i, description, projection.tangent));
       state.last_penetration = state.penetration();
       state.shift            = settings_.enforcement->start_shift(state);
-      factor_at_start_[i]    = state.epsilon;
     }
   }
 
@@ -166,11 +165,9 @@ namespace deltaform
       if (!augmented)
       {
         const double epsilon = settings_.rule->correct(what);
-        change               = epsilon != state.epsilon;
-        const double p       = state.penetration();
-        energy_of_changes_ += .5 * (epsilon - state.epsilon) * p * p;
+        change                 = epsilon != state.epsilon;
         state.epsilon          = epsilon;
-        state.last_penetration = p;
+        state.last_penetration = state.penetration();
       }
       if (friction_ && settings_.tangential_factor == 0 && state.sticking)
       {

@@ -1,6 +1,8 @@
 """Tables of the solid blank for benchmarks.py: errors and orders against closed forms and published values."""
 import math
 
+import shell_and_solid
+
 
 def cells_of(degree, n):
     return ["Blank/Degree=%d" % degree, "Blank/Elements=%d" % n, "Blank/Elements through thickness=%d" % n]
@@ -114,6 +116,21 @@ def make(markdown, series):
                                            for f, g in zip(force, reference)] + ["%.4f" % w for w in worst])
         return markdown(["mu", "blank", "kN at 20 mm", "kN at 40 mm", "thickness strain, r < 50", "2 < r < 50"], rows)
 
+    def published(run):
+        """Forces at the published travels, which the runs hit exactly."""
+        rows = []
+        travels = "Output/Travels=" + ", ".join("%g" % travel for _, travel in shell_and_solid.PUBLISHED)
+        tables = [run(scene, "history.csv", travels, *sets) for scene, sets in (
+            ("osu_stretching", ("Blank/Elements=200",)),
+            ("osu_stretching", ("Blank/Elements=200", "Blank/Transverse normal stress=false")),
+            ("osu_stretching_solid", ()))]
+        for force, travel in shell_and_solid.PUBLISHED:
+            computed = [at(table, "punch_travel", travel)["punch_force_z"] for table in tables]
+            rows.append(["%.1f" % travel, "%g" % (force / 1e3)] +
+                        ["%.2f (%+.1f %%)" % (value / 1e3, 100 * (value / force - 1)) for value in computed])
+        return markdown(["mm", "published", "shell, 200", "shell, 200, no transverse normal stress",
+                         "solid, degree 2, 80 x 2"], rows)
+
     def cup_models(run):
         rows = []
         for title, scene, sets in (
@@ -189,5 +206,6 @@ def make(markdown, series):
         return markdown(["degree", "elements", "F/(2 pi d), d = .5", "d = 1"], rows)
 
     return {"thick sphere": thick_sphere, "thick cylinder": thick_cylinder, "necking": necking, "upsetting": upsetting,
-            "stretching": stretching, "cup models": cup_models, "contact patch": patch, "hertz": hertz, "greco": greco,
+            "stretching": stretching, "stretching published": published,
+            "cup models": cup_models, "contact patch": patch, "hertz": hertz, "greco": greco,
             "indentation": indentation}
