@@ -164,7 +164,7 @@ namespace deltaform
       bool change = false;
       if (!augmented)
       {
-        const double epsilon = settings_.rule->correct(what);
+        const double epsilon   = settings_.rule->correct(what);
         change                 = epsilon != state.epsilon;
         state.epsilon          = epsilon;
         state.last_penetration = state.penetration();

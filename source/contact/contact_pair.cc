@@ -145,10 +145,10 @@ namespace deltaform
 
   void ContactPair::begin_increment(const double time)
   {
-    time_       = time;
-    softening_  = 1.;
-    slip_limit_ = settings_.allowed_slip(time);
-    trial_      = committed_;
+    time_                   = time;
+    softening_              = 1.;
+    slip_limit_             = settings_.allowed_slip(time);
+    trial_                  = committed_;
     const TimeFunction *own = tool_.allowed_penetration();
     const double asked      = own ? (*own)(time) : settings_.allowed_penetration(time);
     const double delta      = asked < 0 ? -asked * automatic_delta() : asked;

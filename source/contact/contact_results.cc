@@ -21,8 +21,8 @@ namespace deltaform
         state.epsilon = state.epsilon_tangential = state.stiffness = state.shift = state.last_penetration = 0.;
 
       // What the springs gain beyond the trapezoidal work of their forces (eps p at both ends) when eps changes on the
-      // way. The round in which it changed does not matter, and a first touch (p = 0) counts nothing: its force goes from
-      // zero to the accepted one, whatever the factors of the rounds in between.
+      // way. The round in which it changed does not matter, and a first touch (p = 0) counts nothing: its force goes
+      // from zero to the accepted one, whatever the factors of the rounds in between.
       if (stores_energy() && before.touching && state.touching)
         energy_.epsilon += .5 * (state.epsilon - before.epsilon) * before.penetration() * state.penetration();
       if (friction_ && (state.touching || before.touching))
