@@ -186,9 +186,9 @@ namespace deltaform
 
   double ContactPair::automatic_delta() const
   {
-    // A straight element cuts a curved tool by h^2 k/8, a quadratic one misses the change of the curvature: about h^2
-    // dk/(72 sqrt 3). A twentieth of the largest such error under the tool, so that contact is never what the result
-    // suffers from.
+    // A straight element cuts a curved tool by h^2 k/8, a quadratic one misses the change of the curvature, about h^2
+    // dk/(72 sqrt 3), and of a circle the fourth order: h^4 k^3/512. A twentieth of the largest such error under the
+    // tool, so that contact is never what the result suffers from.
     const auto project = [&](const unsigned int i) { return tool_.project(committed_x_[i], 0., hint_[i]); };
     std::vector<bool> concerned(committed_.size());
     bool any         = false;
@@ -219,10 +219,11 @@ namespace deltaform
       if (!concerned[a] && !concerned[b])
         continue;
       const double square = (committed_x_[b] - committed_x_[a]).norm_square();
-      const double ka = project(a).turning, kb = project(b).turning;
+      const double ka = project(a).turning, kb = project(b).turning, k = std::max(std::abs(ka), std::abs(kb));
       error = std::max(error,
-                       square * (edge[2] == invalid_index ? std::max(std::abs(ka), std::abs(kb)) / 8.
-                                                          : std::abs(ka - kb) / (72. * std::sqrt(3.))));
+                       square * (edge[2] == invalid_index
+                                   ? k / 8.
+                                   : std::abs(ka - kb) / (72. * std::sqrt(3.)) + square * k * k * k / 512.));
     }
     return error > 0 ? std::clamp(.05 * error, 1e-6 * thickness, 1e-2 * thickness) : 1e-3 * thickness;
   }

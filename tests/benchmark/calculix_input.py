@@ -135,7 +135,7 @@ def hertz(n, kind, young=1000., nu=.3, radius=200., approach=.005, size=50.):
                      contact("C", "SLAVE", "MASTER", 1e7) + step(boundary, 1., 1., prints=["TOOL"])) + "\n"
 
 
-def upsetting(n, across, kind):
+def upsetting(n, across, kind, largest=.05):
     """prm/upsetting.prm, no friction."""
     job = Job()
     ids, cells = job.block("B", kind, ([10. * i / n for i in range(n + 1)], [15. * j / across for j in range(across + 1)]),
@@ -146,12 +146,12 @@ def upsetting(n, across, kind):
     slaves = [(cells[c, across - 1], "S3") for c in range(n)]
     boundary += ["TOOL, 1, 1, 0.", "TOOL, 2, 2, -9."]
     table = [(.01 * k, 700. + 3. * k) for k in range(200)]
-    # 1 GPa: a penetration of 1e-5 with 1e8 per length
+    # p = 1e3: a penetration of 1e-4
     return "\n".join(job.header() + material("M", 200e3, .3, table) + material("T", 200e3, .3) +
                      surface("SLAVE", slaves) + surface("MASTER", faces) +
                      ["*SOLID SECTION, ELSET=EB, MATERIAL=M", "*SOLID SECTION, ELSET=ETOOL, MATERIAL=T"] +
                      contact("C", "SLAVE", "MASTER", 1e7) +
-                     step(boundary, .01, .05, nlgeom=True, prints=["TOOL"])) + "\n"
+                     step(boundary, min(.01, largest), largest, nlgeom=True, prints=["TOOL"])) + "\n"
 
 
 def arc(centre, radius, start, end, n):

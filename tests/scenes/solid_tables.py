@@ -187,6 +187,23 @@ def make(markdown, series):
         return markdown(["degree", "elements each way", "11: F, sphere", "11: p0, sphere", "12: p0, cylinder",
                          "13: F, flat punch"], rows)
 
+    def delta(run):
+        """What the allowed penetration adds to the force of a mesh, and what the mesh itself is off by."""
+        exact, rows = 4. / 3. * 1000 / .91 * math.sqrt(200.) * .005 ** 1.5, []
+        cases = ("2e-5", "1e-6", "auto")
+        for degree, sizes in ((1, (10, 20, 40, 80)), (2, (5, 10, 20, 40))):
+            for n in sizes:
+                tables = [run("hertz_sphere", "history.csv", *cells_of(degree, n))] + [
+                    run("hertz_sphere", "history.csv", "Contact/Enforcement=penalty", "Contact/Allowed penetration=" + d,
+                        *cells_of(degree, n)) for d in cases]
+                held = tables[0][-1]["sphere_force_z"]
+                rows.append([str(degree), str(n), "%.1e" % (held / exact - 1)])
+                for table in tables[1:]:
+                    rows[-1] += ["%.1e, %.1e" % (table[-1]["max_penetration"], table[-1]["sphere_force_z"] / held - 1)] \
+                        if table else ["failed"]
+        return markdown(["degree", "elements each way", "mesh: F, active set"] +
+                        ["delta = %s: p, F" % d for d in cases], rows)
+
     def greco(run):
         published, rows = (28.6, 27.2, 22.8, 19.8, 15.0), [["published", ""] + ["28.6", "27.2", "22.8", "19.8", "15.0"]]
         for degree, n in ((1, 32), (1, 64), (2, 32)):
@@ -207,5 +224,5 @@ def make(markdown, series):
 
     return {"thick sphere": thick_sphere, "thick cylinder": thick_cylinder, "necking": necking, "upsetting": upsetting,
             "stretching": stretching, "stretching published": published,
-            "cup models": cup_models, "contact patch": patch, "hertz": hertz, "greco": greco,
+            "cup models": cup_models, "contact patch": patch, "hertz": hertz, "delta": delta, "greco": greco,
             "indentation": indentation}
