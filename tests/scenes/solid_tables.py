@@ -159,6 +159,8 @@ def make(markdown, series):
     def patch(run):
         rows = []
         contacts = (("active set", ("Contact/Enforcement=active set",)),
+                    ("augmented Lagrangian, gaps to 1e-12 delta", ("Contact/Enforcement=augmented Lagrangian",
+                                                                  "Contact/Augmentation tolerance=1e-12")),
                     ("constant per area", ("Contact/Enforcement=penalty", "Contact/Penalty rule=constant",
                                            "Contact/Penalty factor=1e4", "Contact/Penalty factor is=per area")),
                     ("constant per node", ("Contact/Enforcement=penalty", "Contact/Penalty rule=constant",
