@@ -215,8 +215,8 @@ namespace deltaform
     double error = 0.;
     for (const auto &edge : surface_.contact_edges(tool_.side()))
     {
-      const unsigned int a = edge[0], b = edge[1];
-      if (!concerned[a] && !concerned[b])
+      const unsigned int a = edge[0], b = edge[1], m = edge[2];
+      if (!concerned[a] && !concerned[b] && (m == invalid_index || !concerned[m]))
         continue;
       const double square = (committed_x_[b] - committed_x_[a]).norm_square();
       const double ka = project(a).turning, kb = project(b).turning, k = std::max(std::abs(ka), std::abs(kb));

@@ -125,7 +125,7 @@ namespace deltaform
     for (const auto &edge : surface_.contact_edges(tool_.side()))
     {
       const unsigned int a = edge[0], b = edge[1], m = edge[2];
-      if (!committed_[a].touching && !committed_[b].touching)
+      if (!committed_[a].touching && !committed_[b].touching && (m == invalid_index || !committed_[m].touching))
         continue;
       const ContactNode start = node(q, a), end = node(q, b);
       const ContactNode middle = m == invalid_index ? start : node(q, m);
