@@ -6,6 +6,7 @@
 1. The whole process of the main job (the cup of 50 elements to a travel of 1 in, all default outputs) against an empty
    program that is linked to the same libraries and starts and ends MPI with the same settings; alternating runs.
 2. The cost of a Newton iteration from 50 to 3200 elements, and the exponent n of cost ~ elements^n.
+3. The same of a solid, and its assembly by a plain loop and by WorkStream.
 
 Builds what it needs. Standard library only; about two minutes.
 """
@@ -113,6 +114,37 @@ def per_iteration(program, folder, repetitions):
             f"that is without line searches and corrections: elements^{exponent(per_assembly):.2f}."]
 
 
+def steps_of(program, folder, entries, repetitions):
+    """Iterations, assemblies and the least seconds of blank, contact and linear solve."""
+    best = None
+    for _ in range(repetitions):
+        call([program, "prm/cup_solid.prm", "--quiet", "--output", folder, "--set", "Output/Pictures=0",
+              *(word for entry in entries for word in ("--set", entry))])
+        iterations = load(folder, "summary.json")["newton_iterations"]
+        sections = load(folder, "timing.json")["sections"]
+        parts = [next(s for s in sections if s["name"].startswith(number)) for number in ("3-6", "7-9", "11")]
+        seconds = [part["seconds"] for part in parts]
+        best = seconds if best is None else [min(pair) for pair in zip(best, seconds)]
+    return iterations, parts[0]["calls"], best
+
+
+def solid(program, loops, folder, repetitions):
+    """Lines about the cup of a solid: named steps of an iteration, and loops over the cells."""
+    lines = ["A Newton iteration of `prm/cup_solid.prm` to a travel of 0.1 in (least of each step):", "",
+             "| degree | elements | Newton iterations | assemblies per iteration | time per iteration [ms] | blank | contact | linear solve | "
+             "blank, per cell and assembly [us] |", "|---|---|---|---|---|---|---|---|---|"]
+    for degree, along, across in ((1, 100, 4), (1, 200, 4), (1, 400, 4), (2, 50, 2), (2, 100, 2), (2, 200, 2)):
+        iterations, assemblies, seconds = steps_of(
+            program, folder, [f"Blank/Degree={degree}", f"Blank/Elements={along}", f"Blank/Elements through thickness={across}",
+                              "Steps/form/End time=0.1"], repetitions)
+        per = [1e3 * value / iterations for value in seconds]
+        lines.append(f"| {degree} | {along} x {across} | {iterations:g} | {assemblies / iterations:.2f} | {sum(per):.2f} | {per[0]:.2f} | "
+                     f"{per[1]:.2f} | {per[2]:.2f} | {1e6 * seconds[0] / assemblies / (along * across):.2f} |")
+    table = subprocess.run([loops], check=True, stdout=subprocess.PIPE, text=True).stdout.strip().split("\n")
+    return [*lines, "", "Microseconds per cell of degree 2 (`assembly_loops`: material, tangent and adding to the matrix), least of 30 passes:",
+            "", *table]
+
+
 def exponent(costs):
     """Slope of the straight line through log(cost) over log(elements)."""
     x, y = [math.log(n) for n in ELEMENTS], [math.log(cost) for cost in costs]
@@ -129,12 +161,14 @@ def main():
     options = parser.parse_args()
 
     build = os.path.abspath(options.build)
-    subprocess.run([os.path.join(ROOT, "scripts", "build.sh"), build, "deltaform", "empty_process"], check=True, stdout=sys.stderr)
+    subprocess.run([os.path.join(ROOT, "scripts", "build.sh"), build, "deltaform", "empty_process", "assembly_loops"], check=True, stdout=sys.stderr)
     program, empty = os.path.join(build, "deltaform"), os.path.join(build, "tests", "benchmark", "empty_process")
     with tempfile.TemporaryDirectory() as folder:
         lines = ["# Speed", "", "Printed by `scripts/benchmark.py`; Release, one process, one thread.", "",
                  "## The main job", "", *whole_process(program, empty, folder, options.runs), "",
-                 "## Cost of an iteration", "", *per_iteration(program, folder, options.repetitions)]
+                 "## Cost of an iteration", "", *per_iteration(program, folder, options.repetitions), "",
+                 "## The solid", "", *solid(program, os.path.join(build, "tests", "benchmark", "assembly_loops"), folder,
+                                            options.repetitions)]
     print("\n".join(lines))
     if options.write:
         with open(options.write, "w", encoding="utf-8") as file:

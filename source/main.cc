@@ -17,6 +17,8 @@ namespace
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     setenv("OMPI_MCA_btl", "self", 0);
     setenv("OMPI_MCA_pml", "ob1", 0);
+    // Its folder in /tmp is shared by all runs of a user: one that ends may remove it while another starts.
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
   }
 } // namespace
 

@@ -3,6 +3,8 @@
 #include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 
+#include "solid_tangent.h"
+
 #include <cmath>
 
 namespace deltaform
@@ -10,7 +12,26 @@ namespace deltaform
   namespace
   {
     constexpr double root_half = .70710678118654752440;
-  }
+
+    /// For a pass over the cells whose forces nobody wants.
+    class Nowhere : public AssemblyTarget
+    {
+    public:
+      explicit Nowhere(const bool tangent) : tangent_(tangent)
+      {
+      }
+      void add(const DofIndex *, unsigned int, const double *, const double *) override
+      {
+      }
+      bool wants_tangent() const override
+      {
+        return tangent_;
+      }
+
+    private:
+      bool tangent_;
+    };
+  } // namespace
 
 
   template <unsigned int n_nodes, unsigned int n_points>
@@ -21,11 +42,17 @@ namespace deltaform
     std::array<DofIndex, n> dofs;
     std::array<double, n> residual, u;
     std::array<double, n * n> matrix;
-    std::array<double, n_points> volumetric, mean;
+    std::array<double, n_points> volumetric, mean, weight;
     std::array<AxialTensor, n_points> b;
     std::array<double, 16 * n_points> moduli;
-    // spatial gradients and N/r
-    std::array<std::array<double, n_nodes>, n_points> g_r, g_z, g_t;
+    using Tangent = SolidTangent<n_nodes, n_points>;
+    typename Tangent::AllGradients g;
+    std::array<typename Tangent::Stress, n_points> stress;
+    Tangent derivative(g);
+    // The strain of small kinematics is the symmetric part of the gradient.
+    LogarithmicStrain::Rate small{};
+    small[0][0] = small[1][3] = small[2][4] = 1.;
+    small[3][1] = small[3][2] = root_half;
 
     if (linear_ && tangent)
       constant_matrices_.clear();
@@ -66,9 +93,9 @@ namespace deltaform
           volumetric[p] = h_rr + h_zz + h_tt;
           for (unsigned int a = 0; a < n_nodes; ++a)
           {
-            g_r[p][a] = point.gradient_r[a];
-            g_z[p][a] = point.gradient_z[a];
-            g_t[p][a] = point.shape[a] * round_part;
+            g[p].r[a] = point.gradient_r[a];
+            g[p].z[a] = point.gradient_z[a];
+            g[p].t[a] = point.shape[a] * round_part;
           }
           continue;
         }
@@ -79,9 +106,9 @@ namespace deltaform
         const double inverse = 1. / in_j, around = round_part / F.hoop;
         for (unsigned int a = 0; a < n_nodes; ++a)
         {
-          g_r[p][a] = inverse * (f[3] * point.gradient_r[a] - f[2] * point.gradient_z[a]);
-          g_z[p][a] = inverse * (f[0] * point.gradient_z[a] - f[1] * point.gradient_r[a]);
-          g_t[p][a] = around * point.shape[a];
+          g[p].r[a] = inverse * (f[3] * point.gradient_r[a] - f[2] * point.gradient_z[a]);
+          g[p].z[a] = inverse * (f[0] * point.gradient_z[a] - f[1] * point.gradient_r[a]);
+          g[p].t[a] = around * point.shape[a];
         }
         const auto &cp       = plastic_metric_[first + p];
         b[p].xx              = f[0] * f[0] * cp[0] + 2 * f[0] * f[1] * cp[3] + f[1] * f[1] * cp[1];
@@ -121,8 +148,6 @@ namespace deltaform
       for (unsigned int p = 0; p < n_points; ++p)
         mean[p] = (stress_[first + p][0] + stress_[first + p][1] + stress_[first + p][2]) / 3.;
       residual.fill(0.);
-      if (tangent)
-        matrix.fill(0.);
       for (unsigned int p = 0; p < n_points; ++p)
       {
         // The stress that does work: deviator here, projected mean stress
@@ -135,67 +160,19 @@ namespace deltaform
         const double t_rz = w * root_half * tau[3];
         for (unsigned int a = 0; a < n_nodes; ++a)
         {
-          residual[2 * a] += t_rr * g_r[p][a] + t_rz * g_z[p][a] + t_tt * g_t[p][a];
-          residual[2 * a + 1] += t_rz * g_r[p][a] + t_zz * g_z[p][a];
+          residual[2 * a] += t_rr * g[p].r[a] + t_rz * g[p].z[a] + t_tt * g[p].t[a];
+          residual[2 * a + 1] += t_rz * g[p].r[a] + t_zz * g[p].z[a];
         }
-        if (!tangent)
-          continue;
-
-        // Virtual strain B and rate E of the trial strain, both with the projected volumetric part
-        std::array<std::array<double, n>, 4> B, E, DE;
-        LogarithmicStrain::Rate rate{};
+        weight[p] = w;
         if (finite_)
-          rate = LogarithmicStrain::rate(b[p]);
-        for (unsigned int a = 0; a < n_nodes; ++a)
-        {
-          double mean_r = 0, mean_z = 0;
-          for (unsigned int k = 0; k < n_points; ++k)
-          {
-            mean_r += project[p * n_points + k] * (g_r[k][a] + g_t[k][a]);
-            mean_z += project[p * n_points + k] * g_z[k][a];
-          }
-          const double gr = g_r[p][a], gz = g_z[p][a], gt = g_t[p][a];
-          const double add_r = (mean_r - gr - gt) / 3., add_z = (mean_z - gz) / 3.;
-          const unsigned int r = 2 * a, z = r + 1;
-          B[0][r] = gr + add_r;
-          B[1][r] = add_r;
-          B[2][r] = gt + add_r;
-          B[3][r] = root_half * gz;
-          B[0][z] = add_z;
-          B[1][z] = gz + add_z;
-          B[2][z] = add_z;
-          B[3][z] = root_half * gr;
-          if (finite_)
-            for (unsigned int s = 0; s < 4; ++s)
-            {
-              E[s][r] = rate[s][0] * gr + rate[s][1] * gz + rate[s][4] * gt + (s < 3 ? add_r : 0.);
-              E[s][z] = rate[s][2] * gr + rate[s][3] * gz + (s < 3 ? add_z : 0.);
-            }
-        }
-        const auto &rates = finite_ ? E : B;
-        const double *D   = &moduli[16 * p];
-        for (unsigned int s = 0; s < 4; ++s)
-          for (unsigned int j = 0; j < n; ++j)
-            DE[s][j] = w * (D[4 * s] * rates[0][j] + D[4 * s + 1] * rates[1][j] + D[4 * s + 2] * rates[2][j] +
-                            D[4 * s + 3] * rates[3][j]);
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            matrix[i * n + j] += B[0][i] * DE[0][j] + B[1][i] * DE[1][j] + B[2][i] * DE[2][j] + B[3][i] * DE[3][j];
-        if (!finite_)
-          continue;
-        // The gradients change: d(N_a,j) = -N_a,l du_l,j
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          for (unsigned int c2 = 0; c2 < n_nodes; ++c2)
-          {
-            const double along_r = t_rr * g_r[p][c2] + t_rz * g_z[p][c2];
-            const double along_z = t_rz * g_r[p][c2] + t_zz * g_z[p][c2];
-            double *row_r        = &matrix[2 * a * n + 2 * c2];
-            double *row_z        = row_r + n;
-            row_r[0] -= along_r * g_r[p][a] + t_tt * g_t[p][a] * g_t[p][c2];
-            row_r[1] -= along_r * g_z[p][a];
-            row_z[0] -= along_z * g_r[p][a];
-            row_z[1] -= along_z * g_z[p][a];
-          }
+          stress[p] = {t_rr, t_zz, t_tt, t_rz};
+      }
+      if (tangent)
+      {
+        derivative.project_volume(project);
+        for (unsigned int p = 0; p < n_points; ++p)
+          derivative.set_stress_rate(p, &moduli[16 * p], finite_ ? LogarithmicStrain::rate(b[p]) : small);
+        derivative.assemble(project, weight, stress, matrix.data());
       }
       if (linear_ && tangent)
         constant_matrices_.insert(constant_matrices_.end(), matrix.begin(), matrix.end());
@@ -207,8 +184,23 @@ namespace deltaform
 
   Status Solid::assemble(const Vector &q, AssemblyTarget &target)
   {
-    if (!constant_matrices_.empty())
-      return assemble_constant(q, target);
+    if (!linear_)
+      return assemble_all(q, target);
+    if (constant_matrices_.empty())
+    {
+      // Also where a run is resumed: the forces are those of the matrices from the first iteration on, to the last
+      // digit.
+      Nowhere nowhere(true);
+      const Status status = assemble_all(q, nowhere);
+      if (!status.good())
+        return status;
+    }
+    return assemble_constant(q, target);
+  }
+
+
+  Status Solid::assemble_all(const Vector &q, AssemblyTarget &target)
+  {
     return degree_ == 1 ? assemble_cells<4, 4>(q, target) : assemble_cells<9, 9>(q, target);
   }
 
@@ -241,20 +233,8 @@ namespace deltaform
   void Solid::update_linear_stress(const Vector &q)
   {
     // One more pass over the law, for strains and stresses only: nobody has asked for them on the way.
-    struct Nowhere : public AssemblyTarget
-    {
-      void add(const DofIndex *, unsigned int, const double *, const double *) override
-      {
-      }
-      bool wants_tangent() const override
-      {
-        return false;
-      }
-    } nowhere;
-    if (degree_ == 1)
-      assemble_cells<4, 4>(q, nowhere);
-    else
-      assemble_cells<9, 9>(q, nowhere);
+    Nowhere nowhere(false);
+    assemble_all(q, nowhere);
   }
 
 

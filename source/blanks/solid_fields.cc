@@ -98,11 +98,13 @@ namespace deltaform
       arc.push_back(g == 0 ? 0. : arc.back() + X.distance(middle(groups[g - 1], false)));
       // Of the middle line, by the neighbours.
       const auto &before = groups[g == 0 ? 0 : g - 1], &after = groups[std::min<std::size_t>(g + 1, groups.size() - 1)];
-      const Tensor1 tangent    = middle(after, true) - middle(before, true);
-      const double stretch     = tangent.norm() / middle(after, false).distance(middle(before, false));
-      const bool strip         = mesh_.is_strip();
-      const double thickness   = strip ? position(q, nodes.back()).distance(position(q, nodes.front()))
+      const Tensor1 tangent = middle(after, true) - middle(before, true);
+      const double stretch  = tangent.norm() / middle(after, false).distance(middle(before, false));
+      const bool strip      = mesh_.is_strip();
+      // Infinite where tools touch one face only: there is no thickness but the entry.
+      const double across      = strip ? position(q, nodes.back()).distance(position(q, nodes.front()))
                                        : distance(q, x, g < faces_[0].nodes.size() ? Side::top : Side::bottom);
+      const double thickness   = std::isfinite(across) ? across : mesh_.thickness();
       const double thickness_0 = strip ? nodes_[nodes.back()].distance(nodes_[nodes.front()]) : thickness;
       const double hoop        = !axisymmetric_ ? 0.
                                  : X[0] > 1e-9 * mesh_.thickness()

@@ -137,7 +137,6 @@ namespace deltaform
         state.epsilon_tangential = tangential_factor(state, nodal_stiffness(i, description, projection.tangent));
       state.last_penetration = state.penetration();
       state.shift            = settings_.enforcement->start_shift(state);
-      factor_at_start_[i]    = state.epsilon;
     }
   }
 
@@ -165,12 +164,10 @@ namespace deltaform
       bool change = false;
       if (!augmented)
       {
-        const double epsilon = settings_.rule->correct(what);
-        change               = epsilon != state.epsilon;
-        const double p       = state.penetration();
-        energy_of_changes_ += .5 * (epsilon - state.epsilon) * p * p;
+        const double epsilon   = settings_.rule->correct(what);
+        change                 = epsilon != state.epsilon;
         state.epsilon          = epsilon;
-        state.last_penetration = p;
+        state.last_penetration = state.penetration();
       }
       if (friction_ && settings_.tangential_factor == 0 && state.sticking)
       {
@@ -189,9 +186,9 @@ namespace deltaform
 
   double ContactPair::automatic_delta() const
   {
-    // A straight element cuts a curved tool by h^2 k/8, a quadratic one misses the change of the curvature: about h^2
-    // dk/(72 sqrt 3). A twentieth of the largest such error under the tool, so that contact is never what the result
-    // suffers from.
+    // A straight element cuts a curved tool by h^2 k/8, a quadratic one misses the change of the curvature, about h^2
+    // dk/(72 sqrt 3), and of a circle the fourth order: h^4 k^3/512. A twentieth of the largest such error under the
+    // tool, so that contact is never what the result suffers from.
     const auto project = [&](const unsigned int i) { return tool_.project(committed_x_[i], 0., hint_[i]); };
     std::vector<bool> concerned(committed_.size());
     bool any         = false;
@@ -218,14 +215,15 @@ namespace deltaform
     double error = 0.;
     for (const auto &edge : surface_.contact_edges(tool_.side()))
     {
-      const unsigned int a = edge[0], b = edge[1];
-      if (!concerned[a] && !concerned[b])
+      const unsigned int a = edge[0], b = edge[1], m = edge[2];
+      if (!concerned[a] && !concerned[b] && (m == invalid_index || !concerned[m]))
         continue;
       const double square = (committed_x_[b] - committed_x_[a]).norm_square();
-      const double ka = project(a).turning, kb = project(b).turning;
+      const double ka = project(a).turning, kb = project(b).turning, k = std::max(std::abs(ka), std::abs(kb));
       error = std::max(error,
-                       square * (edge[2] == invalid_index ? std::max(std::abs(ka), std::abs(kb)) / 8.
-                                                          : std::abs(ka - kb) / (72. * std::sqrt(3.))));
+                       square * (edge[2] == invalid_index
+                                   ? k / 8.
+                                   : std::abs(ka - kb) / (72. * std::sqrt(3.)) + square * k * k * k / 512.));
     }
     return error > 0 ? std::clamp(.05 * error, 1e-6 * thickness, 1e-2 * thickness) : 1e-3 * thickness;
   }

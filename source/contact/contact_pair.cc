@@ -145,15 +145,11 @@ namespace deltaform
 
   void ContactPair::begin_increment(const double time)
   {
-    time_              = time;
-    softening_         = 1.;
-    slack_             = 0.;
-    slip_limit_        = settings_.allowed_slip(time);
-    trial_             = committed_;
-    energy_of_changes_ = 0.;
-    factor_at_start_.resize(committed_.size());
-    for (unsigned int i = 0; i < committed_.size(); ++i)
-      factor_at_start_[i] = committed_[i].epsilon;
+    time_                   = time;
+    softening_              = 1.;
+    slack_                  = 0.;
+    slip_limit_             = settings_.allowed_slip(time);
+    trial_                  = committed_;
     const TimeFunction *own = tool_.allowed_penetration();
     const double asked      = own ? (*own)(time) : settings_.allowed_penetration(time);
     const double delta      = asked < 0 ? -asked * automatic_delta() : asked;

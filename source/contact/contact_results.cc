@@ -11,8 +11,6 @@ namespace deltaform
   void ContactPair::commit(const Vector &q)
   {
     const Tensor1 shift = travel(q) * tool_.direction();
-    energy_.epsilon += energy_of_changes_;
-    energy_of_changes_ = 0.;
     for (unsigned int i = 0; i < trial_.size(); ++i)
     {
       PairState &state        = trial_[i];
@@ -22,12 +20,11 @@ namespace deltaform
       if (!state.touching)
         state.epsilon = state.epsilon_tangential = state.stiffness = state.shift = state.last_penetration = 0.;
 
-      // Work of the factor changed at the start of the increment, at the penetration of then.
-      if (stores_energy() && before.touching && before.epsilon > 0)
-      {
-        const double p = before.penetration();
-        energy_.epsilon += .5 * (factor_at_start_[i] - before.epsilon) * p * p;
-      }
+      // What the springs gain beyond the trapezoidal work of their forces (eps p at both ends) when eps changes on the
+      // way. The round in which it changed does not matter, and a first touch (p = 0) counts nothing: its force goes
+      // from zero to the accepted one, whatever the factors of the rounds in between.
+      if (stores_energy() && before.touching && state.touching)
+        energy_.epsilon += .5 * (state.epsilon - before.epsilon) * before.penetration() * state.penetration();
       if (friction_ && (state.touching || before.touching))
       {
         const double start = before.touching ? before.arc_length : state.slip_start;
@@ -128,7 +125,7 @@ namespace deltaform
     for (const auto &edge : surface_.contact_edges(tool_.side()))
     {
       const unsigned int a = edge[0], b = edge[1], m = edge[2];
-      if (!committed_[a].touching && !committed_[b].touching)
+      if (!committed_[a].touching && !committed_[b].touching && (m == invalid_index || !committed_[m].touching))
         continue;
       const ContactNode start = node(q, a), end = node(q, b);
       const ContactNode middle = m == invalid_index ? start : node(q, m);

@@ -4,6 +4,7 @@
 #include <deltaform/base/command_line.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/base/text.h>
+#include <deltaform/results/earlier_run.h>
 #include <deltaform/results/json.h>
 
 #include <deal.II/base/config.h>
@@ -37,9 +38,12 @@ namespace deltaform
     if (error)
       throw SceneError("Cannot make the folder '" + folder + "' for the results: " + error.message() +
                        ". Choose another with --output or Output/Folder.");
-    // State and outcome of an earlier run must not be taken for those of this run.
+    // State and results of an earlier run must not be taken for those of this run.
     if (!start)
+    {
       std::filesystem::remove(Checkpoint::path(folder), error);
+      remove_earlier_results(folder);
+    }
     std::filesystem::remove(folder + "/summary.json", error);
     write_file_atomically(folder + "/scene.prm",
                           [&](std::ostream &out)

@@ -10,6 +10,8 @@ main(int argc, char *argv[])
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   setenv("OMPI_MCA_btl", "self", 0);
   setenv("OMPI_MCA_pml", "ob1", 0);
+  // Its folder in /tmp is shared by all runs of a user: one that ends may remove it while another starts.
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   return 0;
 }

@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
 {
   // Down, along, back and up again on a plane: the trapezoidal work of the forces is what the energies say, to the last
   // digit, because everything is linear between the states. Factors change at the starts of increments and in
-  // corrections, at fixed positions: the normal force of the way in between is the one with the factor of the start.
+  // corrections; only their values at the ends of the increment count, and the accepted force.
   const FakeSurface surface = row(2);
   PairFixture fixture(
     surface,
@@ -257,7 +257,8 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
   {
     const Vector next = place(fixture, x, z);
     fixture.begin_increment(q, ++k, stiffness);
-    const auto start = fixture.settle(q).residual, end = fixture.settle(next).residual;
+    fixture.settle(q);
+    fixture.settle(next);
     for (unsigned int round = 0; round < 3 && fixture.pair.correct_factors() > 0; ++round)
     {
       fixture.settle(next);
@@ -265,7 +266,7 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
     }
     const auto now = fixture.settle(next).residual;
     for (unsigned int i = 0; i < fixture.n; ++i)
-      work += .5 * (i % 2 == 0 ? now[i] + committed[i] : start[i] + end[i]) * (next[i] - q[i]);
+      work += .5 * (now[i] + committed[i]) * (next[i] - q[i]);
     committed = now;
     q         = next;
     fixture.pair.commit(q);

@@ -1,6 +1,8 @@
 """Tables of the solid blank for benchmarks.py: errors and orders against closed forms and published values."""
 import math
 
+import shell_and_solid
+
 
 def cells_of(degree, n):
     return ["Blank/Degree=%d" % degree, "Blank/Elements=%d" % n, "Blank/Elements through thickness=%d" % n]
@@ -52,8 +54,14 @@ def make(markdown, series):
         quantities = [("a = %d" % a, "history.csv",
                        lambda rows, a=a: -at(rows, "wall_travel", a - 10.)["wall_force_r"] / (2 * math.pi * a),
                        -cylinder_stress(a)) for a in (20, 40, 85)]
-        return by_mesh(run, "thick_cylinder", (5, 10, 20, 40), quantities, 1e-1,
-                       mesh=lambda degree, n: ["Blank/Degree=%d" % degree, "Blank/Elements=%d" % n])
+        mesh = lambda degree, n: ["Blank/Degree=%d" % degree, "Blank/Elements=%d" % n]
+        exact = by_mesh(run, "thick_cylinder", (5, 10, 20, 40), quantities, 1e-1, mesh=mesh)
+        # The error of the mesh alone: elastic strains and increments are the same on all.
+        finest = run("thick_cylinder", "history.csv", *mesh(2, 80))
+        own = by_mesh(run, "thick_cylinder", (5, 10, 20, 40),
+                      [("mesh alone, " + title, file, value, value(finest)) for title, file, value, _ in quantities],
+                      1e-8, mesh=mesh)
+        return exact + "\n\n" + own
 
     def necking(run):
         rows = []
@@ -63,9 +71,11 @@ def make(markdown, series):
                             "Blank/Elements through thickness=%d" % across,
                             "Steps/pull/Largest increment=%g" % increment)
                 rows.append([str(degree), "%d x %d" % (along, across), "%g" % increment,
-                             "%.3f" % (table[-1]["pull_reaction"] / 1e3),
-                             "%.4f" % (table[-1]["min_thickness"] / 6.413), "%.0e" % abs(table[-1]["energy_error"])])
-        return markdown(["degree", "elements", "increment", "force (kN)", "r/R", "energy balance"], rows)
+                             "%.3f (%.1e)" % (table[-1]["pull_reaction"] / 1e3, table[-1]["pull_reaction"] / 75678. - 1),
+                             "%.4f (%.1e)" % (table[-1]["min_thickness"] / 6.413,
+                                              table[-1]["min_thickness"] / 6.413 / .9426 - 1),
+                             "%.0e" % abs(table[-1]["energy_error"])])
+        return markdown(["degree", "elements", "increment", "force (kN), error", "r/R, error", "energy balance"], rows)
 
     def upsetting(run):
         rows = []
@@ -114,6 +124,21 @@ def make(markdown, series):
                                            for f, g in zip(force, reference)] + ["%.4f" % w for w in worst])
         return markdown(["mu", "blank", "kN at 20 mm", "kN at 40 mm", "thickness strain, r < 50", "2 < r < 50"], rows)
 
+    def published(run):
+        """Forces at the published travels, which the runs hit exactly."""
+        rows = []
+        travels = "Output/Travels=" + ", ".join("%g" % travel for _, travel in shell_and_solid.PUBLISHED)
+        tables = [run(scene, "history.csv", travels, *sets) for scene, sets in (
+            ("osu_stretching", ("Blank/Elements=200",)),
+            ("osu_stretching", ("Blank/Elements=200", "Blank/Transverse normal stress=false")),
+            ("osu_stretching_solid", ()))]
+        for force, travel in shell_and_solid.PUBLISHED:
+            computed = [at(table, "punch_travel", travel)["punch_force_z"] for table in tables]
+            rows.append(["%.1f" % travel, "%g" % (force / 1e3)] +
+                        ["%.2f (%+.1f %%)" % (value / 1e3, 100 * (value / force - 1)) for value in computed])
+        return markdown(["mm", "published", "shell, 200", "shell, 200, no transverse normal stress",
+                         "solid, degree 2, 80 x 2"], rows)
+
     def cup_models(run):
         rows = []
         for title, scene, sets in (
@@ -134,6 +159,8 @@ def make(markdown, series):
     def patch(run):
         rows = []
         contacts = (("active set", ("Contact/Enforcement=active set",)),
+                    ("augmented Lagrangian, gaps to 1e-12 delta", ("Contact/Enforcement=augmented Lagrangian",
+                                                                  "Contact/Augmentation tolerance=1e-12")),
                     ("constant per area", ("Contact/Enforcement=penalty", "Contact/Penalty rule=constant",
                                            "Contact/Penalty factor=1e4", "Contact/Penalty factor is=per area")),
                     ("constant per node", ("Contact/Enforcement=penalty", "Contact/Penalty rule=constant",
@@ -170,6 +197,23 @@ def make(markdown, series):
         return markdown(["degree", "elements each way", "11: F, sphere", "11: p0, sphere", "12: p0, cylinder",
                          "13: F, flat punch"], rows)
 
+    def delta(run):
+        """What the allowed penetration adds to the force of a mesh, and what the mesh itself is off by."""
+        exact, rows = 4. / 3. * 1000 / .91 * math.sqrt(200.) * .005 ** 1.5, []
+        cases = ("2e-5", "1e-6", "auto")
+        for degree, sizes in ((1, (10, 20, 40, 80)), (2, (5, 10, 20, 40))):
+            for n in sizes:
+                tables = [run("hertz_sphere", "history.csv", *cells_of(degree, n))] + [
+                    run("hertz_sphere", "history.csv", "Contact/Enforcement=penalty", "Contact/Allowed penetration=" + d,
+                        *cells_of(degree, n)) for d in cases]
+                held = tables[0][-1]["sphere_force_z"]
+                rows.append([str(degree), str(n), "%.1e" % (held / exact - 1)])
+                for table in tables[1:]:
+                    rows[-1] += ["%.1e, %.1e" % (table[-1]["max_penetration"], table[-1]["sphere_force_z"] / held - 1)] \
+                        if table else ["failed"]
+        return markdown(["degree", "elements each way", "mesh: F, active set"] +
+                        ["delta = %s: p, F" % d for d in cases], rows)
+
     def greco(run):
         published, rows = (28.6, 27.2, 22.8, 19.8, 15.0), [["published", ""] + ["28.6", "27.2", "22.8", "19.8", "15.0"]]
         for degree, n in ((1, 32), (1, 64), (2, 32)):
@@ -189,5 +233,6 @@ def make(markdown, series):
         return markdown(["degree", "elements", "F/(2 pi d), d = .5", "d = 1"], rows)
 
     return {"thick sphere": thick_sphere, "thick cylinder": thick_cylinder, "necking": necking, "upsetting": upsetting,
-            "stretching": stretching, "cup models": cup_models, "contact patch": patch, "hertz": hertz, "greco": greco,
+            "stretching": stretching, "stretching published": published,
+            "cup models": cup_models, "contact patch": patch, "hertz": hertz, "delta": delta, "greco": greco,
             "indentation": indentation}

@@ -15,7 +15,7 @@ namespace deltaform
   {
     double stored    = 0; ///< now in the penalty springs: eps p^2 / 2, and t^2 / (2 eps_t) of sticking friction
     double friction  = 0; ///< dissipated so far
-    double epsilon   = 0; ///< work done on the pairs by changing eps at fixed penetration, so far
+    double epsilon   = 0; ///< work done on the pairs by changing eps, so far: (eps_1 - eps_0) p_0 p_1 / 2 per increment
     double thickness = 0; ///< work done on the pairs by the thickness that is updated between increments, so far
 
     ContactEnergy &operator+=(const ContactEnergy &other)

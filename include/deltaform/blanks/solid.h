@@ -107,6 +107,7 @@ namespace deltaform
 
     template <unsigned int n_nodes, unsigned int n_points>
     Status assemble_cells(const Vector &q, AssemblyTarget &target);
+    Status assemble_all(const Vector &q, AssemblyTarget &target);
 
     /// Small strain and a law that is linear: every cell's matrix is kept from the first pass, no law is asked again.
     Status assemble_constant(const Vector &q, AssemblyTarget &target);

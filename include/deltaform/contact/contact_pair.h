@@ -262,8 +262,6 @@ namespace deltaform
     std::vector<ContactNode> description_;                  ///< of touching nodes at the last assembly
     std::vector<Tensor1> normal_;                           ///< the same
     std::vector<double> base_multiplier_, step_multiplier_; ///< estimates of lambda along a Newton step
-    std::vector<double> factor_at_start_;                   ///< after the prediction, before corrections
-    double energy_of_changes_ = 0;                          ///< of the corrections within this increment
     Tensor1 tool_force_;
     ContactEnergy energy_;
   };

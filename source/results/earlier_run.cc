@@ -1,0 +1,53 @@
+#include <deltaform/results/earlier_run.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <vector>
+
+namespace deltaform
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /// Is it a table of this program? Its second line says so.
+    bool is_table(const fs::path &path)
+    {
+      std::ifstream file(path);
+      std::string line;
+      for (unsigned int i = 0; i < 2 && std::getline(file, line); ++i)
+        if (line.rfind("# deltaform ", 0) == 0)
+          return true;
+      return false;
+    }
+  } // namespace
+
+
+  unsigned int remove_earlier_results(const std::string &folder)
+  {
+    const std::regex table("(profile|contact|tools)_.+\\.csv");
+    std::error_code error;
+    std::vector<fs::path> found;
+    for (const auto &entry : fs::directory_iterator(folder, error))
+      if (entry.is_regular_file(error) && std::regex_match(entry.path().filename().string(), table) &&
+          is_table(entry.path()))
+        found.push_back(entry.path());
+
+    const fs::path series = fs::path(folder) / "scene.pvd";
+    if (std::ifstream file(series); file)
+    {
+      // Names only: nothing outside the folder can be meant.
+      const std::regex picture("file=\"((blank|tools)_[0-9]+\\.vtu)\"");
+      std::string line;
+      for (std::smatch match; std::getline(file, line);)
+        if (std::regex_search(line, match, picture))
+          found.push_back(fs::path(folder) / match[1].str());
+      found.push_back(series);
+    }
+    unsigned int count = 0;
+    for (const auto &path : found)
+      count += fs::remove(path, error);
+    return count;
+  }
+} // namespace deltaform

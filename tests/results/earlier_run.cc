@@ -1,0 +1,41 @@
+#include <deltaform/results/earlier_run.h>
+
+#include "../base/messages.h"
+
+#include <filesystem>
+#include <fstream>
+
+using namespace deltaform;
+
+BOOST_AUTO_TEST_SUITE(earlier_run)
+
+BOOST_AUTO_TEST_CASE(only_what_the_program_has_written_goes)
+{
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string &name, const std::string &content)
+  { std::ofstream(folder.file(name)) << content; };
+  const std::string head = "# a title\n# deltaform 0.1.0, units: mm\n# units: mm\nR0\n0\n";
+  for (const auto *const name : {"profile_1.csv", "contact_0.6.csv", "tools_40_release.csv"})
+    write(name, head);
+  write("scene.pvd",
+        "<?xml version=\"1.0\"?>\n<DataSet timestep=\"0\" part=\"0\" file=\"blank_0000.vtu\"/>\n"
+        "<DataSet timestep=\"0\" part=\"1\" file=\"tools_0000.vtu\"/>\n"
+        "<DataSet timestep=\"1\" part=\"0\" file=\"../blank_0001.vtu\"/>\n");
+  for (const auto *const name : {"blank_0000.vtu", "tools_0000.vtu"})
+    write(name, "<VTKFile/>");
+
+  const std::vector<const char *> others{"profile_measured.csv", "blank_0007.vtu", "notes.txt", "profile_1.csv.old"};
+  for (const auto *const name : others)
+    write(name, "r,z\n0,0\n");
+  BOOST_TEST(remove_earlier_results(folder.file("")) == 6u);
+  unsigned int left = 0;
+  for (const auto &entry : std::filesystem::directory_iterator(folder.file("")))
+    left += entry.is_regular_file();
+  BOOST_TEST(left == others.size());
+  for (const auto *const name : others)
+    BOOST_TEST(std::filesystem::exists(folder.file(name)));
+  BOOST_TEST(remove_earlier_results(folder.file("")) == 0u);
+  BOOST_TEST(remove_earlier_results(folder.file("nowhere")) == 0u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
