@@ -21,7 +21,7 @@ ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROO
 def run(program, cells, solver, sets=(), processes=0, timeout=900):
     """The last row of the history, times and unknowns of a run; None if it did not end well."""
     with tempfile.TemporaryDirectory() as folder:
-        command = ["mpirun", "-np", str(processes), "--oversubscribe"] if processes else []
+        command = ["mpirun", "-np", str(processes), "--oversubscribe", "--bind-to", "none"] if processes else []
         command += [program, SCENE, "--quiet", "--output", folder]
         for entry in ["Blank/Elements=%d" % cells, "Blank/Elements through thickness=%d" % cells,
                       "Solver/Linear solver=" + solver, *sets]:
