@@ -1,4 +1,5 @@
 // Tables and pictures of the accepted state of the solid.
+#include <deltaform/base/ranks.h>
 #include <deltaform/blanks/solid.h>
 
 #include <algorithm>
@@ -213,6 +214,10 @@ namespace deltaform
         von_mises.push_back(mises(tau));
         mean.push_back((tau[0] + tau[1] + tau[2]) / 3.);
       }
+    drawing.cells = ranks::gather(drawing.cells);
+    for (auto &field : drawing.fields)
+      if (!field.per_point)
+        field.values = ranks::gather(field.values);
     return drawing;
   }
 } // namespace deltaform

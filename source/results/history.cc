@@ -45,6 +45,8 @@ namespace deltaform
                                             {"rigid_modes", "1", get<&Row::rigid_modes>},
                                             {"digits_lost", "1", get<&Row::digits_lost>}};
 
+    const std::vector<Number> linear_solver = {{"linear_iterations", "1", get<&Row::linear_iterations>}};
+
     const std::vector<Number> energies = {{"tool_work", "force*length", get<&Row::tool_work>},
                                           {"elastic_energy", "force*length", get<&Row::elastic_energy>},
                                           {"plastic_energy", "force*length", get<&Row::plastic_energy>},
@@ -56,10 +58,10 @@ namespace deltaform
                                           {"energy_error", "1", get<&Row::energy_error>}};
 
     template <typename Action>
-    void for_each_number(const bool condition, const Action &action)
+    void for_each_number(const HistoryOptions &options, const Action &action)
     {
-      for (const auto *group : {&costs_and_contact, &conditions, &energies})
-        if (group != &conditions || condition)
+      for (const auto *group : {&costs_and_contact, &conditions, &linear_solver, &energies})
+        if ((group != &conditions || options.condition) && (group != &linear_solver || options.iterative))
           for (const Number &number : *group)
             action(number);
     }
@@ -75,7 +77,7 @@ namespace deltaform
       result.push_back({tool + "_force_z", units.of("force")});
       result.push_back({tool + "_force_r", units.of("force")});
     }
-    for_each_number(options.condition,
+    for_each_number(options,
                     [&](const Number &number) {
                       result.push_back({number.name, units.of(number.dimension)});
                     });
@@ -92,7 +94,7 @@ namespace deltaform
                    const std::vector<std::string> &tools,
                    const Units &units,
                    const HistoryOptions &options)
-    : condition_(options.condition),
+    : options_(options),
       file_(options.resume_after ? reopen_history(path, comments, columns(tools, units, options), *options.resume_after)
                                  : CsvWriter(path, comments, columns(tools, units, options)))
   {
@@ -103,7 +105,7 @@ namespace deltaform
     std::vector<CsvWriter::Cell> cells{static_cast<double>(row.increment), row.stage, row.time};
     for (const auto &tool : row.tools)
       cells.insert(cells.end(), {tool.travel, tool.force_z, tool.force_r});
-    for_each_number(condition_, [&](const Number &number) { cells.emplace_back(number.value(row)); });
+    for_each_number(options_, [&](const Number &number) { cells.emplace_back(number.value(row)); });
     for (const double reaction : row.reactions)
       cells.emplace_back(reaction);
     file_.row_of_cells(cells);

@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(singular_systems_are_reported)
       dealii::DynamicSparsityPattern pattern(3, 3);
       for (unsigned int i = 0; i < 3; ++i)
         pattern.add(i, i);
-      System system(pattern, 0, solver);
+      System system(std::move(pattern), 0, solver);
       const auto assemble = [&](const double last)
       {
         system.clear(true);
@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(a_border_that_nothing_holds_is_reported)
 {
   dealii::DynamicSparsityPattern pattern(1, 1);
   pattern.add(0, 0);
-  System system(pattern, 1, "klu");
+  System system(std::move(pattern), 1, "klu");
   const DofIndex dofs[] = {0, 1};
   const double load[]   = {1., 1.};
   Vector zero(2), d(2);

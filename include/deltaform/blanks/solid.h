@@ -25,6 +25,7 @@ namespace deltaform
     explicit Solid(Section &section);
 
     unsigned int n_dofs() const override;
+    dealii::IndexSet locally_owned_dofs() const override;
     void add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
     std::vector<DofIndex> fixed_dofs() const override;
     std::vector<DofIndex> boundary_dofs(const std::string &boundary, Component component) const override;
@@ -100,10 +101,14 @@ namespace deltaform
     };
 
     void set_up_dofs();
+    void set_up_distributed_dofs();
     void set_up_points();
     void set_up_boundary();
     void set_up_face(ContactFace &face, const std::vector<std::string> &names);
     void update_areas(const Vector &q) const;
+
+    /// The own cells, whatever other processes find in theirs.
+    Status assemble_own_cells(const Vector &q, AssemblyTarget &target);
 
     template <unsigned int n_nodes, unsigned int n_points>
     Status assemble_cells(const Vector &q, AssemblyTarget &target);
@@ -144,6 +149,7 @@ namespace deltaform
     std::unique_ptr<dealii::FESystem<2>> element_;
     dealii::DoFHandler<2> dof_handler_;
     unsigned int n_nodes_per_cell_, n_points_per_cell_;
+    /// Nodes, known to all processes, and cells with their points and history, known to the process that owns them.
     std::vector<std::array<unsigned int, 9>> cells_; ///< nodes: corners, middles of the edges, centre
     std::vector<Point2> nodes_;                      ///< undeformed
     std::vector<Point2> parameters_;                 ///< of the nodes in the triangulation

@@ -6,6 +6,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ namespace deltaform
     /// The cells; a strip lies in its parameter plane (station along the meridian, coordinate across), see place().
     const dealii::Triangulation<2> &triangulation() const
     {
-      return triangulation_;
+      return *triangulation_;
     }
 
     /// Where a point of the triangulation lies in the undeformed body.
@@ -61,7 +62,8 @@ namespace deltaform
     void read_gmsh(Section &section);
     void read_disc_segment(Section &section);
 
-    dealii::Triangulation<2> triangulation_;
+    /// Distributed among the processes if there are several: a process then sees its own cells and those next to them.
+    std::unique_ptr<dealii::Triangulation<2>> triangulation_;
     std::vector<std::string> boundaries_;
     std::vector<Station> stations_;
     unsigned int stations_per_cell_ = 1;

@@ -41,7 +41,7 @@ namespace deltaform
   class FormingProblem : public NonlinearProblem
   {
   public:
-    FormingProblem(Actors &actors, const std::string &linear_solver, Timers &timers);
+    FormingProblem(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers);
 
     /// @name NonlinearProblem
     ///@{
@@ -82,6 +82,11 @@ namespace deltaform
     }
 
     System &system()
+    {
+      return *system_;
+    }
+
+    const System &system() const
     {
       return *system_;
     }
@@ -149,7 +154,10 @@ namespace deltaform
     /// Who takes part in a stage, and which unknowns it prescribes.
     void enter_stage(const Stage &stage);
 
-    void number_unknowns(const std::string &linear_solver);
+    void number_unknowns(const LinearSolverSettings &linear_solver);
+
+    /// Tell the system what an algebraic multigrid has to know.
+    void describe_rigid_motions();
 
     void assemble_loads(const Vector &q, AssemblyTarget &target) const;
 
@@ -163,7 +171,7 @@ namespace deltaform
 
     Actors &actors_;
     Timers &timers_;
-    Timers::Index timer_blank_, timer_contact_, timer_commit_;
+    Timers::Index timer_blank_, timer_sum_, timer_contact_, timer_commit_;
     std::unique_ptr<System> system_;
     std::vector<double> scale_, size_;
     std::vector<bool> is_fixed_, is_prescribed_;
