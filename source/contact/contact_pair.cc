@@ -16,10 +16,11 @@ namespace deltaform
       return constants;
     }
 
-    /// Share of the friction force that a node receives, s = d(foot point)/d(node), and its gradient.
+    /// Share of the friction force that a node receives, with its gradient, and d(slip)/d(displacement along the
+    /// tangent): the same but for the penetration.
     struct SlipTransfer
     {
-      double rate = 0., along_normal = 0., along_tangent = 0.;
+      double share = 0., along_normal = 0., along_tangent = 0., slip_rate = 0.;
     };
 
     /**
@@ -29,13 +30,15 @@ namespace deltaform
     SlipTransfer slip_transfer(const Shape &shape, const double offset, const Projection &projection)
     {
       if (offset == 0. || projection.slip_rate == 0.)
-        return {projection.slip_rate, -projection.turning * projection.slip_rate, 0.};
-      const double k = shape.mean_curvature(projection.arc_length, offset);
-      const double s = 1. / (1. + k * projection.distance);
+        return {projection.slip_rate, -projection.turning * projection.slip_rate, 0., projection.slip_rate};
+      const double k       = shape.mean_curvature(projection.arc_length, offset);
+      const double s       = 1. / (1. + k * projection.distance);
+      const double k_point = projection.turning / (1. - projection.turning * projection.distance);
       return {s,
               -s * s * k,
               -s * s * projection.distance * projection.slip_rate *
-                shape.curvature_change(projection.arc_length, offset)};
+                shape.curvature_change(projection.arc_length, offset),
+              projection.slip_rate * (1. + k_point * offset) / (1. + k * offset)};
     }
   } // namespace
 
@@ -363,7 +366,7 @@ namespace deltaform
 
     const auto &N = projection.normal, &tau = projection.tangent;
     const SlipTransfer slip = friction_ ? slip_transfer(tool_.shape(), node.offset, projection) : SlipTransfer();
-    const double s          = slip.rate;
+    const double s          = slip.share;
     const Tensor1 force     = normal.force * N - friction.force * s * tau;
     if (normal.touching)
       tool_force_ -= force;
@@ -386,10 +389,10 @@ namespace deltaform
     Tensor2 dF;
     for (unsigned int a = 0; a < 2; ++a)
       for (unsigned int b = 0; b < 2; ++b)
-        dF[a][b] = normal.derivative * N[a] * N[b] + pressing * turning * tau[a] * tau[b] -
-                   s * tau[a] * (friction.slip_rate * s * tau[b] + friction.force_rate * normal.derivative * N[b]) -
-                   t * tau[a] * (slip.along_normal * N[b] + slip.along_tangent * tau[b]) +
-                   t * s * turning * N[a] * tau[b];
+        dF[a][b] =
+          normal.derivative * N[a] * N[b] + pressing * turning * tau[a] * tau[b] -
+          s * tau[a] * (friction.slip_rate * slip.slip_rate * tau[b] + friction.force_rate * normal.derivative * N[b]) -
+          t * tau[a] * (slip.along_normal * N[b] + slip.along_tangent * tau[b]) + t * s * turning * N[a] * tau[b];
     matrix.fill(0.);
     for (unsigned int k = 0; k < n_motion; ++k)
     {

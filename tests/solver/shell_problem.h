@@ -46,7 +46,7 @@ namespace deltaform
               pattern.add(blank->n_dofs() + i, node.dofs[k]);
             }
           }
-        system = std::make_unique<System>(pattern, n_border, "klu");
+        system = std::make_unique<System>(std::move(pattern), n_border, "klu");
 
         prescribed.assign(n, false);
         for (const auto dof : blank->fixed_dofs())
