@@ -11,11 +11,12 @@
 namespace deltaform
 {
   FormingProblem::FormingProblem(Actors &actors, const std::string &linear_solver, Timers &timers)
-    : actors_(actors), timers_(timers), timer_blank_(timers.section("3-6 blank: strains, material, residual, tangent")),
+    : actors_(actors), linear_solver_(linear_solver), timers_(timers),
+      timer_blank_(timers.section("3-6 blank: strains, material, residual, tangent")),
       timer_contact_(timers.section("7-9 contact: projection, forces, tangent")),
       timer_commit_(timers.section("12 commit")), augmentation_(8)
   {
-    number_unknowns(linear_solver);
+    number_unknowns();
     tool_forces_.resize(actors_.tools.size());
     travels_.resize(actors_.tools.size());
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
@@ -23,7 +24,7 @@ namespace deltaform
   }
 
 
-  void FormingProblem::number_unknowns(const std::string &linear_solver)
+  void FormingProblem::number_unknowns()
   {
     const unsigned int n_blank = actors_.blank->n_dofs();
     const bool multipliers     = actors_.contact && actors_.contact->enforcement->has_multiplier();
@@ -56,7 +57,11 @@ namespace deltaform
           }
         }
     }
-    system_ = std::make_unique<System>(pattern, n_border, linear_solver);
+    // Newton holds on to the object.
+    if (system_)
+      *system_ = System(pattern, n_border, linear_solver_);
+    else
+      system_ = std::make_unique<System>(pattern, n_border, linear_solver_);
 
     const unsigned int n = n_sparse + n_border;
     committed_.reinit(n);

@@ -28,6 +28,7 @@ namespace deltaform
         names.push_back(tool->name());
       HistoryOptions options;
       options.condition = scene.output->condition_every > 0;
+      options.refinement = scene.actors.blank->refinement() != nullptr;
       if (start)
         options.resume_after = start->increment;
       for (const auto &support : scene.actors.supports)

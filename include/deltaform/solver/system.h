@@ -29,6 +29,8 @@ namespace deltaform
      */
     System(const dealii::DynamicSparsityPattern &pattern, unsigned int n_border, const std::string &solver);
     ~System() override;
+    System(System &&) noexcept;
+    System &operator=(System &&) noexcept;
 
     unsigned int size() const;
 
