@@ -22,7 +22,9 @@ namespace deltaform
       for (const auto i : {a, b})
       {
         const Projection foot = tool_.project(committed_x_[i], 0., hint_[i]);
-        if (foot.turning != 0. && (touching(i) || foot.distance < length))
+        // Twice the height of the arc over the edge: before the nodes come so near, the middle may have touched.
+        const double near = .25 * length * length * std::abs(foot.turning);
+        if (foot.turning != 0. && (touching(i) || foot.distance < near))
           longest[e] = std::min(longest[e], share / std::abs(foot.turning));
       }
     }

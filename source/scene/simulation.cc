@@ -174,6 +174,9 @@ namespace deltaform
     if (!result.converged())
       return explain(result);
 
+    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong.
+    if (time <= time_)
+      return "";
     const double strain = scene_.actors.blank->largest_strain_increment();
     if (strain > scene_.steps->largest_strain)
       return "the largest strain increment is " + text::format(strain) + ", allowed are " +

@@ -170,8 +170,8 @@ namespace deltaform
     /// The blank has other nodes than before: pairs of all of them, without contact.
     void resize();
 
-    /// Lower the longest allowed length of each edge of the side where it touches, or is nearer than its length to, a
-    /// round part of the tool: to @p share of its radius (0: nowhere); @p rim: to 0 where contact ends inside the edge.
+    /// Lower the longest allowed length of each edge of the side where it touches, or is about to touch, a round part of
+    /// the tool: to @p share of its radius (0: nowhere); @p rim: to 0 where contact ends inside the edge.
     void shorten_edges(double share, bool rim, std::vector<double> &longest) const;
 
     /**
