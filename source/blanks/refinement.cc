@@ -4,6 +4,17 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    bool several_processes()
+    {
+      int initialized = 0;
+      MPI_Initialized(&initialized);
+      return initialized != 0 && dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
+    }
+  } // namespace
+
+
   RefinementSettings::RefinementSettings(Section section)
   {
     const std::string criterion =
@@ -17,7 +28,7 @@ namespace deltaform
     by_error = criterion == "recovery";
     if (!active && !section.documentation())
       return;
-    if (active && dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    if (active && several_processes())
       section.fail("Criterion", "refinement during the run works on one process only, not under mpirun -n 2 or more");
     share  = section.number("Error share",
                            .5,

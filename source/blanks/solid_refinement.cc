@@ -155,9 +155,10 @@ namespace deltaform
         for (unsigned int k = 0; k < n_state; ++k)
           state[k] += w[s] * states[s * n_state + k];
       const double value = equivalent(state.data());
-      const double part  = value > most    ? (most - middle) / (value - middle)
-                           : value < least ? (least - middle) / (value - middle)
-                                           : 1.;
+      // A little less, so that round-off does not make a strain negative.
+      const double part = value > most    ? (1. - 1e-14) * (most - middle) / (value - middle)
+                          : value < least ? (1. - 1e-14) * (least - middle) / (value - middle)
+                                          : 1.;
       for (unsigned int k = 0; k < n_state; ++k)
         result[2 * n_vectors * n + p * n_state + k] = part == 1. ? state[k] : mean[k] + part * (state[k] - mean[k]);
     }
