@@ -16,9 +16,11 @@ namespace deltaform
       const auto touching = [&](const unsigned int i) { return committed_[i].touching; };
       if (rim && touching(a) != touching(b))
         longest[e] = 0.;
+      const double length = committed_x_[a].distance(committed_x_[b]);
+      if (missed(edges[e]))
+        longest[e] = 0.;
       if (share == 0.)
         continue;
-      const double length = committed_x_[a].distance(committed_x_[b]);
       for (const auto i : {a, b})
       {
         const Projection foot = tool_.project(committed_x_[i], 0., hint_[i]);
@@ -28,6 +30,22 @@ namespace deltaform
           longest[e] = std::min(longest[e], share / std::abs(foot.turning));
       }
     }
+  }
+
+
+  bool ContactPair::missed(const std::array<unsigned int, 3> &edge) const
+  {
+    for (const auto i : edge)
+      if (i != invalid_index && committed_[i].touching)
+        return false;
+    const Point2 &A = committed_x_[edge[0]], &B = committed_x_[edge[1]];
+    if (tool_.project(A, 0., hint_[edge[0]]).distance > A.distance(B))
+      return false;
+    constexpr unsigned int n_samples = 8;
+    for (unsigned int k = 0; k <= n_samples; ++k)
+      if (tool_.project(A + (k / static_cast<double>(n_samples)) * (B - A), 0.).distance < 0)
+        return true;
+    return false;
   }
 
 

@@ -170,8 +170,9 @@ namespace deltaform
     /// The blank has other nodes than before: pairs of all of them, without contact.
     void resize();
 
-    /// Lower the longest allowed length of each edge of the side where it touches, or is about to touch, a round part of
-    /// the tool: to @p share of its radius (0: nowhere); @p rim: to 0 where contact ends inside the edge.
+    /// Lower the longest allowed length of each edge of the side where it touches, or is about to touch, a round part
+    /// of the tool: to @p share of its radius (0: nowhere). To 0 where no node has noticed the tool yet, and, if @p
+    /// rim, where contact ends inside the edge.
     void shorten_edges(double share, bool rim, std::vector<double> &longest) const;
 
     /**
@@ -204,6 +205,9 @@ namespace deltaform
 
     /// K_nn (or K_tt) = (J^T n)^T K (J^T n) with the nodal block of the blank's tangent.
     double nodal_stiffness(unsigned int i, const ContactNode &node, const Tensor1 &direction) const;
+
+    /// Does an edge of a solid overlap with the tool although none of its nodes touches?
+    bool missed(const std::array<unsigned int, 3> &edge) const;
 
     double neighbour_factor(unsigned int i) const;
 
