@@ -235,8 +235,8 @@ namespace deltaform
       gradients.push_back(F.hoop);
     }
     boost::archive::binary_oarchive archive(stream);
-    archive << passes_ << history_ << committed_stress_ << gradients << plastic_metric_ << faces_[0].area
-            << faces_[1].area << smallest_thickness_ << energy_.elastic << energy_.plastic;
+    archive << passes_ << estimated_error_ << history_ << committed_stress_ << gradients << plastic_metric_
+            << faces_[0].area << faces_[1].area << smallest_thickness_ << energy_.elastic << energy_.plastic;
   }
 
 
@@ -252,8 +252,8 @@ namespace deltaform
       mesh_.triangulation().load_refine_flags(passes[pass]);
       refine(none);
     }
-    archive >> history_ >> committed_stress_ >> gradients >> plastic_metric_ >> faces_[0].area >> faces_[1].area >>
-      smallest_thickness_ >> energy_.elastic >> energy_.plastic;
+    archive >> estimated_error_ >> history_ >> committed_stress_ >> gradients >> plastic_metric_ >> faces_[0].area >>
+      faces_[1].area >> smallest_thickness_ >> energy_.elastic >> energy_.plastic;
     for (unsigned int i = 0; i < committed_deformation_.size(); ++i)
     {
       std::copy_n(gradients.begin() + 5 * i, 4, committed_deformation_[i].f.begin());
