@@ -134,7 +134,8 @@ namespace deltaform
       return result;
 
     // Plastic state: interpolated between the parent's points, towards their mean as far as the equivalent plastic
-    // strain would leave the range that it has there. The logarithm of C_p^-1 has no trace, whatever the weights.
+    // strain would leave the range that a linear one with these values has at the points of the children, or get
+    // negative. The logarithm of C_p^-1 has no trace, whatever the weights.
     const double *const states = &parent[2 * n_vectors * n];
     const auto equivalent      = [&](const double *const state) { return material_->equivalent_plastic_strain(state); };
     CellData mean(n_state, 0.), state(n_state);
@@ -147,6 +148,10 @@ namespace deltaform
         mean[k] += states[p * n_state + k] / n_points;
     }
     const double middle = equivalent(mean.data());
+    const double first = quadrature_.front()[0], reach = .5 * first / (1. - 2. * first);
+    const double range = most - least;
+    most += reach * range;
+    least = std::max(0., least - reach * range);
     for (unsigned int p = 0; p < n_points; ++p)
     {
       const auto w = point_weights(quadrature_, in_parent(quadrature_[p], child));

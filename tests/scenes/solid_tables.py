@@ -223,6 +223,26 @@ def make(markdown, series):
         return markdown(["problem", "mesh", "unknowns", "nodes in contact", "force", "innermost pressure",
                          "mean error of p, r < .7"], rows)
 
+    def half_space_delta(run):
+        """The sphere on refined meshes with penalty: delta fixed, and delta of the mesh."""
+        rows = []
+        force = 4. / 3. * 1000 / .91 * math.sqrt(200.) * .005 ** 1.5
+        for delta in ("1e-4", "1e-5", "1e-6", "auto", "active set"):
+            contact = ["Contact/Enforcement=active set"] if delta == "active set" else \
+                ["Contact/Enforcement=penalty", "Contact/Allowed penetration=" + delta]
+            tables = run("hertz_sphere", ["history.csv", "contact_0.005.csv"], *ungraded, "Blank/Elements=10",
+                         "Blank/Elements through thickness=10", *refined(10), *contact)
+            if not tables:
+                rows.append([delta] + ["failed"] * 5)
+                continue
+            mean = [abs(row["pressure"] / (2 * 1000 / .91 / (math.pi * 200.) * math.sqrt(1 - row["R0"] ** 2)) - 1)
+                    for row in tables[1] if .1 < row["R0"] < .7]
+            rows.append([delta] + ["%.1e" % (tables[0][k]["sphere_force_z"] / force - 1) for k in (4, 6, 8, 10)] +
+                        ["%.1e" % tables[0][-1]["max_penetration"], "%.1e" % (sum(mean) / len(mean)),
+                         str(int(sum(row["newton_iterations"] for row in tables[0])))])
+        return markdown(["delta", "force, refined 4 times", "6 times", "8 times", "10 times", "p",
+                         "mean error of the pressure, .1 < r < .7", "Newton iterations"], rows)
+
     def stretching_refined(run):
         """OSU stretching, the mesh refined during the run; delta fixed and delta of the mesh."""
         rows = []
@@ -254,4 +274,4 @@ def make(markdown, series):
 
     return {"thick sphere": thick_sphere, "thick cylinder": thick_cylinder, "necking": necking, "upsetting": upsetting,
             "stretching": stretching, "cup models": cup_models, "contact patch": patch, "hertz": hertz, "greco": greco,
-            "indentation": indentation, "half space": half_space, "stretching refined": stretching_refined}
+            "indentation": indentation, "half space": half_space, "half space delta": half_space_delta, "stretching refined": stretching_refined}
