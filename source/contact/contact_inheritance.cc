@@ -14,7 +14,8 @@ namespace deltaform
     {
       const unsigned int a = edges[e][0], b = edges[e][1];
       const auto touching = [&](const unsigned int i) { return committed_[i].touching; };
-      if (rim && touching(a) != touching(b))
+      // A node without area has no pair: on the axis contact does not end.
+      if (rim && area_[a] > 0 && area_[b] > 0 && touching(a) != touching(b))
         longest[e] = 0.;
       const double length = committed_x_[a].distance(committed_x_[b]);
       if (missed(edges[e]))
@@ -88,7 +89,12 @@ namespace deltaform
     const Tensor1 shift = travel(q) * tool_.direction();
     for (unsigned int i = 0; i < heritage.size(); ++i)
     {
-      const auto [a, b]             = heritage[i];
+      // A node without area (axis) has nothing to leave: its neighbour stands for it.
+      auto [a, b] = heritage[i];
+      if (!(old_area[a] > 0))
+        a = b;
+      else if (!(old_area[b] > 0))
+        b = a;
       const ContactNode description = node(q, i);
       committed_x_[i]               = description.x - shift;
       area_[i]                      = description.area;
