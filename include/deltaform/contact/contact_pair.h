@@ -32,8 +32,8 @@ namespace deltaform
 
   /**
    * One side of the blank against one tool: the loop over the nodes, with trial and committed state. Forces on the
-   * blank are lambda N - t s tau with N the normal, tau the tangent of the tool and s = d(foot point)/d(node), averaged:
-   * derivation of residual and tangent in doc/theory/contact.md.
+   * blank are lambda N - t s tau with N the normal, tau the tangent of the tool and s = d(foot point)/d(node),
+   * averaged: derivation of residual and tangent in doc/theory/contact.md.
    */
   class ContactPair
   {
