@@ -1,4 +1,5 @@
 // Arguments, MPI, one command, one catch.
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/scene/run.h>
 
@@ -6,6 +7,8 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <memory>
+#include <string>
 
 namespace
 {
@@ -25,26 +28,35 @@ int
 main(int argc, char *argv[])
 {
   using namespace deltaform;
+  // Which processes a run has, and that they end together, is known only between the start and the end of MPI.
+  std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
+  const auto end = [](const int status, const std::string &message)
+  {
+    if (ranks::end_together(status, true, message))
+      std::cerr << "deltaform: " << message << '\n';
+    return status;
+  };
   try
   {
     const auto command = CommandLine::parse(argc, argv);
     start_alone_unless_launched();
-    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-    return run_command(command);
+    mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
+    if (!ranks::first())
+      std::cout.setstate(std::ios::failbit);
+    const int status = run_command(command);
+    ranks::end_together(status, false, "");
+    return status;
   }
   catch (const UsageError &error)
   {
-    std::cerr << "deltaform: " << error.what() << '\n';
-    return exit_status::wrong_usage;
+    return end(exit_status::wrong_usage, error.what());
   }
   catch (const SceneError &error)
   {
-    std::cerr << "deltaform: " << error.what() << '\n';
-    return exit_status::wrong_scene;
+    return end(exit_status::wrong_scene, error.what());
   }
   catch (const std::exception &error)
   {
-    std::cerr << "deltaform: an error of the program, please report it:\n" << error.what() << '\n';
-    return EXIT_FAILURE;
+    return end(EXIT_FAILURE, std::string("an error of the program, please report it:\n") + error.what());
   }
 }

@@ -1,4 +1,5 @@
 #include <deltaform/base/atomic_file.h>
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 
 #include <cerrno>
@@ -10,6 +11,8 @@ namespace deltaform
 {
   void write_file_atomically(const std::string &path, const std::function<void(std::ostream &)> &write)
   {
+    if (!ranks::first())
+      return;
     const std::string draft = path + ".part";
     const auto fail = [&path]() { throw SceneError("Cannot write '" + path + "': " + std::strerror(errno) + "."); };
     {

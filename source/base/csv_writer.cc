@@ -1,4 +1,5 @@
 #include <deltaform/base/csv_writer.h>
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 
 #include <deal.II/base/exceptions.h>
@@ -32,7 +33,7 @@ namespace deltaform
   CsvWriter::CsvWriter(const std::string &path,
                        const std::vector<std::string> &comments,
                        const std::vector<Column> &columns)
-    : path_(path), n_columns_(columns.size()), file_(path)
+    : path_(path), n_columns_(columns.size()), file_(ranks::first() ? path : "/dev/null")
   {
     if (!file_)
       throw SceneError("Cannot write '" + path_ + "': " + std::strerror(errno) + ".");

@@ -48,6 +48,8 @@ namespace deltaform
 
   void Journal::open_log(const std::string &path, const bool append)
   {
+    if (console_ == Console::silent)
+      return;
     log_.open(path, append ? std::ios::app : std::ios::out);
     if (!log_)
       throw SceneError("Cannot write '" + path + "': " + std::strerror(errno) + ".");

@@ -1,5 +1,6 @@
 // The solid as read, and what it tells solver and scene about itself; set-up, assembly and results have their own
 // files.
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/registry.h>
 #include <deltaform/base/text.h>
 #include <deltaform/blanks/solid.h>
@@ -47,13 +48,15 @@ namespace deltaform
     for (const auto &X : nodes_)
       outermost_ = std::max(outermost_, X[0]);
     set_up_points();
-    for (unsigned int p = 0; p < points_.size(); ++p)
+    std::vector<unsigned int> bad; // a node of the first bad cell of each process
+    for (unsigned int p = 0; p < points_.size() && bad.empty(); ++p)
       if (!(points_[p].weight > 0))
-        section.fail(
-          mesh_.is_strip() ? "Thickness" : "File",
-          "the cell near r = " + text::format(nodes_[cells_[p / n_points_per_cell_][0]][0]) +
-            ", z = " + text::format(nodes_[cells_[p / n_points_per_cell_][0]][1]) +
-            " is turned inside out: the strip is thicker than its meridian is curved, or the mesh is clockwise");
+        bad.push_back(cells_[p / n_points_per_cell_][0]);
+    for (const auto node : ranks::gather(bad))
+      section.fail(
+        mesh_.is_strip() ? "Thickness" : "File",
+        "the cell near r = " + text::format(nodes_[node][0]) + ", z = " + text::format(nodes_[node][1]) +
+          " is turned inside out: the strip is thicker than its meridian is curved, or the mesh is clockwise");
     set_up_boundary();
     for (const auto &[names, entry, face] :
          {std::tuple(bottom, "Contact bottom", 0), std::tuple(top, "Contact top", 1)})
@@ -79,6 +82,15 @@ namespace deltaform
   unsigned int Solid::n_dofs() const
   {
     return n_free_;
+  }
+
+
+  dealii::IndexSet Solid::locally_owned_dofs() const
+  {
+    // Hanging nodes, on one process only, are no unknowns.
+    if (ranks::count() == 1)
+      return dealii::complete_index_set(n_free_);
+    return dof_handler_.locally_owned_dofs();
   }
 
 

@@ -1,5 +1,6 @@
 // Internal forces and tangent of the solid: derivation in doc/theory/solid.md.
 #include <deltaform/base/assembly_target.h>
+#include <deltaform/base/ranks.h>
 #include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 
@@ -209,6 +210,12 @@ namespace deltaform
 
   Status Solid::assemble(const Vector &q, AssemblyTarget &target)
   {
+    return ranks::worst(assemble_own_cells(q, target));
+  }
+
+
+  Status Solid::assemble_own_cells(const Vector &q, AssemblyTarget &target)
+  {
     if (!constant_matrices_.empty())
       return assemble_constant(q, target);
     return degree_ == 1 ? assemble_cells<4, 4>(q, target) : assemble_cells<9, 9>(q, target);
@@ -300,6 +307,6 @@ namespace deltaform
         const double size    = std::sqrt(l[0] * l[0] + l[1] * l[1] + l[2] * l[2] + l[3] * l[3]);
         factor = std::min(factor, largest_strain / std::max({size, std::abs(G.hoop - 1.) / F.hoop, 1e-300}));
       }
-    return factor;
+    return ranks::min(factor);
   }
 } // namespace deltaform

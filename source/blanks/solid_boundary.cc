@@ -1,5 +1,6 @@
 // Loads on the boundary and the volume of the solid, and its faces as contact sees them.
 #include <deltaform/base/assembly_target.h>
+#include <deltaform/base/ranks.h>
 #include <deltaform/blanks/solid.h>
 
 #include <algorithm>
@@ -120,18 +121,26 @@ namespace deltaform
   {
     if (component == Component::rotation)
       return {};
-    std::vector<std::pair<DofIndex, double>> result;
+    struct Share
+    {
+      DofIndex dof;
+      double volume;
+    };
+    std::vector<Share> own;
     for (unsigned int p = 0; p < points_.size(); ++p)
       for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
       {
         const DofIndex dof  = node_dofs_[cells_[p / n_points_per_cell_][a]][static_cast<unsigned int>(component)];
         const double weight = points_[p].shape[a] * points_[p].weight;
         if (dof < n_free_)
-          result.emplace_back(dof, weight);
+          own.push_back({dof, weight});
         else
           for (const auto &[master, share] : hanging_[dof - n_free_])
-            result.emplace_back(master, share * weight);
+            own.push_back({master, share * weight});
       }
+    std::vector<std::pair<DofIndex, double>> result;
+    for (const auto &[dof, volume] : ranks::gather(own))
+      result.emplace_back(dof, volume);
     return result;
   }
 

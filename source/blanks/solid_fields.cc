@@ -1,6 +1,7 @@
 // Tables and pictures of the accepted state of the solid.
 #include "solid_stress.h"
 
+#include <deltaform/base/ranks.h>
 #include <deltaform/blanks/solid.h>
 
 #include <algorithm>
@@ -207,6 +208,10 @@ namespace deltaform
         von_mises.push_back(mises(tau));
         mean.push_back((tau[0] + tau[1] + tau[2]) / 3.);
       }
+    drawing.cells = ranks::gather(drawing.cells);
+    for (auto &field : drawing.fields)
+      if (!field.per_point)
+        field.values = ranks::gather(field.values);
     return drawing;
   }
 } // namespace deltaform

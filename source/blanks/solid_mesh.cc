@@ -1,6 +1,8 @@
+#include <deltaform/base/ranks.h>
 #include <deltaform/blanks/shell_mesh.h>
 #include <deltaform/blanks/solid_mesh.h>
 
+#include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
@@ -36,10 +38,18 @@ namespace deltaform
       result.push_back(.5);
       return result;
     }
+
+    std::unique_ptr<dealii::Triangulation<2>> make_triangulation()
+    {
+      if (ranks::count() == 1)
+        return std::make_unique<dealii::Triangulation<2>>();
+      return std::make_unique<dealii::parallel::distributed::Triangulation<2>>(ranks::communicator());
+    }
   } // namespace
 
 
   SolidMesh::SolidMesh(Section &section, const unsigned int degree, const bool axisymmetric)
+    : triangulation_(make_triangulation())
   {
     const std::string kind = section.choice(
       "Mesh",
@@ -54,7 +64,7 @@ namespace deltaform
       read_disc_segment(section);
     else
       read_strip(section, degree, axisymmetric);
-    first_level_ = static_cast<int>(triangulation_.n_levels()) - 1;
+    first_level_ = static_cast<int>(triangulation_->n_global_levels()) - 1;
   }
 
 
@@ -132,9 +142,9 @@ namespace deltaform
         data.vertices             = {corner, corner + column, corner + 1, corner + column + 1};
         cells.push_back(data);
       }
-    triangulation_.create_triangulation(vertices, cells, dealii::SubCellData());
+    triangulation_->create_triangulation(vertices, cells, dealii::SubCellData());
     boundaries_ = {"bottom", "top", "start", "end"};
-    for (const auto &cell : triangulation_.active_cell_iterators())
+    for (const auto &cell : triangulation_->active_cell_iterators())
       for (unsigned int f = 0; f < 4; ++f)
         if (cell->face(f)->at_boundary())
           cell->face(f)->set_boundary_id(f == 2 ? 0 : f == 3 ? 1 : f == 0 ? 2 : 3);
@@ -175,7 +185,7 @@ namespace deltaform
     file.seekg(0);
     try
     {
-      dealii::GridIn<2> reader(triangulation_);
+      dealii::GridIn<2> reader(*triangulation_);
       reader.read_msh(file);
     }
     catch (const dealii::ExceptionBase &error)
@@ -185,7 +195,7 @@ namespace deltaform
       section.fail("File", "'" + name + "' is no mesh of quadrilaterals that can be read: " + why.str());
     }
     double low = 1e300, high = -1e300;
-    for (const auto &vertex : triangulation_.get_vertices())
+    for (const auto &vertex : triangulation_->get_vertices())
     {
       low  = std::min(low, vertex[1]);
       high = std::max(high, vertex[1]);
@@ -196,7 +206,7 @@ namespace deltaform
                                 "length",
                                 "A height, for expressions; by default that of the box around the body.");
     std::map<dealii::types::boundary_id, unsigned int> index;
-    for (const auto &cell : triangulation_.active_cell_iterators())
+    for (const auto &cell : triangulation_->active_cell_iterators())
       for (unsigned int f = 0; f < 4; ++f)
         if (cell->face(f)->at_boundary())
         {
@@ -224,12 +234,12 @@ namespace deltaform
                                          "Height of the centre of the disc segment, on the axis.");
     const int refinements = section.integer("Refinements", 3, 0, 10, "Each halves the cells of the disc segment.");
     thickness_            = radius;
-    dealii::GridGenerator::quarter_hyper_ball(triangulation_, Point2(), radius);
-    dealii::GridTools::rotate(-.5 * std::acos(-1.), triangulation_);
-    dealii::GridTools::shift(Tensor1({0., height}), triangulation_);
-    triangulation_.set_manifold(0, dealii::SphericalManifold<2>(Point2(0., height)));
+    dealii::GridGenerator::quarter_hyper_ball(*triangulation_, Point2(), radius);
+    dealii::GridTools::rotate(-.5 * std::acos(-1.), *triangulation_);
+    dealii::GridTools::shift(Tensor1({0., height}), *triangulation_);
+    triangulation_->set_manifold(0, dealii::SphericalManifold<2>(Point2(0., height)));
     boundaries_ = {"arc", "axis", "equator"};
-    for (const auto &cell : triangulation_.active_cell_iterators())
+    for (const auto &cell : triangulation_->active_cell_iterators())
       for (unsigned int f = 0; f < 4; ++f)
         if (cell->face(f)->at_boundary())
         {
@@ -238,8 +248,8 @@ namespace deltaform
                                          : std::abs(middle[1] - height) < 1e-9 * radius ? 2
                                                                                         : 0);
         }
-    triangulation_.refine_global(refinements);
-    for (const auto &cell : triangulation_.active_cell_iterators())
+    triangulation_->refine_global(refinements);
+    for (const auto &cell : triangulation_->active_cell_iterators())
       for (const auto v : cell->vertex_indices())
         if (std::abs(cell->vertex(v)[0]) < 1e-9 * radius)
           cell->vertex(v)[0] = 0.;

@@ -1,14 +1,18 @@
 // Accepting an increment of the solid, its energies and measures, restart.
+#include <deltaform/base/ranks.h>
+#include <deltaform/base/scene_error.h>
 #include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/array.hpp>
+#include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace deltaform
 {
@@ -57,7 +61,7 @@ namespace deltaform
       const double radius = std::hypot(.5 * (e[0] - e[1]), e[3] / root_2);
       largest             = std::max({largest, .5 * std::abs(e[0] + e[1]) + radius, std::abs(e[2])});
     }
-    return largest;
+    return ranks::max(largest);
   }
 
 
@@ -79,7 +83,7 @@ namespace deltaform
                                        1. + inverse * ((d[3] - 1.) * b[0] - d[2] * b[1])}};
         largest = std::max(largest, std::abs(angle(f)));
       }
-    return largest;
+    return ranks::max(largest);
   }
 
 
@@ -87,7 +91,7 @@ namespace deltaform
   {
     if (linear_)
       update_stress(q);
-    energy_.elastic = 0.;
+    double elastic = 0., plastic = 0.;
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
       const double volume = points_[i].weight;
@@ -99,9 +103,9 @@ namespace deltaform
       for (unsigned int k = 0; k < 4; ++k)
       {
         flow[k] = after[k] - before[k];
-        energy_.plastic += .5 * volume * (stress_[i][k] + start[k]) * flow[k];
+        plastic += .5 * volume * (stress_[i][k] + start[k]) * flow[k];
       }
-      energy_.elastic += volume * material_->elastic_energy(stress_[i]);
+      elastic += volume * material_->elastic_energy(stress_[i]);
       if (!finite_ || (flow[0] == 0 && flow[1] == 0 && flow[2] == 0 && flow[3] == 0))
         continue;
 
@@ -125,6 +129,8 @@ namespace deltaform
       cp[2]             = b.zz / (hoop * hoop);
       cp[3]             = g[0] * g[2] * b.xx + (g[0] * g[3] + g[1] * g[2]) * b.xy + g[1] * g[3] * b.yy;
     }
+    energy_.elastic = ranks::sum(elastic);
+    energy_.plastic += ranks::sum(plastic);
     history_.commit();
     committed_stress_      = stress_;
     committed_deformation_ = deformation_;
@@ -144,6 +150,8 @@ namespace deltaform
         result[node] += share * point_values[p];
         volume[node] += share;
       }
+    ranks::sum(result.data(), result.size());
+    ranks::sum(volume.data(), volume.size());
     for (unsigned int i = 0; i < result.size(); ++i)
       result[i] /= volume[i];
     return result;
@@ -234,16 +242,26 @@ namespace deltaform
       gradients.insert(gradients.end(), F.f.begin(), F.f.end());
       gradients.push_back(F.hoop);
     }
-    boost::archive::binary_oarchive archive(stream);
+    std::ostringstream own;
+    boost::archive::binary_oarchive archive(own);
     archive << passes_ << estimated_error_ << history_ << committed_stress_ << gradients << plastic_metric_
             << faces_[0].area << faces_[1].area << smallest_thickness_ << energy_.elastic << energy_.plastic;
+    const std::vector<std::string> all = ranks::gather(own.str());
+    boost::archive::binary_oarchive(stream) << all;
   }
 
 
   void Solid::load(std::istream &stream)
   {
     std::vector<double> gradients;
-    boost::archive::binary_iarchive archive(stream);
+    std::vector<std::string> all;
+    boost::archive::binary_iarchive(stream) >> all;
+    if (all.size() != ranks::count())
+      throw SceneError("Cannot resume: the run was saved by " + std::to_string(all.size()) + " processes and goes on " +
+                       "with as many only (mpirun -np " + std::to_string(all.size()) + "); these are " +
+                       std::to_string(ranks::count()) + ".");
+    std::istringstream own(all[ranks::mine()]);
+    boost::archive::binary_iarchive archive(own);
     std::vector<std::vector<bool>> passes;
     archive >> passes;
     std::vector<Vector> none;

@@ -1,4 +1,5 @@
 // Unknowns, quadrature points and boundary of the solid.
+#include <deltaform/base/ranks.h>
 #include <deltaform/blanks/solid.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -24,6 +25,12 @@ namespace deltaform
     nodes_.clear();
     parameters_.clear();
     node_dofs_.clear();
+
+    if (ranks::count() > 1)
+    {
+      set_up_distributed_dofs();
+      return;
+    }
 
     const dealii::FE_Q<2> scalar(degree_);
     // Curved boundaries of degree 2 where the mesh has manifolds
@@ -141,15 +148,28 @@ namespace deltaform
     edge_cells_.clear();
     for (const auto &name : mesh_.boundaries())
       boundary_edges_[name];
+    struct BoundaryEdge
+    {
+      unsigned int boundary;
+      Edge edge;
+    };
+    std::vector<BoundaryEdge> own;
+    unsigned int c = 0;
     for (const auto &cell : dof_handler_.active_cell_iterators())
+    {
+      if (!cell->is_locally_owned())
+        continue;
+      const auto &nodes = cells_[c++];
       for (unsigned int f = 0; f < 4; ++f)
         if (cell->face(f)->at_boundary())
         {
-          const auto &nodes = cells_[cell->active_cell_index()];
-          boundary_edges_[mesh_.boundaries()[cell->face(f)->boundary_id()]].push_back(
-            {{nodes[walk[f][0]], nodes[walk[f][1]], degree_ == 2 ? nodes[walk[f][2]] : invalid_index}});
+          own.push_back({cell->face(f)->boundary_id(),
+                         {{nodes[walk[f][0]], nodes[walk[f][1]], degree_ == 2 ? nodes[walk[f][2]] : invalid_index}}});
           edge_cells_[std::minmax(nodes[walk[f][0]], nodes[walk[f][1]])] = cell->active_cell_index();
         }
+    }
+    for (const auto &[boundary, edge] : ranks::gather(own))
+      boundary_edges_[mesh_.boundaries()[boundary]].push_back(edge);
     if (!mesh_.is_strip())
       return;
     std::map<long, std::array<unsigned int, 2>> stations;

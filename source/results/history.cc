@@ -45,9 +45,10 @@ namespace deltaform
                                             {"rigid_modes", "1", get<&Row::rigid_modes>},
                                             {"digits_lost", "1", get<&Row::digits_lost>}};
 
-    const std::vector<Number> meshes = {{"unknowns", "1", get<&Row::unknowns>},
-                                        {"cells", "1", get<&Row::cells>},
-                                        {"estimated_error", "1", get<&Row::estimated_error>}};
+    const std::vector<Number> meshes        = {{"unknowns", "1", get<&Row::unknowns>},
+                                               {"cells", "1", get<&Row::cells>},
+                                               {"estimated_error", "1", get<&Row::estimated_error>}};
+    const std::vector<Number> linear_solver = {{"linear_iterations", "1", get<&Row::linear_iterations>}};
 
     const std::vector<Number> energies = {{"tool_work", "force*length", get<&Row::tool_work>},
                                           {"elastic_energy", "force*length", get<&Row::elastic_energy>},
@@ -60,10 +61,11 @@ namespace deltaform
                                           {"energy_error", "1", get<&Row::energy_error>}};
 
     template <typename Action>
-    void for_each_number(const bool condition, const bool refinement, const Action &action)
+    void for_each_number(const HistoryOptions &options, const Action &action)
     {
-      for (const auto *group : {&costs_and_contact, &conditions, &meshes, &energies})
-        if ((group != &conditions || condition) && (group != &meshes || refinement))
+      for (const auto *group : {&costs_and_contact, &conditions, &linear_solver, &meshes, &energies})
+        if ((group != &conditions || options.condition) && (group != &linear_solver || options.iterative) &&
+            (group != &meshes || options.refinement))
           for (const Number &number : *group)
             action(number);
     }
@@ -79,8 +81,7 @@ namespace deltaform
       result.push_back({tool + "_force_z", units.of("force")});
       result.push_back({tool + "_force_r", units.of("force")});
     }
-    for_each_number(options.condition,
-                    options.refinement,
+    for_each_number(options,
                     [&](const Number &number) {
                       result.push_back({number.name, units.of(number.dimension)});
                     });
@@ -97,7 +98,7 @@ namespace deltaform
                    const std::vector<std::string> &tools,
                    const Units &units,
                    const HistoryOptions &options)
-    : condition_(options.condition), refinement_(options.refinement),
+    : options_(options),
       file_(options.resume_after ? reopen_history(path, comments, columns(tools, units, options), *options.resume_after)
                                  : CsvWriter(path, comments, columns(tools, units, options)))
   {
@@ -108,7 +109,7 @@ namespace deltaform
     std::vector<CsvWriter::Cell> cells{static_cast<double>(row.increment), row.stage, row.time};
     for (const auto &tool : row.tools)
       cells.insert(cells.end(), {tool.travel, tool.force_z, tool.force_r});
-    for_each_number(condition_, refinement_, [&](const Number &number) { cells.emplace_back(number.value(row)); });
+    for_each_number(options_, [&](const Number &number) { cells.emplace_back(number.value(row)); });
     for (const double reaction : row.reactions)
       cells.emplace_back(reaction);
     file_.row_of_cells(cells);

@@ -1,5 +1,6 @@
 #include "history_file.h"
 
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 
 #include <cerrno>
@@ -48,7 +49,7 @@ namespace deltaform
                            const std::vector<CsvWriter::Column> &columns,
                            const unsigned int last_increment)
   {
-    std::ifstream old(path);
+    std::ifstream old(ranks::first() ? path : "/dev/null");
     if (!old)
       throw SceneError("Cannot resume: '" + path + "' cannot be read: " + std::strerror(errno) + ".");
     std::string line;
@@ -58,10 +59,12 @@ namespace deltaform
     std::vector<std::string> names;
     for (const auto &column : columns)
       names.push_back(column.name);
-    if (split_line(line) != names)
+    if (ranks::first() && split_line(line) != names)
       throw SceneError("Cannot resume: the columns of '" + path + "' are not those of this scene.");
 
     // The new file gets the old one's name when it holds all that is kept; what follows still goes to it.
+    if (!ranks::first())
+      return CsvWriter(path, comments, columns);
     const std::string draft = path + ".part";
     CsvWriter file(draft, comments, columns);
     while (std::getline(old, line) && !old.eof()) // a line without its end was being written when the run was killed

@@ -1,3 +1,4 @@
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/results/table_file.h>
 
@@ -17,6 +18,8 @@ namespace deltaform
                      const Units &units,
                      const WriteRows &write_rows)
     {
+      if (!ranks::first())
+        return;
       for (auto &column : columns)
         column.unit = units.of(column.unit);
       const std::string draft = path + ".part";

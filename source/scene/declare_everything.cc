@@ -56,7 +56,7 @@ namespace deltaform
     Section solver        = root.sub("Solver");
     const NewtonSettings newton(solver);
     const StepSettings steps(solver);
-    solver.choice("Linear solver", "klu", {"klu", "mumps"}, "Direct solver of Amesos; klu for thin strips.");
+    const LinearSolverSettings linear(solver);
     Section output_section = root.sub("Output");
     const OutputSettings output(output_section, tools, stages);
   }

@@ -1,3 +1,4 @@
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/text.h>
 #include <deltaform/base/timers.h>
 #include <deltaform/scene/forming_problem.h>
@@ -10,9 +11,10 @@
 
 namespace deltaform
 {
-  FormingProblem::FormingProblem(Actors &actors, const std::string &linear_solver, Timers &timers)
+  FormingProblem::FormingProblem(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers)
     : actors_(actors), linear_solver_(linear_solver), timers_(timers),
       timer_blank_(timers.section("3-6 blank: strains, material, residual, tangent")),
+      timer_sum_(timers.section("6 sum over processes")),
       timer_contact_(timers.section("7-9 contact: projection, forces, tangent")),
       timer_commit_(timers.section("12 commit")), augmentation_(8)
   {
@@ -38,7 +40,16 @@ namespace deltaform
 
     dealii::DynamicSparsityPattern pattern(n_sparse, n_sparse);
     actors_.blank->add_couplings(pattern);
-    for (unsigned int i = 0; i < n_sparse; ++i)
+    // Multipliers live behind the last rows of the blank.
+    const auto of_blank     = actors_.blank->locally_owned_dofs();
+    const bool is_last      = ranks::mine() + 1 == ranks::count();
+    const bool all_of_blank = ranks::max(of_blank.n_elements() != n_blank ? 1. : 0.) == 0.;
+    dealii::IndexSet owned(n_sparse);
+    for (const auto i : of_blank)
+      owned.add_index(i);
+    if (all_of_blank || is_last)
+      owned.add_range(n_blank, n_sparse);
+    for (const auto i : owned)
       pattern.add(i, i);
     const Vector zero(n_blank);
     for (unsigned int p = 0; p < actors_.pairs.size(); ++p)
@@ -52,16 +63,18 @@ namespace deltaform
           const ContactNode node = pair.node(zero, i);
           for (unsigned int k = 0; k < node.n_dofs; ++k)
           {
-            pattern.add(node.dofs[k], first_multiplier[p] + i);
-            pattern.add(first_multiplier[p] + i, node.dofs[k]);
+            if (owned.is_element(node.dofs[k]))
+              pattern.add(node.dofs[k], first_multiplier[p] + i);
+            if (owned.is_element(first_multiplier[p] + i))
+              pattern.add(first_multiplier[p] + i, node.dofs[k]);
           }
         }
     }
     // Newton holds on to the object.
     if (system_)
-      *system_ = System(pattern, n_border, linear_solver_);
+      *system_ = System(std::move(pattern), n_border, linear_solver_, owned);
     else
-      system_ = std::make_unique<System>(pattern, n_border, linear_solver_);
+      system_ = std::make_unique<System>(std::move(pattern), n_border, linear_solver_, owned);
 
     const unsigned int n = n_sparse + n_border;
     committed_.reinit(n);
@@ -73,7 +86,9 @@ namespace deltaform
     for (const auto dof : actors_.blank->fixed_dofs())
       is_fixed_[dof] = true;
     is_prescribed_ = is_fixed_;
-    double extent  = actors_.blank->initial_thickness();
+    if (linear_solver_.iterative())
+      describe_rigid_motions();
+    double extent = actors_.blank->initial_thickness();
     for (const auto &x : actors_.blank->positions(zero))
       extent = std::max(extent, x.norm());
     size_.assign(n, extent);
@@ -87,6 +102,24 @@ namespace deltaform
       scale_[i] = actors_.blank->dof_scale(i);
     for (unsigned int i = n_blank; i < n_sparse; ++i)
       scale_[i] = 1. / actors_.blank->stiffness_scale();
+  }
+
+
+  void FormingProblem::describe_rigid_motions()
+  {
+    const Vector zero(actors_.blank->n_dofs());
+    std::vector<Vector> motions;
+    for (const auto &motion : {std::array<double, 3>{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}})
+    {
+      Vector v(committed_.size());
+      actors_.blank->rigid_motion(zero,
+                                  Tensor1({motion[0], motion[1]}),
+                                  motion[2],
+                                  [&](const DofIndex dof, const double value) { v[dof] = value; });
+      v /= v.linfty_norm();
+      motions.push_back(v);
+    }
+    system_->set_near_null_space(motions);
   }
 
 
@@ -154,6 +187,10 @@ namespace deltaform
     }
     if (!status.good())
       return status;
+    {
+      Timers::Scope timer(timers_, timer_sum_);
+      system_->sum_over_ranks();
+    }
 
     Timers::Scope timer(timers_, timer_contact_);
     const bool every_iteration = actors_.contact && actors_.contact->rule->in_every_iteration() && tangent;

@@ -2,6 +2,7 @@
 
 #include <deltaform/base/atomic_file.h>
 #include <deltaform/base/command_line.h>
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/base/text.h>
 #include <deltaform/results/json.h>
@@ -38,9 +39,10 @@ namespace deltaform
       throw SceneError("Cannot make the folder '" + folder + "' for the results: " + error.message() +
                        ". Choose another with --output or Output/Folder.");
     // State and outcome of an earlier run must not be taken for those of this run.
-    if (!start)
+    if (!start && ranks::first())
       std::filesystem::remove(Checkpoint::path(folder), error);
-    std::filesystem::remove(folder + "/summary.json", error);
+    if (ranks::first())
+      std::filesystem::remove(folder + "/summary.json", error);
     write_file_atomically(folder + "/scene.prm",
                           [&](std::ostream &out)
                           {

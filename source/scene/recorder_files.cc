@@ -24,6 +24,7 @@ namespace deltaform
     row.newton_iterations  = cost.iterations;
     row.penalty_rounds     = cost.rounds;
     row.penalty_iterations = cost.correction_iterations;
+    row.linear_iterations  = cost.linear_iterations;
     if (cost.condition)
     {
       row.condition_raw             = cost.condition->raw;

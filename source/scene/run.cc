@@ -1,5 +1,6 @@
 // One function per command of the command line.
 #include <deltaform/base/parameter_tree.h>
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/registry.h>
 #include <deltaform/base/text.h>
 #include <deltaform/materials/hardening.h>
@@ -18,7 +19,9 @@ namespace deltaform
     int run_scene(const CommandLine &command)
     {
       Timers timers;
-      Journal journal(command.quiet ? Journal::Console::quiet : Journal::Console::automatic);
+      Journal journal(!ranks::first() ? Journal::Console::silent
+                      : command.quiet ? Journal::Console::quiet
+                                      : Journal::Console::automatic);
       auto tree = ParameterTree::read(command.scene, command.sets);
       Scene scene(tree);
 
@@ -100,6 +103,8 @@ namespace deltaform
 
   int run_command(const CommandLine &command)
   {
+    if (command.command == CommandLine::Command::sweep && ranks::count() > 1)
+      throw UsageError("a sweep starts its runs itself (--jobs): do not start it by mpirun");
     switch (command.command)
     {
     case CommandLine::Command::run:

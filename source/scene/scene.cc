@@ -30,8 +30,7 @@ namespace deltaform
     Section solver = root.sub("Solver");
     newton         = std::make_unique<NewtonSettings>(solver);
     steps          = std::make_unique<StepSettings>(solver);
-    linear_solver =
-      solver.choice("Linear solver", "klu", {"klu", "mumps"}, "Direct solver of Amesos; klu for thin strips.");
+    linear_solver  = std::make_unique<LinearSolverSettings>(solver);
 
     Section output_section = root.sub("Output");
     output                 = std::make_unique<OutputSettings>(output_section, actors.tools, actors.stages);

@@ -1,4 +1,5 @@
 // What is wrong with a scene although every entry by itself is allowed.
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/text.h>
 #include <deltaform/scene/scene.h>
 
@@ -12,8 +13,22 @@ namespace deltaform
     check_functions(root);
     check_tools(root);
     check_stages(root);
+    check_linear_solver(root);
     if (!actors.tools.empty())
       check_delta(root);
+  }
+
+
+  void Scene::check_linear_solver(Section root) const
+  {
+    if (linear_solver->iterative() && actors.contact && actors.contact->enforcement->has_multiplier())
+      root.sub("Solver").fail("Linear solver",
+                              "'" + linear_solver->name +
+                                "' cannot solve with the multipliers of this enforcement: take klu or mumps");
+    const bool part = actors.blank->locally_owned_dofs().n_elements() < actors.blank->n_dofs();
+    if (output->condition_every > 0 && ranks::max(part ? 1. : 0.) > 0)
+      root.sub("Output").fail("Condition number every",
+                              "a condition number needs the whole matrix in one process: start without mpirun");
   }
 
 

@@ -1,4 +1,5 @@
 #include <deltaform/base/command_line.h>
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/text.h>
 #include <deltaform/scene/simulation.h>
 
@@ -8,7 +9,7 @@ namespace deltaform
 {
   Simulation::Simulation(Scene &scene, Recorder &recorder, Journal &journal, Timers &timers)
     : scene_(scene), recorder_(recorder), journal_(journal), timers_(timers),
-      problem_(scene.actors, scene.linear_solver, timers),
+      problem_(scene.actors, *scene.linear_solver, timers),
       newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size(), timers)
   {
     if (scene.output->condition_every > 0)
@@ -67,7 +68,9 @@ namespace deltaform
       const double next = control.next(time_);
       // Cut twice, or as short as it may be: the length of the increment is not the reason.
       const bool last_resort = cost.cutbacks >= 2 || (next - time_) * scene_.steps->shrink < stage.smallest_increment;
-      const std::string failure = attempt(next, last_resort, q, result);
+      const auto linear_iterations_before = problem_.system().n_linear_iterations();
+      const std::string failure           = attempt(next, last_resort, q, result);
+      cost.linear_iterations += problem_.system().n_linear_iterations() - linear_iterations_before;
       cost.iterations += result.iterations;
       cost.rounds += result.rounds;
       cost.correction_iterations += result.correction_iterations;
@@ -120,7 +123,7 @@ namespace deltaform
           return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
         }
       }
-      if (recorder_.checkpoint_due() || control.finished(time_))
+      if (ranks::decided_by_first(recorder_.checkpoint_due()) || control.finished(time_))
         recorder_.save(checkpoint());
     }
     return exit_status::done;

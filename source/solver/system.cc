@@ -1,60 +1,48 @@
-#include <deltaform/solver/system.h>
+#include "system_rows.h"
 
-#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deltaform/base/ranks.h>
 
-#include <Amesos.h>
-#include <Amesos_BaseSolver.h>
 #include <Eigen/Dense>
 #include <Epetra_CrsMatrix.h>
-#include <Epetra_LinearProblem.h>
-#include <Epetra_Vector.h>
-#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace deltaform
 {
-  /// The library objects, kept for the whole run.
-  struct System::Trilinos
-  {
-    Trilinos(const dealii::DynamicSparsityPattern &pattern, const std::string &solver)
-    {
-      matrix.reinit(pattern);
-      // The wrapper only hands out a const reference to the matrix that it owns.
-      crs        = &const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
-      solution   = std::make_unique<Epetra_Vector>(crs->DomainMap());
-      right_side = std::make_unique<Epetra_Vector>(crs->RangeMap());
-      problem    = std::make_unique<Epetra_LinearProblem>(crs, solution.get(), right_side.get());
-      factorization =
-        std::unique_ptr<Amesos_BaseSolver>(Amesos().Create(solver == "mumps" ? "Mumps" : "Klu", *problem));
-      AssertThrow(factorization, dealii::ExcMessage("This Trilinos has no Amesos solver '" + solver + "'."));
-      Teuchos::ParameterList list;
-      list.set("PrintTiming", false);
-      list.set("PrintStatus", false);
-      factorization->SetParameters(list);
-    }
-
-    dealii::TrilinosWrappers::SparseMatrix matrix;
-    Epetra_CrsMatrix *crs = nullptr;
-    std::unique_ptr<Epetra_Vector> solution, right_side;
-    std::unique_ptr<Epetra_LinearProblem> problem;
-    std::unique_ptr<Amesos_BaseSolver> factorization;
-    bool analysed = false;
-  };
-
-
-  System::System(const dealii::DynamicSparsityPattern &pattern, const unsigned int n_border, const std::string &solver)
-    : n_sparse_(pattern.n_rows()), n_border_(n_border), trilinos_(std::make_unique<Trilinos>(pattern, solver)),
+  System::System(dealii::DynamicSparsityPattern &&pattern,
+                 const unsigned int n_border,
+                 const LinearSolverSettings &solver,
+                 const dealii::IndexSet &owned)
+    : n_sparse_(pattern.n_rows()), n_border_(n_border), end_(n_sparse_), symmetric_elimination_(solver.iterative()),
       prescribed_(n_sparse_ + n_border, false), residual_(n_sparse_ + n_border), magnitude_(n_sparse_ + n_border),
       border_columns_(n_border, Vector(n_sparse_)), border_rows_(n_border, Vector(n_sparse_)),
       border_block_(n_border * n_border, 0.)
   {
+    // A process may own all rows by chance: what counts is whether any one does not.
+    if (ranks::max(owned.n_elements() != n_sparse_ ? 1. : 0.) > 0)
+      distribute(pattern, owned);
+    solver_ = rows_ ? LinearSolver::distributed(solver, pattern, first_, end_) : LinearSolver::local(solver, pattern);
+    auto &matrix = solver_->matrix();
     int *start = nullptr, *columns = nullptr;
-    const int error = trilinos_->crs->ExtractCrsDataPointers(start, columns, values_);
+    double *values  = nullptr;
+    const int error = matrix.ExtractCrsDataPointers(start, columns, values);
     AssertThrow(error == 0, dealii::ExcMessage("The matrix has no contiguous storage."));
+    if (rows_)
+    {
+      rows_->connect(matrix, first_, [&](const DofIndex i, const DofIndex j) { return entry(i, j) - values_; });
+      return;
+    }
     row_start_ = start;
     columns_   = columns;
+    values_    = values;
+  }
+
+
+  System::System(dealii::DynamicSparsityPattern &&pattern, const unsigned int n_border, const std::string &solver)
+    : System(std::move(pattern), n_border, LinearSolverSettings(solver), dealii::complete_index_set(pattern.n_rows()))
+  {
   }
 
 
@@ -72,11 +60,12 @@ namespace deltaform
   void System::clear(const bool tangent)
   {
     tangent_   = tangent;
+    common_    = !rows_;
     residual_  = 0.;
     magnitude_ = 0.;
     if (!tangent)
       return;
-    std::fill(values_, values_ + row_start_[n_sparse_], 0.);
+    std::fill(values_, values_ + row_start_[rows_ ? rows_->n() : n_sparse_], 0.);
     for (unsigned int b = 0; b < n_border_; ++b)
       border_columns_[b] = border_rows_[b] = 0.;
     std::fill(border_block_.begin(), border_block_.end(), 0.);
@@ -91,8 +80,9 @@ namespace deltaform
 
   double *System::entry(const DofIndex row, const DofIndex column) const
   {
-    const int *const first = columns_ + row_start_[row];
-    const int *const last  = columns_ + row_start_[row + 1];
+    const DofIndex local   = rows_ ? rows_->local[row] : row;
+    const int *const first = columns_ + row_start_[local];
+    const int *const last  = columns_ + row_start_[local + 1];
     const int *const place = std::lower_bound(first, last, static_cast<int>(column));
     Assert(place != last && *place == static_cast<int>(column),
            dealii::ExcMessage("This coupling is not in the pattern."));
@@ -115,8 +105,10 @@ namespace deltaform
         const double value = matrix[i * n + j];
         if (dofs[i] < n_sparse_ && dofs[j] < n_sparse_)
         {
-          if (value != 0.)
+          if (value != 0. && (!common_ || owns(dofs[i])))
             *entry(dofs[i], dofs[j]) += value;
+          if (rows_ && common_ && i == j)
+            diagonal_[dofs[i]] += value;
         }
         else if (dofs[i] < n_sparse_)
           border_columns_[dofs[j] - n_sparse_][dofs[i]] += value;
@@ -132,19 +124,26 @@ namespace deltaform
   {
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        result[i * n + j] = *entry(dofs[i], dofs[j]);
+        result[i * n + j] = owns(dofs[i]) ? *entry(dofs[i], dofs[j]) : 0.;
+    if (rows_)
+      ranks::sum(result, std::size_t(n) * n);
   }
 
 
   void System::multiply(const Vector &direction, Vector &result) const
   {
-    for (unsigned int i = 0; i < n_sparse_; ++i)
+    if (rows_)
+      std::fill(result.begin(), result.begin() + n_sparse_, 0.);
+    for (DofIndex i = first_; i < end_; ++i)
     {
-      double sum = 0.;
-      for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
+      const DofIndex local = i - first_;
+      double sum           = 0.;
+      for (int k = row_start_[local]; k < row_start_[local + 1]; ++k)
         sum += values_[k] * direction[columns_[k]];
       result[i] = sum;
     }
+    if (rows_)
+      ranks::sum(result.begin(), n_sparse_);
   }
 
 
@@ -156,6 +155,7 @@ namespace deltaform
 
   void System::for_each_entry(const std::function<void(DofIndex, DofIndex, double)> &action) const
   {
+    Assert(!rows_, dealii::ExcMessage("No process has all entries."));
     for (unsigned int i = 0; i < n_sparse_; ++i)
       for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
         action(i, columns_[k], values_[k]);
@@ -176,14 +176,20 @@ namespace deltaform
 
   void System::add_to_diagonal(const double factor, const std::vector<double> &scale)
   {
-    for (unsigned int i = 0; i < n_sparse_; ++i)
-      *entry(i, i) += factor * scale[i] * scale[i];
+    for (DofIndex i = 0; i < n_sparse_; ++i)
+    {
+      const double value = factor * scale[i] * scale[i];
+      if (owns(i))
+        *entry(i, i) += value;
+      if (rows_)
+        diagonal_[i] += value;
+    }
   }
 
 
   double System::diagonal(const DofIndex dof) const
   {
-    return dof < n_sparse_ ? *entry(dof, dof) : 0.;
+    return dof >= n_sparse_ ? 0. : rows_ ? diagonal_[dof] : *entry(dof, dof);
   }
 
 
@@ -192,7 +198,7 @@ namespace deltaform
     double largest = 0.;
     for (unsigned int i = 0; i < n_sparse_; ++i)
       if (!prescribed_[i])
-        largest = std::max(largest, std::abs(*entry(i, i)));
+        largest = std::max(largest, std::abs(diagonal(i)));
     return largest;
   }
 
@@ -200,37 +206,61 @@ namespace deltaform
   bool System::factorize(const double shift)
   {
     const double scale = largest_diagonal();
-    for (unsigned int i = 0; i < n_sparse_; ++i)
+    prescribed_row_    = scale > 0 ? scale : 1.;
+    eliminated_.clear();
+    for (DofIndex i = first_; i < end_; ++i)
     {
       double *const diagonal = entry(i, i);
+      double *const begin    = values_ + row_start_[i - first_];
+      double *const end      = values_ + row_start_[i - first_ + 1];
       if (prescribed_[i])
       {
-        std::fill(values_ + row_start_[i], values_ + row_start_[i + 1], 0.);
-        *diagonal = scale > 0 ? scale : 1.;
+        std::fill(begin, end, 0.);
+        *diagonal = prescribed_row_;
+        continue;
       }
-      else if (shift > 0)
+      if (shift > 0)
         *diagonal += shift * std::max(std::abs(*diagonal), 1e-12 * scale);
+      if (symmetric_elimination_)
+        for (double *value = begin; value != end; ++value)
+        {
+          const DofIndex column = columns_[value - values_];
+          if (!prescribed_[column] || *value == 0.)
+            continue;
+          eliminated_.push_back({i, column, *value});
+          *value = 0.;
+        }
     }
     shift_ = shift;
     ++n_factorizations_;
-    if (!trilinos_->analysed && trilinos_->factorization->SymbolicFactorization() != 0)
-      return false;
-    trilinos_->analysed = true;
-    return trilinos_->factorization->NumericFactorization() == 0;
+    if (rows_)
+      rows_->hand_over(values_);
+    return solver_->factorize();
   }
 
 
   bool System::solve_sparse(const Vector &right_side, Vector &solution)
   {
-    std::copy(right_side.begin(), right_side.begin() + n_sparse_, trilinos_->right_side->Values());
-    if (trilinos_->factorization->Solve() != 0)
+    if (!solver_->solve(right_side.begin() + first_, solution.begin() + first_))
       return false;
-    const double *const values = trilinos_->solution->Values();
-    std::copy(values, values + n_sparse_, solution.begin());
+    if (rows_)
+      rows_->share(solution.begin());
     for (unsigned int i = 0; i < n_sparse_; ++i)
-      if (!std::isfinite(values[i]))
+      if (!std::isfinite(solution[i]))
         return false;
     return true;
+  }
+
+
+  void System::set_near_null_space(const std::vector<Vector> &motions)
+  {
+    solver_->set_near_null_space(motions, first_, end_);
+  }
+
+
+  unsigned int System::n_linear_iterations() const
+  {
+    return solver_->n_iterations();
   }
 
 
@@ -238,7 +268,9 @@ namespace deltaform
   {
     Vector right_side(n_sparse_);
     for (unsigned int i = 0; i < n_sparse_; ++i)
-      right_side[i] = prescribed_[i] ? *entry(i, i) * increments[i] : -residual_[i];
+      right_side[i] = prescribed_[i] ? prescribed_row_ * increments[i] : -residual_[i];
+    for (const auto &[row, column, value] : eliminated_)
+      right_side[row] -= value * increments[column];
     if (!solve_sparse(right_side, d))
       return false;
     if (n_border_ == 0)

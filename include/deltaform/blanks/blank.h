@@ -8,6 +8,7 @@
 #include <deltaform/base/types.h>
 #include <deltaform/kinematics/contact_surface.h>
 
+#include <deal.II/base/index_set.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <array>
@@ -40,12 +41,18 @@ namespace deltaform
     ///@{
     virtual unsigned int n_dofs() const = 0;
 
+    /// The unknowns whose rows of the matrix this process keeps; all of them if the blank is not distributed.
+    virtual dealii::IndexSet locally_owned_dofs() const
+    {
+      return dealii::complete_index_set(n_dofs());
+    }
+
     unsigned int n_contact_dofs() const override
     {
       return n_dofs();
     }
 
-    /// Enter the couplings between unknowns.
+    /// Enter the couplings between unknowns that the cells of this process make.
     virtual void add_couplings(dealii::DynamicSparsityPattern &pattern) const = 0;
 
     /// Unknowns that stay zero: symmetry at the axis r = 0, rotations of a membrane.

@@ -29,6 +29,7 @@ namespace deltaform
     explicit Solid(Section &section);
 
     unsigned int n_dofs() const override;
+    dealii::IndexSet locally_owned_dofs() const override;
     void add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
     std::vector<DofIndex> fixed_dofs() const override;
     std::vector<DofIndex> boundary_dofs(const std::string &boundary, Component component) const override;
@@ -136,6 +137,7 @@ namespace deltaform
     void unpack(const std::vector<std::vector<double>> &data, std::vector<Vector> &fields);
     void set_up_heritage(Side side, const std::vector<Point2> &old_places);
 
+    void set_up_distributed_dofs();
     void set_up_points();
     void set_up_boundary();
     void set_up_face(ContactFace &face, const std::vector<std::string> &names);
@@ -150,6 +152,9 @@ namespace deltaform
     /// Add what belongs to the numbers of a cell's nodes: hanging nodes pass theirs on to their masters.
     void
     add(AssemblyTarget &target, const DofIndex *dofs, unsigned int n, const double *matrix, const double *vector) const;
+
+    /// The own cells, whatever other processes find in theirs.
+    Status assemble_own_cells(const Vector &q, AssemblyTarget &target);
 
     template <unsigned int n_nodes, unsigned int n_points>
     Status assemble_cells(const Vector &q, AssemblyTarget &target);
@@ -197,6 +202,7 @@ namespace deltaform
     std::unique_ptr<dealii::FESystem<2>> element_;
     dealii::DoFHandler<2> dof_handler_;
     unsigned int n_nodes_per_cell_, n_points_per_cell_;
+    /// Nodes, known to all processes, and cells with their points and history, known to the process that owns them.
     std::vector<std::array<unsigned int, 9>> cells_;                ///< nodes: corners, middles of the edges, centre
     std::vector<Point2> nodes_;                                     ///< undeformed
     std::vector<Point2> parameters_;                                ///< of the nodes in the triangulation

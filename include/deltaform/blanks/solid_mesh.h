@@ -6,6 +6,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,12 @@ namespace deltaform
     /// The cells; a strip lies in its parameter plane (station along the meridian, coordinate across), see place().
     const dealii::Triangulation<2> &triangulation() const
     {
-      return triangulation_;
+      return *triangulation_;
     }
 
     dealii::Triangulation<2> &triangulation()
     {
-      return triangulation_;
+      return *triangulation_;
     }
 
     /// Level of the finest cells of the mesh as read.
@@ -72,7 +73,8 @@ namespace deltaform
     void read_gmsh(Section &section);
     void read_disc_segment(Section &section);
 
-    dealii::Triangulation<2> triangulation_;
+    /// Distributed among the processes if there are several: a process then sees its own cells and those next to them.
+    std::unique_ptr<dealii::Triangulation<2>> triangulation_;
     std::vector<std::string> boundaries_;
     std::vector<Station> stations_;
     unsigned int stations_per_cell_ = 1;

@@ -23,6 +23,7 @@ namespace deltaform
     double time = 0;
     std::vector<ToolState> tools;
     unsigned int newton_iterations = 0, penalty_rounds = 0, cutbacks = 0;
+    unsigned int linear_iterations  = 0; ///< of an iterative linear solver, of all Newton iterations together
     unsigned int penalty_iterations = 0; ///< of the Newton iterations, those that the corrections of factors cost
     double max_penetration = 0, max_penetration_over_delta = 0, max_penetration_between_nodes = 0;
     double min_epsilon = 0, max_epsilon = 0;
@@ -52,6 +53,7 @@ namespace deltaform
   {
     bool condition  = false;                  ///< with the columns condition_raw and condition_scaled
     bool refinement = false;                  ///< with unknowns, cells and estimated_error
+    bool iterative  = false;                  ///< with the column linear_iterations
     std::vector<std::string> supports;        ///< names in the order of HistoryRow::reactions
     std::optional<unsigned int> resume_after; ///< go on with the file on disk, without what follows this increment
   };
@@ -81,7 +83,7 @@ namespace deltaform
                                                   const HistoryOptions &options = HistoryOptions());
 
   private:
-    bool condition_, refinement_;
+    HistoryOptions options_;
     CsvWriter file_;
   };
 } // namespace deltaform

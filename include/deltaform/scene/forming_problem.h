@@ -41,7 +41,7 @@ namespace deltaform
   class FormingProblem : public NonlinearProblem
   {
   public:
-    FormingProblem(Actors &actors, const std::string &linear_solver, Timers &timers);
+    FormingProblem(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers);
 
     /// @name NonlinearProblem
     ///@{
@@ -89,6 +89,11 @@ namespace deltaform
     }
 
     System &system()
+    {
+      return *system_;
+    }
+
+    const System &system() const
     {
       return *system_;
     }
@@ -163,6 +168,9 @@ namespace deltaform
 
     void set_prescribed();
 
+    /// Tell the system what an algebraic multigrid has to know.
+    void describe_rigid_motions();
+
     void assemble_loads(const Vector &q, AssemblyTarget &target) const;
 
     /// Move a force-driven tool that touches nothing along its direction until it does.
@@ -174,9 +182,9 @@ namespace deltaform
     double release_factor() const;
 
     Actors &actors_;
-    std::string linear_solver_;
+    LinearSolverSettings linear_solver_;
     Timers &timers_;
-    Timers::Index timer_blank_, timer_contact_, timer_commit_;
+    Timers::Index timer_blank_, timer_sum_, timer_contact_, timer_commit_;
     std::unique_ptr<System> system_;
     std::vector<double> scale_, size_;
     std::vector<bool> is_fixed_, is_prescribed_;

@@ -22,7 +22,8 @@ namespace deltaform
     explicit Scene(ParameterTree &tree);
 
     ParameterTree &tree;
-    std::string title, units, linear_solver;
+    std::string title, units;
+    std::unique_ptr<LinearSolverSettings> linear_solver;
     Actors actors;
 
     std::unique_ptr<NewtonSettings> newton;
@@ -36,6 +37,7 @@ namespace deltaform
     void check(Section root) const;
     void check_functions(Section root) const;
     void check_tools(Section root) const;
+    void check_linear_solver(Section root) const;
     void check_stages(Section root) const;
     void check_delta(Section root) const;
   };

@@ -17,6 +17,7 @@ namespace deltaform
   struct IncrementCost
   {
     unsigned int iterations = 0, rounds = 0, cutbacks = 0;
+    unsigned int linear_iterations     = 0;    ///< of an iterative linear solver
     unsigned int correction_iterations = 0;    ///< of the iterations, those after the first convergence
     std::optional<ConditionNumbers> condition; ///< where asked
   };

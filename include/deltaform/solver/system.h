@@ -3,7 +3,9 @@
 #include <deltaform/base/assembly_target.h>
 #include <deltaform/base/stiffness_view.h>
 #include <deltaform/base/types.h>
+#include <deltaform/solver/linear_solver.h>
 
+#include <deal.II/base/index_set.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <functional>
@@ -25,9 +27,17 @@ namespace deltaform
     /**
      * @param pattern   couplings of the sparse unknowns, n_sparse x n_sparse
      * @param n_border  number of unknowns behind them
-     * @param solver    "klu" or "mumps" (Amesos)
+     * @param solver    who solves it, and how well
+     * @param owned     rows that this process keeps: consecutive, rising with the number of the process; all rows:
+     * every process has the whole system for itself
      */
-    System(const dealii::DynamicSparsityPattern &pattern, unsigned int n_border, const std::string &solver);
+    System(dealii::DynamicSparsityPattern &&pattern,
+           unsigned int n_border,
+           const LinearSolverSettings &solver,
+           const dealii::IndexSet &owned);
+
+    /// A system of this process alone.
+    System(dealii::DynamicSparsityPattern &&pattern, unsigned int n_border, const std::string &solver);
     ~System() override;
     System(System &&) noexcept;
     System &operator=(System &&) noexcept;
@@ -39,11 +49,21 @@ namespace deltaform
 
     void add(const DofIndex *dofs, unsigned int n, const double *matrix, const double *vector) override;
 
+    /**
+     * The end of the part that each process has assembled for its cells: residuals are summed, rows of the matrix go to
+     * their owners. What is added from here on is the same on all processes, and counts once.
+     */
+    void sum_over_ranks();
+
     bool wants_tangent() const override;
 
     void block(const DofIndex *dofs, unsigned int n, double *result) const override;
 
     void multiply(const Vector &direction, Vector &result) const override;
+
+    /// Motions that cost next to no energy (rigid ones), each over the sparse unknowns: an algebraic multigrid has to
+    /// represent them.
+    void set_near_null_space(const std::vector<Vector> &motions);
 
     /// Which unknowns are prescribed.
     void set_prescribed(const std::vector<bool> &prescribed);
@@ -90,27 +110,50 @@ namespace deltaform
      */
     bool solve(const Vector &increments, Vector &d);
 
+    /// Iterations of the linear solver since the start, 0 for a direct one.
+    unsigned int n_linear_iterations() const;
+
     unsigned int n_factorizations() const
     {
       return n_factorizations_;
     }
 
   private:
-    struct Trilinos;
+    struct Rows;
+
+    /// Storage for the own rows and for those that own cells contribute to.
+    void distribute(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned);
+
+    bool owns(const DofIndex row) const
+    {
+      return !rows_ || (row >= first_ && row < end_);
+    }
 
     double *entry(DofIndex row, DofIndex column) const;
 
     bool solve_sparse(const Vector &right_side, Vector &solution);
 
     unsigned int n_sparse_, n_border_;
-    std::unique_ptr<Trilinos> trilinos_;
-    const int *row_start_ = nullptr;
-    const int *columns_   = nullptr;
-    double *values_       = nullptr;
-    double shift_         = 0; ///< of the last factorization
-    bool tangent_         = true;
+    DofIndex first_ = 0, end_; ///< own rows
+    std::unique_ptr<LinearSolver> solver_;
+    std::unique_ptr<Rows> rows_;    ///< null if all rows are here
+    bool symmetric_elimination_;    ///< of prescribed unknowns: what an iterative solver needs
+    bool common_           = false; ///< what is added now is the same on all processes
+    double prescribed_row_ = 1.;    ///< diagonal of the rows of prescribed unknowns
+    const int *row_start_  = nullptr;
+    const int *columns_    = nullptr;
+    double *values_        = nullptr;
+    double shift_          = 0; ///< of the last factorization
+    bool tangent_          = true;
     std::vector<bool> prescribed_;
     Vector residual_, magnitude_;
+    Vector diagonal_; ///< of distributed rows
+    struct Eliminated
+    {
+      DofIndex row, column;
+      double value;
+    };
+    std::vector<Eliminated> eliminated_;               ///< entries in columns of prescribed unknowns
     std::vector<Vector> border_columns_, border_rows_; ///< couplings of the border with the sparse unknowns
     std::vector<double> border_block_;
     unsigned int n_factorizations_ = 0;

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <deltaform/base/section.h>
+#include <deltaform/base/types.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class Epetra_CrsMatrix;
+
+namespace deltaform
+{
+  /// Who solves the linear systems, and how well.
+  struct LinearSolverSettings
+  {
+    explicit LinearSolverSettings(Section &section);
+    explicit LinearSolverSettings(std::string the_name);
+
+    bool iterative() const;
+
+    std::string name;
+    double tolerance            = 1e-10;
+    unsigned int max_iterations = 2000;
+  };
+
+  /**
+   * A matrix of Trilinos with a fixed pattern and a way to solve with it: Amesos (KLU, MUMPS), or a Krylov method of
+   * AztecOO with the algebraic multigrid of ML or with the diagonal as preconditioner.
+   */
+  class LinearSolver
+  {
+  public:
+    /// All rows in this process.
+    static std::unique_ptr<LinearSolver> local(const LinearSolverSettings &settings,
+                                               const dealii::DynamicSparsityPattern &pattern);
+
+    /// Rows [@p first, @p end) in this process, the others in the other ones. Collective, as are factorize() and
+    /// solve().
+    static std::unique_ptr<LinearSolver> distributed(const LinearSolverSettings &settings,
+                                                     const dealii::DynamicSparsityPattern &pattern,
+                                                     DofIndex first,
+                                                     DofIndex end);
+
+    virtual ~LinearSolver() = default;
+
+    virtual Epetra_CrsMatrix &matrix() = 0;
+
+    /// Rigid motions, as vectors of all unknowns.
+    virtual void set_near_null_space(const std::vector<Vector> &, DofIndex, DofIndex)
+    {
+    }
+
+    /// The values of the matrix have changed. @return false if it is singular, on all processes alike
+    virtual bool factorize() = 0;
+
+    /// Own rows of the right side and of the solution. @return success, on all processes alike
+    virtual bool solve(const double *right_side, double *solution) = 0;
+
+    virtual unsigned int n_iterations() const
+    {
+      return 0;
+    }
+  };
+} // namespace deltaform

@@ -1,0 +1,123 @@
+// Krylov methods for large solids. Algebraic multigrid by smoothed aggregation needs the motions that cost no energy,
+// for elasticity the rigid ones: Vanek, Mandel, Brezina (1996), Computing 56, 179-196.
+#include "trilinos_matrix.h"
+
+#include <AztecOO.h>
+#include <Teuchos_ParameterList.hpp>
+#include <ml_MultiLevelPreconditioner.h>
+
+#include <algorithm>
+
+namespace deltaform
+{
+  namespace
+  {
+    class IterativeSolver : public LinearSolver
+    {
+    public:
+      IterativeSolver(LinearSolverSettings settings, std::unique_ptr<TrilinosMatrix> matrix)
+        : settings_(std::move(settings)), matrix_(std::move(matrix)),
+          multigrid_(settings_.name.find("amg") != std::string::npos),
+          symmetric_(settings_.name.compare(0, 2, "cg") == 0)
+      {
+      }
+
+      Epetra_CrsMatrix &matrix() override
+      {
+        return *matrix_->crs;
+      }
+
+      void set_near_null_space(const std::vector<Vector> &motions, const DofIndex first, const DofIndex end) override
+      {
+        null_space_.clear();
+        for (const auto &motion : motions)
+          null_space_.insert(null_space_.end(), motion.begin() + first, motion.begin() + end);
+        n_motions_ = static_cast<int>(motions.size());
+      }
+
+      bool factorize() override
+      {
+        if (!multigrid_)
+          return true;
+        Teuchos::ParameterList list;
+        ML_Epetra::SetDefaults("SA", list);
+        list.set("ML output", 0);
+        list.set("aggregation: type", "Uncoupled");
+        list.set("smoother: type", "symmetric Gauss-Seidel");
+        list.set("smoother: sweeps", 2);
+        list.set("coarse: type", "Amesos-KLU");
+        list.set("coarse: max size", 2000);
+        list.set("PDE equations", 2);
+        if (n_motions_ > 0)
+        {
+          list.set("null space: type", "pre-computed");
+          list.set("null space: dimension", n_motions_);
+          list.set("null space: vectors", null_space_.data());
+        }
+        preconditioner_.reset();
+        preconditioner_ = std::make_unique<ML_Epetra::MultiLevelPreconditioner>(*matrix_->crs, list, true);
+        return matrix_->all(preconditioner_->IsPreconditionerComputed());
+      }
+
+      bool solve(const double *right_side, double *solution) override
+      {
+        const int n = matrix_->right_side->MyLength();
+        std::copy(right_side, right_side + n, matrix_->right_side->Values());
+        double norm = 0.;
+        matrix_->right_side->Norm2(&norm);
+        matrix_->solution->PutScalar(0.);
+        // An indefinite tangent ends conjugate gradients: GMRES goes on.
+        bool good = norm == 0. || (symmetric_ && iterate(AZ_cg));
+        if (!good)
+        {
+          matrix_->solution->PutScalar(0.);
+          good = iterate(AZ_gmres);
+        }
+        std::copy(matrix_->solution->Values(), matrix_->solution->Values() + n, solution);
+        return matrix_->all(good);
+      }
+
+      unsigned int n_iterations() const override
+      {
+        return n_iterations_;
+      }
+
+    private:
+      bool iterate(const int method)
+      {
+        AztecOO solver(*matrix_->problem);
+        solver.SetAztecOption(AZ_solver, method);
+        solver.SetAztecOption(AZ_output, AZ_none);
+        solver.SetAztecOption(AZ_conv, AZ_rhs);
+        solver.SetAztecOption(AZ_kspace, 100);
+        if (multigrid_)
+          solver.SetPrecOperator(preconditioner_.get());
+        else
+        {
+          solver.SetAztecOption(AZ_precond, AZ_Jacobi);
+          solver.SetAztecOption(AZ_poly_ord, 1);
+        }
+        solver.Iterate(static_cast<int>(settings_.max_iterations), settings_.tolerance);
+        n_iterations_ += static_cast<unsigned int>(solver.NumIters());
+        const double why = solver.GetAztecStatus()[AZ_why];
+        // The recursive residual has converged, the true one has reached its round-off: as good as it gets.
+        return why == AZ_normal || why == AZ_loss;
+      }
+
+      LinearSolverSettings settings_;
+      std::unique_ptr<TrilinosMatrix> matrix_;
+      bool multigrid_, symmetric_;
+      int n_motions_ = 0;
+      std::vector<double> null_space_;
+      std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> preconditioner_;
+      unsigned int n_iterations_ = 0;
+    };
+  } // namespace
+
+
+  std::unique_ptr<LinearSolver> make_iterative_solver(const LinearSolverSettings &settings,
+                                                      std::unique_ptr<TrilinosMatrix> matrix)
+  {
+    return std::make_unique<IterativeSolver>(settings, std::move(matrix));
+  }
+} // namespace deltaform

@@ -1,0 +1,79 @@
+"""Runs a scene with several numbers of processes, or several linear solvers, and compares their histories.
+
+    same_history.py PROGRAM SCENE FOLDER --launcher MPIRUN [--np 1,2,4] [--solvers "klu,cg amg"] [--tolerance 1e-8]
+                    [--set ENTRY=VALUE]...
+
+Every number may differ from that of the first run by the tolerance times the largest of its column. Costs (iterations of
+linear solvers) are not compared. The comparison must be able to say no: a change of one number by ten times the tolerance
+has to be found.
+"""
+import argparse
+import copy
+import csv
+import os
+import subprocess
+import sys
+
+
+def history(folder):
+    with open(os.path.join(folder, "history.csv")) as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def difference(first, other, tolerance):
+    """The first difference in words, or None."""
+    if len(first) != len(other):
+        return "%d increments and %d" % (len(first), len(other))
+    for column in first[0]:
+        if column in ("linear_iterations", "stage"):
+            continue
+        scale = max(abs(float(row[column])) for row in first)
+        for a, b in zip(first, other):
+            if not abs(float(a[column]) - float(b[column])) <= tolerance * scale:
+                return "increment %s, %s: %s and %s" % (a["increment"], column, a[column], b[column])
+    return None
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("scene")
+    parser.add_argument("folder")
+    parser.add_argument("--launcher", required=True)
+    parser.add_argument("--np", default="1,2")
+    parser.add_argument("--solvers", default="")
+    parser.add_argument("--tolerance", type=float, default=1e-8)
+    parser.add_argument("--set", action="append", default=[])
+    arguments = parser.parse_args()
+
+    histories = []
+    for solver in arguments.solvers.split(",") if arguments.solvers else [None]:
+        for processes in arguments.np.split(","):
+            folder = os.path.join(arguments.folder, (solver or "scene").replace(" ", "_") + "_" + processes)
+            sets = arguments.set + (["Solver/Linear solver=" + solver] if solver else [])
+            command = [arguments.launcher, "-np", processes, "--oversubscribe", arguments.program, arguments.scene]
+            command += ["--quiet", "--output", folder]
+            for entry in sets:
+                command += ["--set", entry]
+            environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+            status = subprocess.run(command, env=environment).returncode
+            if status != 0:
+                sys.exit("exit status %d of %s" % (status, " ".join(command)))
+            histories.append((folder, history(folder)))
+
+    name, first = histories[0]
+    wrong = copy.deepcopy(first)
+    column = next(c for c in wrong[-1] if c.endswith("_force_z"))
+    wrong[-1][column] = repr(float(wrong[-1][column]) +
+                             10 * arguments.tolerance * max(abs(float(row[column])) for row in first))
+    if difference(first, wrong, arguments.tolerance) is None:
+        sys.exit("the comparison finds nothing: there is no force in " + name)
+    for other, rows in histories[1:]:
+        found = difference(first, rows, arguments.tolerance)
+        if found:
+            sys.exit("%s and %s differ: %s" % (name, other, found))
+    print("%d histories of %d increments agree to %g" % (len(histories), len(first), arguments.tolerance))
+
+
+if __name__ == "__main__":
+    main()
