@@ -64,6 +64,9 @@ def arguments():
     parser.add_argument("--field", default="equivalent_plastic_strain", help="default: %(default)s")
     parser.add_argument("--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="of the colours; default: all values")
     parser.add_argument("--revolve", action="store_true", help="turn the section about the axis, by 270 degrees")
+    parser.add_argument("--mesh", action="store_true", help="with the edges of the cells (degree 2: of their quarters)")
+    parser.add_argument("--window", nargs=4, type=float, metavar=("LEFT", "RIGHT", "BOTTOM", "TOP"),
+                        help="show this part of the section only")
     parser.add_argument("--no-tools", action="store_true", help="only the blank")
     parser.add_argument("--size", nargs=2, type=int, default=(1600, 1000), metavar=("WIDTH", "HEIGHT"))
     parser.add_argument("--file", help="of the picture (.png); default: render.png in the folder")
@@ -271,15 +274,20 @@ def scalar_bar(label, colours, n_labels, size):
     return bar, title
 
 
-def add_section(renderer, blank, tools, label, colours, size):
+def add_section(renderer, blank, tools, label, colours, size, window=None, mesh=False):
     """The section as it is, seen along the normal of its plane."""
-    left, right, bottom, top = blank.GetBounds()[:4]
+    left, right, bottom, top = window or blank.GetBounds()[:4]
+    if window:
+        blank = cut_to_frame(blank, window)
     axisymmetric_edge = abs(left) < 1e-6 * (right - left)
     width, height = right - left, top - bottom
     margin = 0.14 * max(width, height)
     frame = (left - (0.02 if axisymmetric_edge else 1) * margin, right + margin, bottom - margin, top + margin)
     actor = coloured(blank, label, colours)
     actor.GetProperty().LightingOff()
+    if mesh:
+        actor.GetProperty().EdgeVisibilityOn()
+        actor.GetProperty().SetEdgeColor(0.25, 0.25, 0.25)
     renderer.AddActor(actor)
     if tools is not None:
         lines = plain(tubes(cut_to_frame(tools, frame), 0.0022 * max(width, height)), TOOL_COLOUR)
@@ -361,7 +369,10 @@ def render(options):
 
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
-    (add_body if options.revolve else add_section)(renderer, blank, tools, label, colours, options.size)
+    if options.revolve:
+        add_body(renderer, blank, tools, label, colours, options.size)
+    else:
+        add_section(renderer, blank, tools, label, colours, options.size, options.window, options.mesh)
     for actor in scalar_bar(label, colours, n_labels, options.size):
         renderer.AddActor2D(actor)
 

@@ -199,6 +199,12 @@ namespace deltaform
   }
 
 
+  unsigned int Shell::n_cells() const
+  {
+    return mesh_.cells().size();
+  }
+
+
   bool Shell::axisymmetric() const
   {
     return axisymmetric_;

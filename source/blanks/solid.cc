@@ -25,7 +25,8 @@ namespace deltaform
                        {"finite", "small"},
                        "Finite strain, or displacements so small that the undeformed body serves for equilibrium.") ==
         "finite"),
-      mesh_(section, degree_, axisymmetric_), dof_handler_(mesh_.triangulation())
+      refinement_(section.sub("Refinement")), mesh_(section, degree_, axisymmetric_),
+      dof_handler_(mesh_.triangulation())
   {
     auto bottom =
       section.names("Contact bottom",
@@ -59,15 +60,13 @@ namespace deltaform
     set_up_boundary();
     for (const auto &[names, entry, face] :
          {std::tuple(bottom, "Contact bottom", 0), std::tuple(top, "Contact top", 1)})
-    {
-      std::vector<std::string> known;
       for (const auto &name : names)
         if (boundary_edges_.count(name) > 0)
-          known.push_back(name);
+          contact_boundaries_[face].push_back(name);
         else if (section.given(entry) || mesh_.is_strip())
           section.fail(entry, "there is no boundary '" + name + "'; there are " + text::join(mesh_.boundaries(), ", "));
-      set_up_face(faces_[face], known);
-    }
+    for (unsigned int face = 0; face < 2; ++face)
+      set_up_face(faces_[face], contact_boundaries_[face]);
     shortest_edge_ = 1e300;
     for (const auto &face : faces_)
       for (const auto &edge : face.edges)
@@ -75,36 +74,43 @@ namespace deltaform
           std::min(shortest_edge_, nodes_[face.nodes[edge[0]]].distance(nodes_[face.nodes[edge[1]]]) / degree_);
     if (shortest_edge_ == 1e300)
       shortest_edge_ = mesh_.thickness();
-    const Vector zero(n_dofs());
-    update_areas(zero);
-    for (auto &face : faces_)
-      for (unsigned int i = 0; i < face.nodes.size(); ++i)
-        face.weightless[i] = face.area[i] < 1e-9 * shortest_edge_ * (axisymmetric_ ? shortest_edge_ : 1.);
-    update_areas(zero);
-    update_thickness(zero);
+    set_up_weightless();
+    update_thickness(Vector(n_dofs()));
   }
 
 
   unsigned int Solid::n_dofs() const
   {
-    return dof_handler_.n_dofs();
+    return n_free_;
   }
 
 
   dealii::IndexSet Solid::locally_owned_dofs() const
   {
+    // Hanging nodes, on one process only, are no unknowns.
+    if (ranks::count() == 1)
+      return dealii::complete_index_set(n_free_);
     return dof_handler_.locally_owned_dofs();
   }
 
 
   void Solid::add_couplings(dealii::DynamicSparsityPattern &pattern) const
   {
+    std::vector<DofIndex> dofs;
     for (const auto &cell : cells_)
+    {
+      dofs.clear();
       for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
-        for (unsigned int b = 0; b < n_nodes_per_cell_; ++b)
-          for (const auto i : node_dofs_[cell[a]])
-            for (const auto j : node_dofs_[cell[b]])
-              pattern.add(i, j);
+        for (const auto i : node_dofs_[cell[a]])
+          if (i < n_free_)
+            dofs.push_back(i);
+          else
+            for (const auto &[master, weight] : hanging_[i - n_free_])
+              dofs.push_back(master);
+      for (const auto i : dofs)
+        for (const auto j : dofs)
+          pattern.add(i, j);
+    }
   }
 
 
@@ -165,6 +171,18 @@ namespace deltaform
     for (const auto node : boundary_nodes(boundary))
       result.push_back(nodes_[node]);
     return result;
+  }
+
+
+  unsigned int Solid::n_cells() const
+  {
+    return cells_.size();
+  }
+
+
+  double Solid::estimated_error() const
+  {
+    return estimated_error_;
   }
 
 

@@ -55,6 +55,8 @@ namespace deltaform
     small[0][0] = small[1][3] = small[2][4] = 1.;
     small[3][1] = small[3][2] = root_half;
 
+    Vector storage;
+    const Vector &values = with_hanging(q, storage);
     if (linear_ && tangent)
       constant_matrices_.clear();
     for (unsigned int c = 0; c < cells_.size(); ++c)
@@ -66,7 +68,7 @@ namespace deltaform
         for (unsigned int k = 0; k < 2; ++k)
         {
           dofs[2 * a + k] = node_dofs_[cell[a]][k];
-          u[2 * a + k]    = q[dofs[2 * a + k]];
+          u[2 * a + k]    = values[dofs[2 * a + k]];
         }
 
       // Trial elastic strain of all points
@@ -177,7 +179,7 @@ namespace deltaform
       }
       if (linear_ && tangent)
         constant_matrices_.insert(constant_matrices_.end(), matrix.begin(), matrix.end());
-      target.add(dofs.data(), n, tangent ? matrix.data() : nullptr, residual.data());
+      add(target, dofs.data(), n, tangent ? matrix.data() : nullptr, residual.data());
     }
     return {};
   }
@@ -217,13 +219,15 @@ namespace deltaform
     const unsigned int n = 2 * n_nodes_per_cell_;
     std::array<DofIndex, 18> dofs;
     std::array<double, 18> u, residual;
+    Vector storage;
+    const Vector &values = with_hanging(q, storage);
     for (unsigned int c = 0; c < cells_.size(); ++c)
     {
       const double *matrix = &constant_matrices_[c * n * n];
       for (unsigned int i = 0; i < n; ++i)
       {
         dofs[i] = node_dofs_[cells_[c][i / 2]][i % 2];
-        u[i]    = q[dofs[i]];
+        u[i]    = values[dofs[i]];
       }
       for (unsigned int i = 0; i < n; ++i)
       {
@@ -231,13 +235,13 @@ namespace deltaform
         for (unsigned int j = 0; j < n; ++j)
           residual[i] += matrix[i * n + j] * u[j];
       }
-      target.add(dofs.data(), n, target.wants_tangent() ? matrix : nullptr, residual.data());
+      add(target, dofs.data(), n, target.wants_tangent() ? matrix : nullptr, residual.data());
     }
     return {};
   }
 
 
-  void Solid::update_linear_stress(const Vector &q)
+  void Solid::update_stress(const Vector &q)
   {
     // One more pass over the law, for strains and stresses only: nobody has asked for them on the way.
     Nowhere nowhere(false);
@@ -268,10 +272,12 @@ namespace deltaform
     // |d F F^-1| below one half keeps the determinant positive.
     constexpr double largest_strain = .4;
     double factor                   = 1.;
+    Vector storage, step_storage;
+    const Vector &u = with_hanging(q, storage), &du = with_hanging(dq, step_storage);
     for (unsigned int c = 0; c < cells_.size(); ++c)
       for (unsigned int p = 0; p < n_points_per_cell_; ++p)
       {
-        const Deformation F = deformation(q, c, p), G = deformation(dq, c, p);
+        const Deformation F = deformation(u, c, p), G = deformation(du, c, p);
         const std::array<double, 4> h{{G.f[0] - 1., G.f[1], G.f[2], G.f[3] - 1.}};
         const double inverse = 1. / (F.f[0] * F.f[3] - F.f[1] * F.f[2]);
         const double l[4]    = {inverse * (h[0] * F.f[3] - h[1] * F.f[2]),

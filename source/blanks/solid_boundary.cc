@@ -129,8 +129,15 @@ namespace deltaform
     std::vector<Share> own;
     for (unsigned int p = 0; p < points_.size(); ++p)
       for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
-        own.push_back({node_dofs_[cells_[p / n_points_per_cell_][a]][static_cast<unsigned int>(component)],
-                       points_[p].shape[a] * points_[p].weight});
+      {
+        const DofIndex dof  = node_dofs_[cells_[p / n_points_per_cell_][a]][static_cast<unsigned int>(component)];
+        const double weight = points_[p].shape[a] * points_[p].weight;
+        if (dof < n_free_)
+          own.push_back({dof, weight});
+        else
+          for (const auto &[master, share] : hanging_[dof - n_free_])
+            own.push_back({master, share * weight});
+      }
     std::vector<std::pair<DofIndex, double>> result;
     for (const auto &[dof, volume] : ranks::gather(own))
       result.emplace_back(dof, volume);

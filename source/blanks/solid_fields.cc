@@ -1,4 +1,6 @@
 // Tables and pictures of the accepted state of the solid.
+#include "solid_stress.h"
+
 #include <deltaform/base/ranks.h>
 #include <deltaform/blanks/solid.h>
 
@@ -7,21 +9,10 @@
 
 namespace deltaform
 {
-  namespace
+  Table Solid::profile(const Vector &state) const
   {
-    double mises(const Mandel &t)
-    {
-      const double mean = (t[0] + t[1] + t[2]) / 3.;
-      double square     = t[3] * t[3];
-      for (unsigned int k = 0; k < 3; ++k)
-        square += (t[k] - mean) * (t[k] - mean);
-      return std::sqrt(1.5 * square);
-    }
-  } // namespace
-
-
-  Table Solid::profile(const Vector &q) const
-  {
+    Vector storage;
+    const Vector &q = with_hanging(state, storage);
     Table table;
     table.names = {"R0",
                    "r",
@@ -73,13 +64,15 @@ namespace deltaform
     {
       std::map<long, std::vector<unsigned int>> stations;
       for (unsigned int i = 0; i < nodes_.size(); ++i)
-        stations[std::lround(2 * parameters_[i][0])].push_back(i);
+        stations[station(i)].push_back(i);
       for (auto &[place, nodes] : stations)
       {
         std::sort(nodes.begin(),
                   nodes.end(),
                   [&](const unsigned int a, const unsigned int b) { return parameters_[a][1] < parameters_[b][1]; });
-        groups.push_back(nodes);
+        // Only columns that go through from bottom to top.
+        if (parameters_[nodes.front()][1] < -.5 + 1e-9 && parameters_[nodes.back()][1] > .5 - 1e-9)
+          groups.push_back(nodes);
       }
     }
     else
@@ -159,10 +152,13 @@ namespace deltaform
   }
 
 
-  Drawing Solid::draw(const Vector &q, const std::vector<DrawnField> &nodal) const
+  Drawing Solid::draw(const Vector &state, const std::vector<DrawnField> &nodal) const
   {
+    Vector storage;
+    const Vector &q = with_hanging(state, storage);
     Drawing drawing;
-    drawing.points = positions(q);
+    for (unsigned int i = 0; i < nodes_.size(); ++i)
+      drawing.points.push_back(position(q, i));
     drawing.fields.reserve(16 + nodal.size());
     const auto add_field = [&](const std::string &name,
                                const std::string &unit,

@@ -64,6 +64,7 @@ namespace deltaform
       read_disc_segment(section);
     else
       read_strip(section, degree, axisymmetric);
+    first_level_ = static_cast<int>(triangulation_->n_global_levels()) - 1;
   }
 
 

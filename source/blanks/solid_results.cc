@@ -69,10 +69,12 @@ namespace deltaform
   {
     // The spin of the displacement increment on the undeformed body would count stretch: take the committed one.
     double largest = 0.;
+    Vector storage;
+    const Vector &du = with_hanging(dq, storage);
     for (unsigned int c = 0, i = 0; c < cells_.size(); ++c)
       for (unsigned int p = 0; p < n_points_per_cell_; ++p, ++i)
       {
-        const auto d         = deformation(dq, c, p).f;
+        const auto d         = deformation(du, c, p).f;
         const auto &b        = committed_deformation_[i].f;
         const double inverse = 1. / (b[0] * b[3] - b[1] * b[2]);
         const std::array<double, 4> f{{1. + inverse * ((d[0] - 1.) * b[3] - d[1] * b[2]),
@@ -88,7 +90,7 @@ namespace deltaform
   void Solid::commit(const Vector &q)
   {
     if (linear_)
-      update_linear_stress(q);
+      update_stress(q);
     double elastic = 0., plastic = 0.;
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
@@ -208,8 +210,10 @@ namespace deltaform
   std::vector<Point2> Solid::positions(const Vector &q) const
   {
     std::vector<Point2> result;
+    Vector storage;
+    const Vector &u = with_hanging(q, storage);
     for (unsigned int i = 0; i < nodes_.size(); ++i)
-      result.push_back(position(q, i));
+      result.push_back(position(u, i));
     return result;
   }
 
@@ -221,6 +225,8 @@ namespace deltaform
   {
     for (unsigned int i = 0; i < nodes_.size(); ++i)
     {
+      if (node_dofs_[i][0] >= n_free_)
+        continue;
       const Point2 x = position(q, i);
       set(node_dofs_[i][0], translation[0] - rotation * x[1]);
       set(node_dofs_[i][1], translation[1] + rotation * x[0]);
@@ -238,8 +244,8 @@ namespace deltaform
     }
     std::ostringstream own;
     boost::archive::binary_oarchive archive(own);
-    archive << history_ << committed_stress_ << gradients << plastic_metric_ << faces_[0].area << faces_[1].area
-            << smallest_thickness_ << energy_.elastic << energy_.plastic;
+    archive << passes_ << estimated_error_ << history_ << committed_stress_ << gradients << plastic_metric_
+            << faces_[0].area << faces_[1].area << smallest_thickness_ << energy_.elastic << energy_.plastic;
     const std::vector<std::string> all = ranks::gather(own.str());
     boost::archive::binary_oarchive(stream) << all;
   }
@@ -256,8 +262,16 @@ namespace deltaform
                        std::to_string(ranks::count()) + ".");
     std::istringstream own(all[ranks::mine()]);
     boost::archive::binary_iarchive archive(own);
-    archive >> history_ >> committed_stress_ >> gradients >> plastic_metric_ >> faces_[0].area >> faces_[1].area >>
-      smallest_thickness_ >> energy_.elastic >> energy_.plastic;
+    std::vector<std::vector<bool>> passes;
+    archive >> passes;
+    std::vector<Vector> none;
+    for (auto pass = passes_.size(); pass < passes.size(); ++pass)
+    {
+      mesh_.triangulation().load_refine_flags(passes[pass]);
+      refine(none);
+    }
+    archive >> estimated_error_ >> history_ >> committed_stress_ >> gradients >> plastic_metric_ >> faces_[0].area >>
+      faces_[1].area >> smallest_thickness_ >> energy_.elastic >> energy_.plastic;
     for (unsigned int i = 0; i < committed_deformation_.size(); ++i)
     {
       std::copy_n(gradients.begin() + 5 * i, 4, committed_deformation_[i].f.begin());

@@ -14,11 +14,17 @@ namespace deltaform
 {
   using dealii::numbers::PI;
 
-  void Solid::set_up_dofs()
+  void Solid::set_up_dofs(const CellPlaces &places)
   {
-    element_ = std::make_unique<dealii::FESystem<2>>(dealii::FE_Q<2>(degree_), 2);
+    if (!element_)
+      element_ = std::make_unique<dealii::FESystem<2>>(dealii::FE_Q<2>(degree_), 2);
     dof_handler_.distribute_dofs(*element_);
-    n_nodes_per_cell_ = (degree_ + 1) * (degree_ + 1);
+    n_nodes_per_cell_                  = (degree_ + 1) * (degree_ + 1);
+    const std::vector<DofIndex> number = set_up_hanging_nodes();
+    cells_.clear();
+    nodes_.clear();
+    parameters_.clear();
+    node_dofs_.clear();
 
     if (ranks::count() > 1)
     {
@@ -42,8 +48,8 @@ namespace deltaform
         {
           node_of_dof[dof] = nodes_.size();
           parameters_.push_back(mapping.transform_unit_to_real_cell(cell, scalar.unit_support_point(a)));
-          nodes_.push_back(mesh_.place(parameters_.back()));
-          node_dofs_.push_back({{dof, dofs[element_->component_to_system_index(1, a)]}});
+          nodes_.push_back(places ? places(cells_.size(), a) : mesh_.place(parameters_.back()));
+          node_dofs_.push_back({{number[dof], number[dofs[element_->component_to_system_index(1, a)]]}});
         }
         nodes[a] = node_of_dof[dof];
       }
@@ -58,7 +64,11 @@ namespace deltaform
     const dealii::QGauss<2> quadrature(degree_ + 1);
     const unsigned int n = quadrature.size(), n_modes = degree_ == 1 ? 1 : 3;
     n_points_per_cell_ = n;
+    quadrature_        = quadrature.get_points();
 
+    points_.clear();
+    projection_.clear();
+    constant_matrices_.clear();
     for (const auto &cell : cells_)
     {
       for (unsigned int p = 0; p < n; ++p)
@@ -133,6 +143,9 @@ namespace deltaform
   {
     // Corners and middle of each face of a cell, walked counterclockwise
     constexpr unsigned int walk[4][3] = {{2, 0, 4}, {1, 3, 5}, {0, 1, 6}, {3, 2, 7}};
+    columns_.clear();
+    boundary_edges_.clear();
+    edge_cells_.clear();
     for (const auto &name : mesh_.boundaries())
       boundary_edges_[name];
     struct BoundaryEdge
@@ -149,8 +162,11 @@ namespace deltaform
       const auto &nodes = cells_[c++];
       for (unsigned int f = 0; f < 4; ++f)
         if (cell->face(f)->at_boundary())
+        {
           own.push_back({cell->face(f)->boundary_id(),
                          {{nodes[walk[f][0]], nodes[walk[f][1]], degree_ == 2 ? nodes[walk[f][2]] : invalid_index}}});
+          edge_cells_[std::minmax(nodes[walk[f][0]], nodes[walk[f][1]])] = cell->active_cell_index();
+        }
     }
     for (const auto &[boundary, edge] : ranks::gather(own))
       boundary_edges_[mesh_.boundaries()[boundary]].push_back(edge);
@@ -160,14 +176,17 @@ namespace deltaform
     for (unsigned int i = 0; i < nodes_.size(); ++i)
       for (const unsigned int side : {0, 1})
         if (std::abs(parameters_[i][1] - (side - .5)) < 1e-9)
-          stations[std::lround(2 * parameters_[i][0])][side] = i;
+          stations.insert({station(i), {{invalid_index, invalid_index}}}).first->second[side] = i;
+    // Where only one side is refined, there is no column.
     for (const auto &[place, pair] : stations)
-      columns_.push_back(pair);
+      if (pair[0] != invalid_index && pair[1] != invalid_index)
+        columns_.push_back(pair);
   }
 
 
   void Solid::set_up_face(ContactFace &face, const std::vector<std::string> &names)
   {
+    face = ContactFace();
     // Chains: an edge is followed by the one that starts where it ends.
     std::map<unsigned int, Edge> starts;
     std::map<unsigned int, unsigned int> ends;
@@ -221,5 +240,16 @@ namespace deltaform
     }
     face.area.assign(face.nodes.size(), 0.);
     face.weightless.assign(face.nodes.size(), false);
+  }
+
+
+  void Solid::set_up_weightless()
+  {
+    const Vector zero(n_dofs());
+    update_areas(zero);
+    for (auto &face : faces_)
+      for (unsigned int i = 0; i < face.nodes.size(); ++i)
+        face.weightless[i] = face.area[i] < 1e-9 * shortest_edge_ * (axisymmetric_ ? shortest_edge_ : 1.);
+    update_areas(zero);
   }
 } // namespace deltaform

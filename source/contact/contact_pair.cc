@@ -92,21 +92,7 @@ namespace deltaform
     if (tool.friction_coefficient() > 0)
       friction_ = std::move(law);
 
-    const unsigned int n = surface.n_contact_nodes(tool.side());
-    committed_.resize(n);
-    trial_.resize(n);
-    area_.assign(n, 0.);
-    thickness_of_.assign(n, 0.);
-    stiffness_.resize(n);
-    committed_x_.resize(n);
-    projected_x_.resize(n);
-    projected_gap_.assign(n, -1.);
-    noise_.assign(n, 0.);
-    hint_.assign(n, invalid_index);
-    description_.resize(n);
-    normal_.resize(n);
-    base_multiplier_.assign(n, 0.);
-    step_multiplier_.assign(n, 0.);
+    resize();
   }
 
 

@@ -45,6 +45,9 @@ namespace deltaform
                                             {"rigid_modes", "1", get<&Row::rigid_modes>},
                                             {"digits_lost", "1", get<&Row::digits_lost>}};
 
+    const std::vector<Number> meshes        = {{"unknowns", "1", get<&Row::unknowns>},
+                                               {"cells", "1", get<&Row::cells>},
+                                               {"estimated_error", "1", get<&Row::estimated_error>}};
     const std::vector<Number> linear_solver = {{"linear_iterations", "1", get<&Row::linear_iterations>}};
 
     const std::vector<Number> energies = {{"tool_work", "force*length", get<&Row::tool_work>},
@@ -60,8 +63,9 @@ namespace deltaform
     template <typename Action>
     void for_each_number(const HistoryOptions &options, const Action &action)
     {
-      for (const auto *group : {&costs_and_contact, &conditions, &linear_solver, &energies})
-        if ((group != &conditions || options.condition) && (group != &linear_solver || options.iterative))
+      for (const auto *group : {&costs_and_contact, &conditions, &linear_solver, &meshes, &energies})
+        if ((group != &conditions || options.condition) && (group != &linear_solver || options.iterative) &&
+            (group != &meshes || options.refinement))
           for (const Number &number : *group)
             action(number);
     }

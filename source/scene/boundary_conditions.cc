@@ -28,15 +28,12 @@ namespace deltaform
       return section.choice("Boundary", blank.boundaries().front(), blank.boundaries(), "Part of the boundary.");
     }
 
-    std::vector<DofIndex> read_dofs(Section &section, const Blank &blank)
+    void check_dofs(Section &section, const std::string &boundary, const std::vector<DofIndex> &dofs)
     {
-      const std::string boundary = read_boundary(section, blank);
-      const auto dofs            = blank.boundary_dofs(boundary, read_component(section));
       if (dofs.empty())
         section.fail("Component",
                      "boundary '" + boundary +
                        "' has no such unknown: a solid has no rotations, it is clamped by holding r and z of an edge");
-      return dofs;
     }
 
     std::map<std::string, double> constants_at(const Blank &blank, const Point2 &X)
@@ -47,23 +44,32 @@ namespace deltaform
 
 
   Support::Support(const std::string &support_name, Section section, const Blank &blank)
-    : name(support_name), dofs(read_dofs(section, blank)),
+    : name(support_name), boundary(read_boundary(section, blank)), component(read_component(section)),
       value(
         section.function("Value",
                          Default<std::string>("0"),
                          "length or rad",
                          "Displacement (rotation) from the initial position as a function of time t, of thickness, and "
                          "of the initial place R, Z.",
-                         constants_at(blank, blank.boundary_points(read_boundary(section, blank)).front()))),
+                         constants_at(blank, blank.boundary_points(boundary).front()))),
       hold(section.flag("Hold", false, "Instead of Value: keep what the unknown has reached when the stage begins.")),
       stages(section.names("Stages",
                            "",
                            "Stages in which the support acts (empty: all). It is released gradually in the next."))
   {
+    renumber(blank);
+    check_dofs(section, boundary, dofs);
+  }
+
+
+  void Support::renumber(const Blank &blank)
+  {
+    dofs = blank.boundary_dofs(boundary, component);
+    values.clear();
     const auto &text = value.text();
     if (text.find('R') == std::string::npos && text.find('Z') == std::string::npos)
       return;
-    for (const auto &X : blank.boundary_points(read_boundary(section, blank)))
+    for (const auto &X : blank.boundary_points(boundary))
       values.emplace_back(text, constants_at(blank, X));
   }
 
@@ -85,20 +91,19 @@ namespace deltaform
       "an edge (solid: traction on the initial area), or force per initial volume.");
     if (what == "edge")
     {
-      kind    = Kind::edge;
-      dofs    = read_dofs(section, blank);
-      weights = blank.boundary_weights(read_boundary(section, blank));
+      kind      = Kind::edge;
+      boundary  = read_boundary(section, blank);
+      component = read_component(section);
+      renumber(blank);
+      check_dofs(section, boundary, dofs);
       if (!(*std::max_element(weights.begin(), weights.end()) > 0))
         section.fail("Boundary", "this edge has no length (it lies on the axis): a line load on it is no load");
     }
     else if (what == "body")
     {
-      kind = Kind::body;
-      for (const auto &[dof, weight] : blank.volume_weights(read_component(section)))
-      {
-        dofs.push_back(dof);
-        weights.push_back(weight);
-      }
+      kind      = Kind::body;
+      component = read_component(section);
+      renumber(blank);
       if (dofs.empty())
         section.fail("Component", "a body load is a force, along r or z");
     }
@@ -117,6 +122,25 @@ namespace deltaform
       {{"thickness", blank.initial_thickness()}});
     stages =
       section.names("Stages", "", "Stages in which the load acts (empty: all). It is released gradually in the next.");
+  }
+
+
+  void Load::renumber(const Blank &blank)
+  {
+    if (kind == Kind::edge)
+    {
+      dofs    = blank.boundary_dofs(boundary, component);
+      weights = blank.boundary_weights(boundary);
+    }
+    if (kind != Kind::body)
+      return;
+    dofs.clear();
+    weights.clear();
+    for (const auto &[dof, weight] : blank.volume_weights(component))
+    {
+      dofs.push_back(dof);
+      weights.push_back(weight);
+    }
   }
 
 

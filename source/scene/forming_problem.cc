@@ -12,12 +12,13 @@
 namespace deltaform
 {
   FormingProblem::FormingProblem(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers)
-    : actors_(actors), timers_(timers), timer_blank_(timers.section("3-6 blank: strains, material, residual, tangent")),
+    : actors_(actors), linear_solver_(linear_solver), timers_(timers),
+      timer_blank_(timers.section("3-6 blank: strains, material, residual, tangent")),
       timer_sum_(timers.section("6 sum over processes")),
       timer_contact_(timers.section("7-9 contact: projection, forces, tangent")),
       timer_commit_(timers.section("12 commit")), augmentation_(8)
   {
-    number_unknowns(linear_solver);
+    number_unknowns();
     tool_forces_.resize(actors_.tools.size());
     travels_.resize(actors_.tools.size());
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
@@ -25,7 +26,7 @@ namespace deltaform
   }
 
 
-  void FormingProblem::number_unknowns(const LinearSolverSettings &linear_solver)
+  void FormingProblem::number_unknowns()
   {
     const unsigned int n_blank = actors_.blank->n_dofs();
     const bool multipliers     = actors_.contact && actors_.contact->enforcement->has_multiplier();
@@ -69,7 +70,11 @@ namespace deltaform
           }
         }
     }
-    system_ = std::make_unique<System>(std::move(pattern), n_border, linear_solver, owned);
+    // Newton holds on to the object.
+    if (system_)
+      *system_ = System(std::move(pattern), n_border, linear_solver_, owned);
+    else
+      system_ = std::make_unique<System>(std::move(pattern), n_border, linear_solver_, owned);
 
     const unsigned int n = n_sparse + n_border;
     committed_.reinit(n);
@@ -81,7 +86,7 @@ namespace deltaform
     for (const auto dof : actors_.blank->fixed_dofs())
       is_fixed_[dof] = true;
     is_prescribed_ = is_fixed_;
-    if (linear_solver.iterative())
+    if (linear_solver_.iterative())
       describe_rigid_motions();
     double extent = actors_.blank->initial_thickness();
     for (const auto &x : actors_.blank->positions(zero))

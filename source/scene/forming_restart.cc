@@ -9,17 +9,24 @@ namespace deltaform
 {
   void FormingProblem::save(std::ostream &stream) const
   {
+    actors_.blank->save(stream);
     boost::archive::binary_oarchive archive(stream);
     archive << committed_ << hold_ << released_ << load_forces_ << any_released_ << time_ << tool_forces_ << travels_
             << work_.tools << work_.loads << largest_force_;
     for (const auto &pair : actors_.pairs)
       archive << static_cast<const ContactPair &>(*pair);
-    actors_.blank->save(stream);
   }
 
 
   void FormingProblem::load(std::istream &stream)
   {
+    actors_.blank->load(stream);
+    if (actors_.blank->refinement() != nullptr)
+    {
+      for (auto &pair : actors_.pairs)
+        pair->resize();
+      renumber();
+    }
     const auto n_unknowns = committed_.size();
     {
       boost::archive::binary_iarchive archive(stream);
@@ -31,7 +38,6 @@ namespace deltaform
       for (auto &pair : actors_.pairs)
         archive >> *pair;
     }
-    actors_.blank->load(stream);
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
       if (actors_.tools[i]->force_driven())
         actors_.tools[i]->set_travel(travels_[i]);

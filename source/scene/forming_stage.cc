@@ -1,4 +1,6 @@
 // What happens between the increments: stages begin, what has ended fades out, states are accepted.
+#include "collector.h"
+
 #include <deltaform/scene/forming_problem.h>
 
 #include <algorithm>
@@ -6,32 +8,6 @@
 
 namespace deltaform
 {
-  namespace
-  {
-    /// Collects the residual of a part of the problem.
-    class Collector : public AssemblyTarget
-    {
-    public:
-      explicit Collector(const unsigned int n) : residual(n)
-      {
-      }
-
-      void add(const DofIndex *dofs, const unsigned int n, const double *, const double *vector) override
-      {
-        for (unsigned int i = 0; i < n; ++i)
-          residual[dofs[i]] += vector[i];
-      }
-
-      bool wants_tangent() const override
-      {
-        return false;
-      }
-
-      Vector residual;
-    };
-  } // namespace
-
-
   void FormingProblem::collect_released(const std::string &next_stage)
   {
     Collector ending(committed_.size());
@@ -102,14 +78,20 @@ namespace deltaform
     for (auto &pair : actors_.pairs)
       if (pair->tool().exists_in(stage.name))
         active_pairs_.push_back(pair.get());
+    set_prescribed();
+  }
+
+
+  void FormingProblem::set_prescribed()
+  {
     is_prescribed_ = is_fixed_;
     for (const auto &support : actors_.supports)
-      if (support.acts_in(stage.name))
+      if (support.acts_in(stage_name_))
         for (const auto dof : support.dofs)
           is_prescribed_[dof] = true;
     // The travel of a force-driven tool that is absent does not change.
     for (auto &pair : actors_.pairs)
-      if (pair->tool().force_driven() && !pair->tool().exists_in(stage.name))
+      if (pair->tool().force_driven() && !pair->tool().exists_in(stage_name_))
         is_prescribed_[pair->travel_dof()] = true;
   }
 

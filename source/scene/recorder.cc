@@ -68,7 +68,8 @@ namespace deltaform
                         const Stage &stage,
                         const double time,
                         const unsigned int increment,
-                        const IncrementCost &cost)
+                        const IncrementCost &cost,
+                        const bool tables)
   {
     Timers::Scope scope(files_->timers, files_->timer);
     files_->last = files_->row(problem, stage, time, increment, cost);
@@ -85,6 +86,9 @@ namespace deltaform
     files_->worst_promise = std::max(files_->worst_promise, files_->last.max_penetration_over_delta);
     files_->worst_between = std::max(files_->worst_between, files_->last.max_penetration_between_nodes);
 
+    files_->show_progress(files_->last);
+    if (!tables)
+      return;
     const auto &output = *files_->scene.output;
     for (const double asked : output.travel_times)
       if (std::abs(time - asked) <= 1e-9 * std::max(1., std::abs(asked)))
@@ -98,7 +102,6 @@ namespace deltaform
     }
     if (picture)
       files_->write_picture(problem, time);
-    files_->show_progress(files_->last);
   }
 
 

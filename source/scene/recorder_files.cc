@@ -33,7 +33,10 @@ namespace deltaform
       row.digits_lost               = cost.condition->digits_lost;
       row.rigid_modes               = cost.condition->n_rigid;
     }
-    row.cutbacks = cost.cutbacks;
+    row.cutbacks        = cost.cutbacks;
+    row.unknowns        = problem.committed().size();
+    row.cells           = scene.actors.blank->n_cells();
+    row.estimated_error = scene.actors.blank->estimated_error();
     for (unsigned int i = 0; i < scene.actors.tools.size(); ++i)
       row.tools.push_back({problem.travel(i), problem.tool_forces()[i][1], problem.tool_forces()[i][0]});
 

@@ -27,8 +27,9 @@ namespace deltaform
       for (const auto &tool : scene.actors.tools)
         names.push_back(tool->name());
       HistoryOptions options;
-      options.condition = scene.output->condition_every > 0;
-      options.iterative = scene.linear_solver->iterative();
+      options.condition  = scene.output->condition_every > 0;
+      options.refinement = scene.actors.blank->refinement() != nullptr;
+      options.iterative  = scene.linear_solver->iterative();
       if (start)
         options.resume_after = start->increment;
       for (const auto &support : scene.actors.supports)

@@ -104,10 +104,26 @@ namespace deltaform
       time_ = next;
       ++increment_;
       control.accept(result.iterations - result.correction_iterations);
-      recorder_.record(problem_, stage, time_, increment_, cost);
+      ++since_refinement_;
+      const bool refined = refinement_marked();
+      recorder_.record(problem_, stage, time_, increment_, cost, !refined);
       cost                 = IncrementCost();
       step_                = control.state();
       accepted_iterations_ = total_iterations_;
+      if (refined)
+      {
+        Checkpoint before            = checkpoint();
+        const std::string unbalanced = refine(stage);
+        if (!unbalanced.empty())
+        {
+          journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) +
+                           ": after a refinement of the blank there is no equilibrium: " + unbalanced +
+                           ". Refine less at once (Blank/Refinement), or begin with a finer mesh.");
+          problem_.begin_increment(time_);
+          before_giving_up_ = std::move(before);
+          return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
+        }
+      }
       if (ranks::decided_by_first(recorder_.checkpoint_due()) || control.finished(time_))
         recorder_.save(checkpoint());
     }
@@ -164,6 +180,9 @@ namespace deltaform
     if (!result.converged())
       return explain(result);
 
+    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong.
+    if (time <= time_)
+      return "";
     const double strain = scene_.actors.blank->largest_strain_increment();
     if (strain > scene_.steps->largest_strain)
       return "the largest strain increment is " + text::format(strain) + ", allowed are " +

@@ -23,8 +23,8 @@ namespace deltaform
       const bool go_on = step_.has_value();
       const auto step  = step_.value_or(StepControl::State());
       boost::archive::binary_oarchive archive(stream);
-      archive << last_increment_ << accepted_iterations_ << failed_iterations_ << before_ << go_on << step.increment
-              << step.quiet;
+      archive << last_increment_ << since_refinement_ << accepted_iterations_ << failed_iterations_ << before_ << go_on
+              << step.increment << step.quiet;
     }
     problem_.save(stream);
     result.simulation = stream.str();
@@ -50,8 +50,8 @@ namespace deltaform
       bool go_on = false;
       StepControl::State step;
       boost::archive::binary_iarchive archive(stream);
-      archive >> last_increment_ >> total_iterations_ >> failed_iterations_ >> before_ >> go_on >> step.increment >>
-        step.quiet;
+      archive >> last_increment_ >> since_refinement_ >> total_iterations_ >> failed_iterations_ >> before_ >> go_on >>
+        step.increment >> step.quiet;
       if (go_on)
         step_ = step;
     }

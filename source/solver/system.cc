@@ -46,7 +46,9 @@ namespace deltaform
   }
 
 
-  System::~System() = default;
+  System::~System()                             = default;
+  System::System(System &&) noexcept            = default;
+  System &System::operator=(System &&) noexcept = default;
 
 
   unsigned int System::size() const

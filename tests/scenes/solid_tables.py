@@ -232,7 +232,92 @@ def make(markdown, series):
                          for d in (.5, 1.)] if table else [str(degree), str(n), "failed", "failed"])
         return markdown(["degree", "elements", "F/(2 pi d), d = .5", "d = 1"], rows)
 
+    ungraded = ["Blank/Grading=1", "Blank/Grading through thickness=1", "Steps/press/First increment=1",
+                "Steps/press/Largest increment=1", "Solver/Largest rotation increment=10"]
+
+    def refined(passes, *more):
+        return ["Blank/Refinement/Criterion=recovery", "Blank/Refinement/Passes=%d" % passes,
+                "Blank/Refinement/Maximal level=10", "Blank/Refinement/Contact rim=true",
+                "Blank/Refinement/Contact edges=0"] + list(more)
+
+    def half_space(run):
+        """The mesh of 10 x 10 equal cells of degree 2, refined everywhere or where the error is."""
+        rows = []
+        for title, scene, tool, label, force, pressure in (
+                ("11: sphere", "hertz_sphere", "sphere", "contact_0.005.csv", 4. / 3. * 1000 / .91 * math.sqrt(200.) * .005 ** 1.5,
+                 lambda r: 2 * 1000 / .91 / (math.pi * 200.) * math.sqrt(1 - r * r)),
+                ("13: flat punch", "flat_punch", "punch", "contact_0.01.csv", 2 / .91 * .01,
+                 lambda r: .01 / .91 / math.pi / math.sqrt(1 - r * r))):
+            for mesh, count, sets in (
+                    [("uniform", n, ["Blank/Elements=%d" % n, "Blank/Elements through thickness=%d" % n,
+                                     "Solver/Linear solver=mumps"]) for n in (20, 40, 80, 160)] +
+                    [("refined", k, ["Blank/Elements=10", "Blank/Elements through thickness=10"] + refined(k))
+                     for k in (4, 6, 8, 10, 12)]):
+                tables = run(scene, ["history.csv", label], *ungraded, *sets)
+                if not tables or not tables[1]:
+                    rows.append([title, "%s, %d" % (mesh, count), "", "none" if tables else "failed", "", "", ""])
+                    continue
+                last, first = tables[0][-1], tables[1][0]
+                unknowns = int(last["unknowns"]) if "unknowns" in last else 2 * (2 * count + 1) ** 2 + 2 * count + 1
+                mean = [abs(row["pressure"] / pressure(row["R0"]) - 1) for row in tables[1] if row["R0"] < .7]
+                rows.append([title, mesh + (", %d x %d" % (count, count) if mesh == "uniform" else ", %d times" % count),
+                             str(unknowns), str(int(last["contact_pairs"])), "%.1e" % (last[tool + "_force_z"] / force - 1),
+                             "%.1e" % (first["pressure"] / pressure(first["R0"]) - 1) if mean else "",
+                             "%.1e" % (sum(mean) / len(mean)) if mean else ""])
+        return markdown(["problem", "mesh", "unknowns", "nodes in contact", "force", "innermost pressure",
+                         "mean error of p, r < .7"], rows)
+
+    def half_space_delta(run):
+        """The sphere on refined meshes with penalty: delta fixed, and delta of the mesh."""
+        rows = []
+        force = 4. / 3. * 1000 / .91 * math.sqrt(200.) * .005 ** 1.5
+        for delta in ("1e-4", "1e-5", "1e-6", "auto", "active set"):
+            contact = ["Contact/Enforcement=active set"] if delta == "active set" else \
+                ["Contact/Enforcement=penalty", "Contact/Allowed penetration=" + delta]
+            tables = run("hertz_sphere", ["history.csv", "contact_0.005.csv"], *ungraded, "Blank/Elements=10",
+                         "Blank/Elements through thickness=10", *refined(10), *contact)
+            if not tables:
+                rows.append([delta] + ["failed"] * 5)
+                continue
+            mean = [abs(row["pressure"] / (2 * 1000 / .91 / (math.pi * 200.) * math.sqrt(1 - row["R0"] ** 2)) - 1)
+                    for row in tables[1] if .1 < row["R0"] < .7]
+            rows.append([delta] + ["%.1e" % (tables[0][k]["sphere_force_z"] / force - 1) for k in (4, 6, 8, 10)] +
+                        ["%.1e" % tables[0][-1]["max_penetration"], "%.1e" % (sum(mean) / len(mean)),
+                         str(int(sum(row["newton_iterations"] for row in tables[0])))])
+        return markdown(["delta", "force, refined 4 times", "6 times", "8 times", "10 times", "p",
+                         "mean error of the pressure, .1 < r < .7", "Newton iterations"], rows)
+
+    def stretching_refined(run):
+        """OSU stretching, the mesh refined during the run; delta fixed and delta of the mesh."""
+        rows = []
+        for delta in ("1e-3*thickness", "auto"):
+            reference = None
+            for title, sets in (
+                    ("160 x 2", ["Blank/Elements=160"]), ("80 x 2", ["Blank/Elements=80"]),
+                    ("40 x 2", ["Blank/Elements=40"]),
+                    ("40 x 2, refined twice", ["Blank/Elements=40", "Blank/Refinement/Criterion=recovery",
+                                               "Blank/Refinement/Every=5", "Blank/Refinement/Maximal level=2",
+                                               "Blank/Refinement/Error share=0.3"]),
+                    ("40 x 2, contact twice", ["Blank/Elements=40", "Blank/Refinement/Criterion=contact",
+                                               "Blank/Refinement/Every=5", "Blank/Refinement/Maximal level=2",
+                                               "Blank/Refinement/Contact edges=.08"])):
+                table = run("osu_stretching_solid", "history.csv", *sets, "Contact/Allowed penetration=" + delta)
+                if not table:
+                    rows.append([delta, title] + ["failed"] * 6)
+                    continue
+                force = [at(table, "punch_travel", t)["punch_force_z"] for t in (20., 40.)]
+                reference = reference or force
+                unknowns = int(table[-1]["unknowns"]) if "unknowns" in table[-1] else \
+                    10 * (2 * int(title.split()[0]) + 1)
+                rows.append([delta, title, str(unknowns)] +
+                            ["%.2f (%+.2f %%)" % (f / 1e3, 100 * (f / g - 1)) for f, g in zip(force, reference)] +
+                            ["%.1e" % table[-1]["max_penetration"], "%.1e" % table[-1]["max_penetration_between_nodes"],
+                             "%.1e" % abs(table[-1]["energy_error"])])
+        return markdown(["delta", "elements", "unknowns", "kN at 20 mm", "kN at 40 mm", "p", "p between nodes",
+                         "energy balance"], rows)
+
     return {"thick sphere": thick_sphere, "thick cylinder": thick_cylinder, "necking": necking, "upsetting": upsetting,
             "stretching": stretching, "stretching published": published,
             "cup models": cup_models, "contact patch": patch, "hertz": hertz, "delta": delta, "greco": greco,
-            "indentation": indentation}
+            "indentation": indentation, "half space": half_space, "half space delta": half_space_delta,
+            "stretching refined": stretching_refined}

@@ -14,11 +14,14 @@
 #include <array>
 #include <functional>
 #include <iosfwd>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace deltaform
 {
+  struct RefinementSettings;
+
   /// A part of the boundary on which displacements and loads can be prescribed, by direction.
   enum class Component : unsigned char
   {
@@ -136,6 +139,44 @@ namespace deltaform
     virtual double smallest_thickness() const = 0;
     ///@}
 
+    /// @name Refinement between increments; a blank that offers none keeps its mesh
+    ///@{
+    /// When to refine; null: never.
+    virtual const RefinementSettings *refinement() const
+    {
+      return nullptr;
+    }
+
+    /// Mark what is to be refined in the accepted state: by the settings, and every contact edge of a side that is
+    /// longer than @p longest_edges (undeformed). @return is anything marked?
+    virtual bool mark(const std::array<std::vector<double>, 2> & /*longest_edges*/)
+    {
+      return false;
+    }
+
+    /// Refine what is marked. @p fields are values of the unknowns: in, on the old mesh; out, on the new one (the first
+    /// is the accepted state).
+    virtual void refine(std::vector<Vector> & /*fields*/)
+    {
+    }
+
+    /// Relative error in energy as estimated by the last mark(); NaN if it was not.
+    virtual double estimated_error() const
+    {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+
+    virtual unsigned int n_cells() const = 0;
+
+    /// Of every contact node after refine(): the two old ones between which it lies in the middle; twice the same: that
+    /// node itself.
+    virtual const std::vector<std::array<unsigned int, 2>> &heritage(Side side) const
+    {
+      static const std::array<std::vector<std::array<unsigned int, 2>>, 2> none;
+      return none[static_cast<unsigned int>(side)];
+    }
+    ///@}
+
     /// @name Results of the accepted state
     ///@{
     /// Values along the blank, one row per node.
@@ -157,6 +198,7 @@ namespace deltaform
 
     /// @name Restart
     ///@{
+    /// load() restores the mesh as well: the number of unknowns may change.
     virtual void save(std::ostream &stream) const = 0;
     virtual void load(std::istream &stream)       = 0;
     ///@}

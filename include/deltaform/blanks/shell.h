@@ -76,6 +76,7 @@ namespace deltaform
     void commit(const Vector &q) override;
     void set_contact_pressure(Side side, const std::vector<double> &pressure) override;
     BlankEnergy energy() const override;
+    unsigned int n_cells() const override;
     double smallest_thickness() const override;
     Table profile(const Vector &q) const override;
     Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;

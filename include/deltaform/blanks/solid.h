@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/blanks/blank.h>
+#include <deltaform/blanks/refinement.h>
 #include <deltaform/blanks/solid_mesh.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
@@ -8,6 +9,9 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 
@@ -68,6 +72,12 @@ namespace deltaform
                       const Tensor1 &translation,
                       double rotation,
                       const std::function<void(DofIndex, double)> &set) const override;
+    const RefinementSettings *refinement() const override;
+    bool mark(const std::array<std::vector<double>, 2> &longest_edges) override;
+    void refine(std::vector<Vector> &fields) override;
+    double estimated_error() const override;
+    unsigned int n_cells() const override;
+    const std::vector<std::array<unsigned int, 2>> &heritage(Side side) const override;
     void save(std::ostream &stream) const override;
     void load(std::istream &stream) override;
 
@@ -100,12 +110,48 @@ namespace deltaform
       mutable std::vector<double> area; ///< committed or last assembled
     };
 
-    void set_up_dofs();
+    /// The places of the nodes of every cell, in the order of its shape functions.
+    using CellPlaces = std::function<Point2(unsigned int cell, unsigned int node)>;
+
+    /// Unknowns and nodes; @p places: where the nodes of the undeformed body are, empty: where the mesh says.
+    void set_up_dofs(const CellPlaces &places = {});
+
+    /// Number the unknowns: those of hanging nodes, which are no unknowns, behind all others. @return numbers by those
+    /// of the DoFHandler
+    std::vector<DofIndex> set_up_hanging_nodes();
+
+    /// Estimated squared error in energy of every cell, and the relative one of the whole.
+    struct ErrorEstimate
+    {
+      std::vector<double> squares;
+      double relative = 0;
+    };
+    ErrorEstimate estimate_error() const;
+
+    /// Bilinear function of a corner of the cell at a quadrature point.
+    double corner_shape(unsigned int point, unsigned int vertex) const;
+
+    /// Places, values of fields (with hanging nodes), and plastic state of a cell; what a child makes of them.
+    std::vector<double> pack(unsigned int cell, const std::vector<Vector> &fields) const;
+    std::vector<double> inherit(const std::vector<double> &parent, unsigned int child) const;
+    void unpack(const std::vector<std::vector<double>> &data, std::vector<Vector> &fields);
+    void set_up_heritage(Side side, const std::vector<Point2> &old_places);
+
     void set_up_distributed_dofs();
     void set_up_points();
     void set_up_boundary();
     void set_up_face(ContactFace &face, const std::vector<std::string> &names);
+
+    /// Which contact nodes have no area in the undeformed body, and the areas of all others.
+    void set_up_weightless();
     void update_areas(const Vector &q) const;
+
+    /// Values of the numbers of all nodes, those of hanging nodes included; @p storage is used if there are any.
+    const Vector &with_hanging(const Vector &q, Vector &storage) const;
+
+    /// Add what belongs to the numbers of a cell's nodes: hanging nodes pass theirs on to their masters.
+    void
+    add(AssemblyTarget &target, const DofIndex *dofs, unsigned int n, const double *matrix, const double *vector) const;
 
     /// The own cells, whatever other processes find in theirs.
     Status assemble_own_cells(const Vector &q, AssemblyTarget &target);
@@ -116,9 +162,15 @@ namespace deltaform
 
     /// Small strain and a law that is linear: every cell's matrix is kept from the first pass, no law is asked again.
     Status assemble_constant(const Vector &q, AssemblyTarget &target);
-    void update_linear_stress(const Vector &q);
+    void update_stress(const Vector &q);
 
     Point2 position(const Vector &q, unsigned int node) const;
+
+    /// Strip: number of the node's column. Nodes of refined cells lie at binary fractions.
+    long station(const unsigned int node) const
+    {
+      return std::lround((1 << 20) * parameters_[node][0]);
+    }
 
     /// Deformation at a quadrature point of a cell.
     Deformation deformation(const Vector &q, unsigned int cell, unsigned int point) const;
@@ -142,26 +194,37 @@ namespace deltaform
     // As read
     unsigned int degree_;
     bool axisymmetric_, finite_;
+    RefinementSettings refinement_;
     SolidMesh mesh_;
     std::unique_ptr<Material> material_;
+    std::array<std::vector<std::string>, 2> contact_boundaries_;
 
     // Discretization
     std::unique_ptr<dealii::FESystem<2>> element_;
     dealii::DoFHandler<2> dof_handler_;
     unsigned int n_nodes_per_cell_, n_points_per_cell_;
     /// Nodes, known to all processes, and cells with their points and history, known to the process that owns them.
-    std::vector<std::array<unsigned int, 9>> cells_; ///< nodes: corners, middles of the edges, centre
-    std::vector<Point2> nodes_;                      ///< undeformed
-    std::vector<Point2> parameters_;                 ///< of the nodes in the triangulation
-    std::vector<std::array<DofIndex, 2>> node_dofs_;
-    std::vector<QuadraturePoint> points_; ///< cell by cell
-    std::vector<double> projection_;      ///< of the volumetric strain, per cell: from points to points
+    std::vector<std::array<unsigned int, 9>> cells_;                ///< nodes: corners, middles of the edges, centre
+    std::vector<Point2> nodes_;                                     ///< undeformed
+    std::vector<Point2> parameters_;                                ///< of the nodes in the triangulation
+    std::vector<std::array<DofIndex, 2>> node_dofs_;                ///< from n_free_ on: of hanging nodes
+    DofIndex n_free_ = 0;                                           ///< number of unknowns
+    std::vector<std::vector<std::pair<DofIndex, double>>> hanging_; ///< what the numbers from n_free_ on are
+    std::vector<QuadraturePoint> points_;                           ///< cell by cell
+    std::vector<double> projection_; ///< of the volumetric strain, per cell: from points to points
+    std::vector<Point2> quadrature_; ///< points in the unit cell
     std::map<std::string, std::vector<Edge>> boundary_edges_;
+    std::map<std::pair<unsigned int, unsigned int>, unsigned int> edge_cells_; ///< by the ends of edges of the boundary
     std::array<ContactFace, 2> faces_;
     std::vector<std::array<unsigned int, 2>> columns_; ///< strip: bottom and top node of every station
     bool linear_ = false;                              ///< small strain, and moduli that do not depend on the strain
     std::vector<double> constant_matrices_;            ///< of linear_, cell by cell
     double shortest_edge_ = 0, outermost_ = 0;
+
+    // Refinement so far
+    std::vector<std::vector<bool>> passes_; ///< which cells were refined, pass by pass
+    std::array<std::vector<std::array<unsigned int, 2>>, 2> heritage_;
+    double estimated_error_ = std::numeric_limits<double>::quiet_NaN();
 
     // State: committed and, where it differs, trial
     PointHistory history_;

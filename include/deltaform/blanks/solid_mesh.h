@@ -29,7 +29,18 @@ namespace deltaform
       return *triangulation_;
     }
 
-    /// Where a point of the triangulation lies in the undeformed body.
+    dealii::Triangulation<2> &triangulation()
+    {
+      return *triangulation_;
+    }
+
+    /// Level of the finest cells of the mesh as read.
+    int first_level() const
+    {
+      return first_level_;
+    }
+
+    /// Where a node of the mesh as read lies in the undeformed body; refined cells divide that body.
     Point2 place(const Point2 &point) const;
 
     /// Names by boundary id.
@@ -68,5 +79,6 @@ namespace deltaform
     std::vector<Station> stations_;
     unsigned int stations_per_cell_ = 1;
     double thickness_               = 0;
+    int first_level_                = 0;
   };
 } // namespace deltaform

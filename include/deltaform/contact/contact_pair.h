@@ -53,7 +53,7 @@ namespace deltaform
 
     unsigned int n_nodes() const
     {
-      return committed_.size();
+      return surface_.n_contact_nodes(tool_.side());
     }
 
     /// Number the unknowns of this pair: the travel of a force-driven tool, and one multiplier per node if the
@@ -176,6 +176,24 @@ namespace deltaform
     /// Node with the smallest gap at @p q when the tool has travelled @p travel, and that gap.
     std::pair<unsigned int, double> closest(const Vector &q, double travel) const;
 
+    /// The blank has other nodes than before: pairs of all of them, without contact.
+    void resize();
+
+    /// Lower the longest allowed length of each edge of the side where it touches, or is about to touch, a round part
+    /// of the tool: to @p share of its radius (0: nowhere). To 0 where no node has noticed the tool yet, and, if @p
+    /// rim, where contact ends inside the edge.
+    void shorten_edges(double share, bool rim, std::vector<double> &longest) const;
+
+    /**
+     * The blank was refined at the committed @p q: new nodes take over forces and factors per area, penetrations and
+     * slip from the two old ones that @p heritage names, if both touch. What that adds to the stored energy counts as
+     * work of changing factors.
+     */
+    void inherit(const Vector &q, const std::vector<std::array<unsigned int, 2>> &heritage);
+
+    /// Multiplier unknowns that belong to the committed forces.
+    void start_multipliers(Vector &q) const;
+
     /// A tool that is absent in a stage has no pairs: forget all contact.
     void clear();
 
@@ -199,6 +217,9 @@ namespace deltaform
 
     /// Is the force of the pair, estimated and now, within the slack?
     bool is_idle(const PairState &state, double gap) const;
+
+    /// Does an edge of a solid overlap with the tool although none of its nodes touches?
+    bool missed(const std::array<unsigned int, 3> &edge) const;
 
     double neighbour_factor(unsigned int i) const;
 

@@ -30,6 +30,8 @@ namespace deltaform
     double floor_share         = 0; ///< of the touching pairs, those whose penalty factor is at its floor
     unsigned int contact_pairs = 0;
     double min_thickness       = 0;
+    unsigned int unknowns = 0, cells = 0;                              ///< of the mesh, where it is refined
+    double estimated_error = std::numeric_limits<double>::quiet_NaN(); ///< relative, in energy
     /// Condition numbers of the tangent as it is and scaled by its diagonal; NaN where unknown.
     double condition_raw             = std::numeric_limits<double>::quiet_NaN();
     double condition_scaled          = std::numeric_limits<double>::quiet_NaN();
@@ -49,8 +51,9 @@ namespace deltaform
   /// How a history is begun.
   struct HistoryOptions
   {
-    bool condition = false;                   ///< with the columns condition_raw and condition_scaled
-    bool iterative = false;                   ///< with the column linear_iterations
+    bool condition  = false;                  ///< with the columns condition_raw and condition_scaled
+    bool refinement = false;                  ///< with unknowns, cells and estimated_error
+    bool iterative  = false;                  ///< with the column linear_iterations
     std::vector<std::string> supports;        ///< names in the order of HistoryRow::reactions
     std::optional<unsigned int> resume_after; ///< go on with the file on disk, without what follows this increment
   };

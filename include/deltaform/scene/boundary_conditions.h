@@ -15,6 +15,9 @@ namespace deltaform
 
     bool acts_in(const std::string &stage) const;
 
+    /// The blank was refined: its unknowns have new numbers.
+    void renumber(const Blank &blank);
+
     /// Value of dofs[i] at a time.
     double at(unsigned int i, double time) const
     {
@@ -22,6 +25,8 @@ namespace deltaform
     }
 
     std::string name;
+    std::string boundary;
+    Component component;
     std::vector<DofIndex> dofs;
     TimeFunction value;               ///< of the first unknown
     std::vector<TimeFunction> values; ///< of every unknown, where they depend on its place; else empty
@@ -44,12 +49,17 @@ namespace deltaform
 
     bool acts_in(const std::string &stage) const;
 
+    /// The blank was refined: its unknowns have new numbers.
+    void renumber(const Blank &blank);
+
     /// Add its forces (with their sign in the residual) at a time.
     void assemble(const Blank &blank, const Vector &q, double time, AssemblyTarget &target) const;
 
     std::string name;
     Kind kind;
-    std::string face; ///< of a pressure
+    std::string face;     ///< of a pressure
+    std::string boundary; ///< of an edge load
+    Component component = Component::z;
     std::vector<DofIndex> dofs;
     std::vector<double> weights; ///< what a unit load is to each unknown
     TimeFunction value;

@@ -69,6 +69,14 @@ namespace deltaform
     /// Start the continuation of first touches. @return false if no pair exists
     bool soften(double share);
 
+    /// Mark what the blank and contact want to be finer in the committed state. @return is anything marked? Nothing
+    /// while forces of an ended stage fade out: they belong to nodes.
+    bool mark();
+
+    /// Refine the marked cells and bring the committed state to the new mesh. Equilibrium is then to be
+    /// found anew, with begin_increment() at the same time.
+    void refine();
+
     /// Accept @p q as the state at the end of the increment.
     void commit(const Vector &q);
 
@@ -154,7 +162,12 @@ namespace deltaform
     /// Who takes part in a stage, and which unknowns it prescribes.
     void enter_stage(const Stage &stage);
 
-    void number_unknowns(const LinearSolverSettings &linear_solver);
+    void number_unknowns();
+
+    /// Supports, loads and unknowns of the blank's present mesh.
+    void renumber();
+
+    void set_prescribed();
 
     /// Tell the system what an algebraic multigrid has to know.
     void describe_rigid_motions();
@@ -170,6 +183,7 @@ namespace deltaform
     double release_factor() const;
 
     Actors &actors_;
+    LinearSolverSettings linear_solver_;
     Timers &timers_;
     Timers::Index timer_blank_, timer_sum_, timer_contact_, timer_commit_;
     std::unique_ptr<System> system_;

@@ -21,12 +21,13 @@ namespace deltaform
              const Checkpoint *start = nullptr);
     ~Recorder();
 
-    /// An increment was accepted.
+    /// An increment was accepted. @param tables if not, tables and pictures of this time will come with a refined mesh
     void record(const FormingProblem &problem,
                 const Stage &stage,
                 double time,
                 unsigned int increment,
-                const IncrementCost &cost);
+                const IncrementCost &cost,
+                bool tables = true);
 
     /// The problem of @p start has been loaded: what its last increment was.
     void resume(const FormingProblem &problem, const Checkpoint &start);

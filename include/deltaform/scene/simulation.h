@@ -38,6 +38,13 @@ namespace deltaform
     /// One stage. @return exit status
     int run_stage(const Stage &stage);
 
+    /// Are refinements due, and is there anything to refine?
+    bool refinement_marked();
+
+    /// Refine what is marked and restore equilibrium at the same time, pass by pass; each is an increment of its own.
+    /// @return empty, else why there is no equilibrium
+    std::string refine(const Stage &stage);
+
     /// The state after the last accepted increment.
     Checkpoint checkpoint() const;
 
@@ -68,6 +75,7 @@ namespace deltaform
     /// After the last accepted increment of the stage, if there is one: what a resumed run goes on with.
     std::optional<StepControl::State> step_;
     unsigned int accepted_iterations_ = 0;
+    unsigned int since_refinement_    = 0;       ///< increments
     std::optional<Checkpoint> before_giving_up_; ///< what a run that failed can be resumed from
   };
 } // namespace deltaform

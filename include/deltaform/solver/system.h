@@ -39,6 +39,8 @@ namespace deltaform
     /// A system of this process alone.
     System(dealii::DynamicSparsityPattern &&pattern, unsigned int n_border, const std::string &solver);
     ~System() override;
+    System(System &&) noexcept;
+    System &operator=(System &&) noexcept;
 
     unsigned int size() const;
 

@@ -1,0 +1,56 @@
+#include <deltaform/blanks/refinement.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    bool several_processes()
+    {
+      int initialized = 0;
+      MPI_Initialized(&initialized);
+      return initialized != 0 && dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
+    }
+  } // namespace
+
+
+  RefinementSettings::RefinementSettings(Section section)
+  {
+    const std::string criterion =
+      section.choice("Criterion",
+                     "none",
+                     {"none", "contact", "recovery"},
+                     "Which cells of a solid are refined during the run: none; those with contact edges that are too "
+                     "long for the radius of the tool; besides, those in which the stresses differ most from recovered "
+                     "ones (Zienkiewicz and Zhu).");
+    active   = criterion != "none";
+    by_error = criterion == "recovery";
+    if (!active && !section.documentation())
+      return;
+    if (active && several_processes())
+      section.fail("Criterion", "refinement during the run works on one process only, not under mpirun -n 2 or more");
+    share  = section.number("Error share",
+                           .5,
+                           Range::above_to(0, 1),
+                           "1",
+                           "The cells with the largest errors that together hold this share of the squared error are "
+                            "refined (Criterion = recovery).");
+    target = section.number("Target error",
+                            0.,
+                            Range::from_to_below(0, 1),
+                            "1",
+                            "Estimated relative error in energy below which the error asks for no more cells.");
+    every  = section.integer("Every", 1, 1, 1000000, "Refine after so many increments.");
+    passes = section.integer("Passes", 1, 1, 30, "Refinements at the same time, each followed by a new equilibrium.");
+    levels = section.integer("Maximal level", 3, 1, 20, "How many times a cell of the first mesh may be halved.");
+    edge_share =
+      section.number("Contact edges",
+                     .1,
+                     Range::not_negative(),
+                     "1",
+                     "Longest edge that touches, or is about to touch, a round part of a tool, in radii of the tool "
+                     "there; 0: any length.");
+    rim = section.flag("Contact rim", false, "Refine also where contact ends, up to the maximal level.");
+  }
+} // namespace deltaform
