@@ -67,7 +67,6 @@ namespace deltaform
     normal_.assign(n, Tensor1());
     base_multiplier_.assign(n, 0.);
     step_multiplier_.assign(n, 0.);
-    factor_at_start_.assign(n, 0.);
   }
 
 
