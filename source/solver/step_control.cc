@@ -19,6 +19,11 @@ namespace deltaform
                                       Range::positive(),
                                       "rad",
                                       "An increment that turns any node by more is repeated with a smaller size.")),
+      max_increments(section.integer("Maximal increments",
+                                     10000,
+                                     1,
+                                     1000000000,
+                                     "Increments of the whole run; then it stops with status 2 and can be resumed.")),
       extrapolate(section.flag("Extrapolate", true, "Start Newton from the last increment's velocity."))
   {
   }

@@ -54,7 +54,7 @@ namespace
       return {};
     }
 
-    double admissible_step(const Vector &, const Vector &d) const override
+    double limit_step(const Vector &, Vector &d) const override
     {
       return std::min(1., largest_step / std::max(std::abs(d[0]), 1e-300));
     }

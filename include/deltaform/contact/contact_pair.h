@@ -97,6 +97,9 @@ namespace deltaform
       return status_changed_;
     }
 
+    /// How far the tool can go before it touches, by the gaps of the last assembly; 0 if it touches.
+    double free_travel() const;
+
     /// Is no force tensile? Otherwise the state is not a solution, however small the residual.
     bool consistent(double allowed_tension) const;
 

@@ -15,6 +15,7 @@ namespace deltaform
     unsigned int target_iterations;
     double growth, shrink;
     double largest_strain, largest_rotation;
+    unsigned int max_increments;
     bool extrapolate;
   };
 
