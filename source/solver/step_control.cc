@@ -65,7 +65,15 @@ namespace deltaform
       --quiet_;
       return;
     }
-    const double ratio = std::sqrt(static_cast<double>(settings_.target_iterations) / std::max(iterations, 1u));
+    double ratio = std::sqrt(static_cast<double>(settings_.target_iterations) / std::max(iterations, 1u));
+    // A shorter increment took as many: it is not its length that makes them, and ever shorter ones never end. Lightly
+    // loaded nodes that come and go do that.
+    if (ratio >= 1)
+      shortened_ = 0;
+    else if (shortened_ > 0 && iterations >= shortened_)
+      ratio = 1.;
+    else
+      shortened_ = iterations;
     increment_ = std::clamp(increment_ * std::clamp(ratio, settings_.shrink, settings_.growth), smallest_, largest_);
   }
 
@@ -92,6 +100,7 @@ namespace deltaform
   {
     increment_ = std::clamp(state.increment, smallest_, largest_);
     quiet_     = state.quiet;
+    shortened_ = state.shortened;
   }
 
 

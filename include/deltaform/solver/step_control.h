@@ -66,12 +66,12 @@ namespace deltaform
     struct State
     {
       double increment   = 0;
-      unsigned int quiet = 0;
+      unsigned int quiet = 0, shortened = 0;
     };
 
     State state() const
     {
-      return {increment_, quiet_};
+      return {increment_, quiet_, shortened_};
     }
 
     /// Go on from @p state, within the bounds of this control.
@@ -83,6 +83,7 @@ namespace deltaform
     unsigned int leaps_                      = 0; ///< tries of longer increments since the last one was accepted
     double end_, smallest_, largest_, increment_;
     std::vector<double> meet_;
-    unsigned int quiet_ = 0; ///< accepted increments that have to pass before it grows again
+    unsigned int shortened_ = 0; ///< iterations of the increment that was the last to make the next one shorter
+    unsigned int quiet_     = 0; ///< accepted increments that have to pass before it grows again
   };
 } // namespace deltaform
