@@ -139,7 +139,12 @@ namespace deltaform
         x += N[1] * (end.x - start.x) + N[2] * (middle.x - start.x);
         return tool_.project(x, 0., hint_[a]).distance - offset;
       };
-      deepest = std::max({deepest, -gap(0.), -gap(1.)});
+      const Projection first = tool_.project(start.x - shift, 0., hint_[a]),
+                       last  = tool_.project(end.x - shift, 0., hint_[a]);
+      deepest                = std::max({deepest, start.offset - first.distance, end.offset - last.distance});
+      // A straight edge over one straight part of the tool is deepest at one of its ends.
+      if (m == invalid_index && first.segment == last.segment && first.turning == 0. && last.turning == 0.)
+        continue;
       // Two humps are possible where a line meets an arc inside the element: search both halves.
       for (const double low : {0., .5})
         deepest = std::max(deepest, -boost::math::tools::brent_find_minima(gap, low, low + .5, 20).second);
