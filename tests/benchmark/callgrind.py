@@ -30,9 +30,15 @@ class Counts:
         self.calls = {names[number]: n for number, n in self.calls.items()}
 
     def called(self, pattern):
-        """Functions of deltaform and of MPI whose names match, and how often they were called."""
-        return {name: n for name, n in self.calls.items()
-                if re.search(pattern, name) and ("deltaform" in name or "MPI_" in name)}
+        """Functions of deltaform and of MPI whose names (without parameters) match, and how often they were called."""
+        result = {}
+        for function, n in self.calls.items():
+            name = re.sub(r"\(anonymous namespace\)::|\[abi:\w*\]", "", function).split("(")[0]
+            own = function.startswith("deltaform::") and "{lambda" not in function
+            if (own or re.match("P?MPI_", function)) and re.search(pattern, name):
+                name = name.replace("deltaform::", "")
+                result[name] = result.get(name, 0) + n
+        return result
 
 
 def callgrind(command, launcher=(), options=()):
