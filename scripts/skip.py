@@ -50,7 +50,7 @@ FAR_TOOL = ["Tools/Names=punch, other", "Tools/other/Shape=plate", "Tools/other/
 NO_FRICTION = [f"Tools/{tool}/Friction coefficient=0" for tool in ("punch", "die", "holder")]
 FEATURES = [
     Feature("friction", "prm/cup.prm", "form", (.1, .2), .01,
-            r"Coulomb::|Shape::slip|Shape::mean_curvature|Shape::curvature_change|tangential_factor", off=NO_FRICTION),
+            r"Coulomb::(update|limit)|Shape::slip|Shape::mean_curvature|Shape::curvature_change|tangential_factor", off=NO_FRICTION),
     Feature("plasticity", "prm/pressed_plate.prm", "form", (2, 4), .2,
             r"plane_stress_return|radial_return|PerfectlyPlastic|Elastoplastic::",
             on=["Material/Model=elastoplastic", "Material/Hardening/Law=perfectly plastic", "Material/Hardening/Flow stress=400"]),
