@@ -101,10 +101,12 @@ namespace deltaform
             residual -= product;
             size += std::abs(product);
           }
+          if (!std::isfinite(residual))
+            return false;
           worst   = std::max(worst, std::abs(residual));
           largest = std::max(largest, size);
         }
-        return worst <= allowed * largest; // not if a number is not finite
+        return worst <= allowed * largest;
       }
 
       std::unique_ptr<TrilinosMatrix> matrix_;
