@@ -249,9 +249,12 @@ namespace deltaform
     constant_matrices_.clear();
     committed_stress_      = stress_;
     committed_deformation_ = deformation_;
-    energy_.elastic        = 0.;
-    for (unsigned int i = 0; i < points_.size(); ++i)
-      energy_.elastic += points_[i].weight * material_->elastic_energy(stress_[i]);
+    if (energy_)
+    {
+      energy_->elastic = 0.;
+      for (unsigned int i = 0; i < points_.size(); ++i)
+        energy_->elastic += points_[i].weight * material_->elastic_energy(stress_[i]);
+    }
     update_areas(q);
     update_thickness(q);
   }

@@ -12,6 +12,8 @@ namespace deltaform
       problem_(scene.actors, *scene.linear_solver, timers),
       newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size(), timers)
   {
+    if (!scene.output->energies)
+      problem_.forget_energy();
     if (scene.output->condition_every > 0)
       condition_ =
         std::make_unique<ConditionReport>(scene.output->condition_every, scene.output->condition_method, timers);

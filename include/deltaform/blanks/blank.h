@@ -136,6 +136,9 @@ namespace deltaform
 
     virtual BlankEnergy energy() const = 0;
 
+    /// Nobody asks for energies: they are zero from here on, and cost nothing.
+    virtual void forget_energy() = 0;
+
     virtual double smallest_thickness() const = 0;
     ///@}
 

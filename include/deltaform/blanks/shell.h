@@ -11,6 +11,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <memory>
+#include <optional>
 
 namespace deltaform
 {
@@ -76,6 +77,7 @@ namespace deltaform
     void commit(const Vector &q) override;
     void set_contact_pressure(Side side, const std::vector<double> &pressure) override;
     BlankEnergy energy() const override;
+    void forget_energy() override;
     unsigned int n_cells() const override;
     double smallest_thickness() const override;
     Table profile(const Vector &q) const override;
@@ -152,7 +154,7 @@ namespace deltaform
     std::vector<double> node_thickness_;                  ///< committed
     std::array<std::vector<double>, 2> contact_pressure_; ///< committed, per side and node
     std::vector<double> third_stress_;                    ///< per layer point of the whole blank
-    BlankEnergy energy_;
-    mutable std::vector<double> node_area_; ///< of the last assembled configuration
+    std::optional<BlankEnergy> energy_ = BlankEnergy();   ///< none if nobody asks
+    mutable std::vector<double> node_area_;               ///< of the last assembled configuration
   };
 } // namespace deltaform

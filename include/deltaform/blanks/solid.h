@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace deltaform
 {
@@ -64,6 +65,7 @@ namespace deltaform
     void commit(const Vector &q) override;
     void set_contact_pressure(Side side, const std::vector<double> &pressure) override;
     BlankEnergy energy() const override;
+    void forget_energy() override;
     double smallest_thickness() const override;
     Table profile(const Vector &q) const override;
     Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
@@ -164,6 +166,9 @@ namespace deltaform
     Status assemble_constant(const Vector &q, AssemblyTarget &target);
     void update_stress(const Vector &q);
 
+    /// Of the increment that is about to be committed.
+    void add_energy();
+
     Point2 position(const Vector &q, unsigned int node) const;
 
     /// Strip: number of the node's column. Nodes of refined cells lie at binary fractions.
@@ -231,7 +236,7 @@ namespace deltaform
     std::vector<Mandel> strain_, stress_, committed_stress_;
     std::vector<Deformation> deformation_, committed_deformation_;
     std::vector<std::array<double, 4>> plastic_metric_; ///< committed C_p^-1: rr, zz, hoop, rz
-    double smallest_thickness_ = 0;
-    BlankEnergy energy_;
+    double smallest_thickness_         = 0;
+    std::optional<BlankEnergy> energy_ = BlankEnergy(); ///< none if nobody asks
   };
 } // namespace deltaform

@@ -135,6 +135,9 @@ namespace deltaform
       return active_pairs_;
     }
 
+    /// Nobody asks for energies.
+    void forget_energy();
+
     const Work &work() const
     {
       return work_;
