@@ -3,6 +3,7 @@
 #include <deltaform/base/scene_error.h>
 #include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
+#include <deltaform/materials/flow_error.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -46,6 +47,36 @@ namespace deltaform
                     inverse * (a[3] * b[0] - a[2] * b[1])}};
     result.hoop = deformation_[point].hoop / committed_deformation_[point].hoop;
     return result;
+  }
+
+
+  void Solid::begin_increment(const double ratio)
+  {
+    if (!carried_.carry(ratio) || !finite_)
+      return;
+    // The last flow is known in the axes of the last increment's end: they go on turning.
+    for (unsigned int i = 0; i < spin_.size(); ++i)
+    {
+      double *const flow = carried_.at(i);
+      const Mandel now   = turned({{flow[0], flow[1], flow[2], flow[3]}}, ratio * spin_[i]);
+      std::copy(now.begin(), now.end(), flow);
+    }
+  }
+
+
+  double Solid::flow_error() const
+  {
+    MeanFlowError error;
+    for (unsigned int i = 0; i < points_.size(); ++i)
+    {
+      const double flow = material_->equivalent_plastic_strain(history_.trial(i)) -
+                          material_->equivalent_plastic_strain(history_.committed(i));
+      const double spin = finite_ && flow > 0. ? angle(increment(i).f) : 0.;
+      error.add(points_[i].weight * flow, turned(committed_stress_[i], spin), stress_[i]);
+    }
+    error.astray = ranks::sum(error.astray);
+    error.flow   = ranks::sum(error.flow);
+    return error.value();
   }
 
 
@@ -131,6 +162,10 @@ namespace deltaform
     }
     energy_.elastic = ranks::sum(elastic);
     energy_.plastic += ranks::sum(plastic);
+    carried_.keep(history_);
+    if (finite_)
+      for (unsigned int i = 0; i < spin_.size(); ++i)
+        spin_[i] = angle(increment(i).f);
     history_.commit();
     committed_stress_      = stress_;
     committed_deformation_ = deformation_;
@@ -244,8 +279,9 @@ namespace deltaform
     }
     std::ostringstream own;
     boost::archive::binary_oarchive archive(own);
-    archive << passes_ << estimated_error_ << history_ << committed_stress_ << gradients << plastic_metric_
-            << faces_[0].area << faces_[1].area << smallest_thickness_ << energy_.elastic << energy_.plastic;
+    archive << passes_ << estimated_error_ << history_ << carried_ << spin_ << committed_stress_ << gradients
+            << plastic_metric_ << faces_[0].area << faces_[1].area << smallest_thickness_ << energy_.elastic
+            << energy_.plastic;
     const std::vector<std::string> all = ranks::gather(own.str());
     boost::archive::binary_oarchive(stream) << all;
   }
@@ -270,8 +306,8 @@ namespace deltaform
       mesh_.triangulation().load_refine_flags(passes[pass]);
       refine(none);
     }
-    archive >> estimated_error_ >> history_ >> committed_stress_ >> gradients >> plastic_metric_ >> faces_[0].area >>
-      faces_[1].area >> smallest_thickness_ >> energy_.elastic >> energy_.plastic;
+    archive >> estimated_error_ >> history_ >> carried_ >> spin_ >> committed_stress_ >> gradients >> plastic_metric_ >>
+      faces_[0].area >> faces_[1].area >> smallest_thickness_ >> energy_.elastic >> energy_.plastic;
     for (unsigned int i = 0; i < committed_deformation_.size(); ++i)
     {
       std::copy_n(gradients.begin() + 5 * i, 4, committed_deformation_[i].f.begin());

@@ -103,15 +103,16 @@ namespace deltaform
         return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
       }
 
-      last_increment_ = next - time_;
-      before_         = problem_.committed();
+      const double flow_error = scene_.steps->flow_error > 0. ? scene_.actors.blank->flow_error() : 0.;
+      last_increment_         = next - time_;
+      before_                 = problem_.committed();
       if (measured)
         cost.condition = condition_->measure(problem_, q);
       problem_.commit(q);
       necking_.observe(scene_.actors.blank->profile(q));
       time_ = next;
       ++increment_;
-      control.accept(result.iterations - result.correction_iterations);
+      control.accept(result.iterations - result.correction_iterations, flow_error);
       ++since_refinement_;
       const bool refined = refinement_marked();
       recorder_.record(problem_, stage, time_, increment_, cost, !refined);
@@ -143,6 +144,7 @@ namespace deltaform
   {
     promise_failed_ = false;
     problem_.begin_increment(time);
+    scene_.actors.blank->begin_increment(last_increment_ > 0 ? (time - time_) / last_increment_ : 0.);
     q = problem_.committed();
     if (scene_.steps->extrapolate && last_increment_ > 0)
       q.sadd(1. + (time - time_) / last_increment_, -(time - time_) / last_increment_, before_);
