@@ -131,6 +131,24 @@ def control(program, finest, quick):
     return markdown(["problem", "control", *(f"{rule}: {h}" if h == "increments" else h for rule in (EULER, TWO_STEPS) for h in head)], rows)
 
 
+def turning(program, quick):
+    """The strip in plane strain with equal increments and with controlled ones."""
+    stress, strain = exact.plane_strain_swift()[:2]
+    small = ("Solver/Target iterations=1000", "Steps/stretch/First increment=1e-4", "Steps/stretch/Largest increment=0.1")
+    choices = [(f"{n} equal increments", uniform("stretch", 0., 1., n)) for n in ((50, 200) if quick else (50, 200, 800))]
+    choices += [(f"flow error {e:g}, first increment 1e-4", (*small, f"Solver/Flow error={e:g}")) for e in ((1e-2,) if quick else (3e-2, 1e-2, 3e-3))]
+    rows = []
+    for label, entries in choices:
+        cells = []
+        for rule in (EULER, TWO_STEPS):
+            run = program("plane_strain_stretch", *entries, integration(rule))
+            profile = run.profiles[1.]
+            cells += [f"{run.increments:g}", f"{profile['stress_meridional_mid'][0] / stress - 1:.1e}",
+                      f"{profile['equivalent_plastic_strain'][0] / strain - 1:.1e}"]
+        rows.append([label, *cells])
+    return markdown(["control", *(h for rule in (EULER, TWO_STEPS) for h in (f"{rule}: increments", "stress", "plastic strain"))], rows)
+
+
 def predictor(program, quick):
     """Newton iterations with and without the extrapolated start: on equal increments, and with the control as shipped."""
     cases = [("stretching, mu = 0", *FORMING["stretching, mu = 0"]), ("cup", *FORMING["cup"]), ("bent strip", *FORMING["bent strip"])]
@@ -191,6 +209,7 @@ def main():
               "exact": exact_ones(program, (1, 4) if options.quick else (1, 2, 4, 8, 16)),
               "forming": forming(program, sizes, finest, series),
               "control": control(program, finest, options.quick),
+              "turning": turning(program, options.quick),
               "predictor": predictor(program, options.quick)}
     for name, table in tables.items():
         print(f"{name}\n\n{table}\n")

@@ -2,6 +2,7 @@
 
 #include <deltaform/base/registry.h>
 
+#include <algorithm>
 #include <array>
 
 namespace deltaform
@@ -29,10 +30,10 @@ namespace deltaform
           hardening_section, "Law", "swift", "Flow stress against the equivalent plastic strain.");
         initial_flow_stress_ = hardening_->evaluate(0.).value;
         two_steps_           = section.choice("Integration",
-                                    "backward Euler",
+                                    "two steps",
                                     {"backward Euler", "two steps"},
-                                    "Of flow over an increment. Two steps: of second order, continues the flow of the "
-                                              "last increment.") == "two steps";
+                                    "Of flow over an increment. Two steps: of second order, goes on from the flow of "
+                                              "the last increment.") == "two steps";
       }
 
       unsigned int history_size() const override
@@ -61,9 +62,9 @@ namespace deltaform
                                 : plane_stress_return(
                                     j2, batch.strain[p], batch.third_stress[p], start, trial, batch.stress[p], tangent);
           };
-          const double *carried = batch.carried != nullptr ? batch.carried + p * n : nullptr;
-          PointOutcome outcome  = PointOutcome::good;
-          bool goes_on          = false;
+          double *carried      = batch.carried != nullptr ? batch.carried + p * n : nullptr;
+          PointOutcome outcome = PointOutcome::good;
+          bool goes_on         = false;
           if (carried != nullptr && carried[4] > 0.)
           {
             std::array<double, n> start;
@@ -74,6 +75,9 @@ namespace deltaform
             for (unsigned int i = 0; i < 4; ++i)
               along += carried[i] * (trial[i] - start[i]);
             goes_on = outcome == PointOutcome::good && along > 0.;
+            // Decided once: points that change their minds from iteration to iteration keep Newton from converging.
+            if (!goes_on)
+              std::fill_n(carried, n, 0.);
           }
           // Where there is much less flow now, or none, or it has turned back, the last flow has nothing to go on with.
           if (!goes_on)

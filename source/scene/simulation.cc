@@ -142,9 +142,13 @@ namespace deltaform
 
   std::string Simulation::attempt(const double time, const Effort effort, Vector &q, NewtonResult &result)
   {
-    promise_failed_ = false;
-    problem_.begin_increment(time);
-    scene_.actors.blank->begin_increment(last_increment_ > 0 ? (time - time_) / last_increment_ : 0.);
+    promise_failed_  = false;
+    const auto begin = [&]()
+    {
+      problem_.begin_increment(time);
+      scene_.actors.blank->begin_increment(last_increment_ > 0 ? (time - time_) / last_increment_ : 0.);
+    };
+    begin();
     q = problem_.committed();
     if (scene_.steps->extrapolate && last_increment_ > 0)
       q.sadd(1. + (time - time_) / last_increment_, -(time - time_) / last_increment_, before_);
@@ -162,7 +166,7 @@ namespace deltaform
     if (failed())
     {
       // Once more, with first touches soft at first.
-      problem_.begin_increment(time);
+      begin();
       if (problem_.soften(1e-4))
       {
         q = problem_.committed();
@@ -175,7 +179,7 @@ namespace deltaform
       for (const Damping damping : {Damping::damped, Damping::with_slack})
         if (failed())
         {
-          problem_.begin_increment(time);
+          begin();
           q = problem_.committed();
           solve(damping);
           snapped = true;

@@ -30,8 +30,8 @@ namespace deltaform
     Mandel *strain                 = nullptr; ///< in; [2] out for stress_given
     const double *third_stress     = nullptr; ///< in for stress_given: Kirchhoff stress along direction 3
     const double *committed        = nullptr; ///< in: history at the last accepted increment
-    const double *carried          = nullptr; ///< in, or null: what a law of two steps adds to the committed history
-                                              ///< before the flow of this increment (CarriedFlow)
+    double *carried = nullptr; ///< in, or null: what a law of two steps adds to the committed history before the flow
+                               ///< of this increment (CarriedFlow); out: zero where the flow did not go on
     double *trial   = nullptr; ///< in: a starting guess from the last iteration; out: history at this strain
     Mandel *stress  = nullptr; ///< out
     double *tangent = nullptr; ///< out if not null: n_points x 4 x 4 row-major, d stress / d strain. For
