@@ -111,10 +111,11 @@ def picture(problem, rows, doubt, path):
                       if row["line"] == line and "seconds" in row]
             if not points:
                 continue
-            bold = line == "all together"
-            axis.loglog([p[0] for p in points], [p[1] for p in points], MARKERS[number % 8] + "-", color=COLOURS[number % 8], label=line,
+            bold, series = line == "all together", line != "rule"
+            axis.loglog([p[0] for p in points], [p[1] for p in points], MARKERS[number % 8] + ("-" if series else ""), color=COLOURS[number % 8], label=line,
                         markersize=7 if bold else 5, linewidth=2.4 if bold else 1.2, zorder=3 if bold else 2)
-            for end in {0, len(points) - 1}:
+            # The first of a line is its crudest; names of rules all, because they have no order.
+            for end in range(len(points)) if not series else {0, len(points) - 1} if bold else {0}:
                 axis.annotate(points[end][2], points[end][:2], textcoords="offset points", xytext=(4, 4), fontsize=7,
                               color=COLOURS[number % 8])
         for goal in GOALS:
