@@ -28,7 +28,7 @@ FRICTION = ("Tools/punch/Friction coefficient=0.15", "Tools/die/Friction coeffic
 FORMING = {
     "stretching, mu = 0": ("osu_stretching", "form", 40., ()),
     "stretching, mu = 0.15": ("osu_stretching", "form", 40., FRICTION),
-    "stretching, solid": ("osu_stretching_solid", "form", 40., ("Blank/Elements=40",)),
+    "stretching, solid": ("osu_stretching_solid", "form", 40., ("Blank/Elements=40", "Blank/Elements through thickness=1")),
     "cup": ("cup", "form", 1., ()),
     "bent strip": ("bent_strip", "form", 15., ()),
 }
@@ -202,8 +202,8 @@ def main():
     parser.add_argument("--write", action="store_true", help="renew doc/time_integration.md and its picture")
     options = parser.parse_args()
     program = Program(os.path.join(options.build, "deltaform"))
-    sizes = (25, 50, 100) if options.quick else (25, 50, 100, 200, 400)
-    finest = 400 if options.quick else 1600
+    sizes = (25, 50, 100) if options.quick else (25, 50, 100, 200)
+    finest = 400 if options.quick else 800
     series = {}
     tables = {"flow": flow(program, (50, 100, 200) if options.quick else (50, 100, 200, 400, 800)),
               "exact": exact_ones(program, (1, 4) if options.quick else (1, 2, 4, 8, 16)),
