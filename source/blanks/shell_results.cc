@@ -2,6 +2,7 @@
 #include "shell_point.h"
 
 #include <deltaform/blanks/shell.h>
+#include <deltaform/materials/flow_error.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -10,6 +11,25 @@
 
 namespace deltaform
 {
+  void Shell::begin_increment(const double ratio)
+  {
+    carried_.carry(ratio);
+  }
+
+
+  double Shell::flow_error() const
+  {
+    MeanFlowError error;
+    for (unsigned int i = 0; i < strain_.size(); ++i)
+      error.add(points_[i / n_layers_].weight * layer_weight_[i % n_layers_] *
+                  (material_->equivalent_plastic_strain(history_.trial(i)) -
+                   material_->equivalent_plastic_strain(history_.committed(i))),
+                committed_stress_[i],
+                stress_[i]);
+    return error.value();
+  }
+
+
   double Shell::largest_strain_increment() const
   {
     double largest = 0.;
@@ -119,6 +139,7 @@ namespace deltaform
           energy_->elastic += .5 * shear * point.weight * point.radius * gamma * gamma;
         }
       }
+    carried_.keep(history_);
     history_.commit();
     committed_strain_ = strain_;
     committed_stress_ = stress_;
@@ -232,8 +253,8 @@ namespace deltaform
   {
     const BlankEnergy total = energy();
     boost::archive::binary_oarchive archive(stream);
-    archive << history_ << committed_strain_ << committed_stress_ << thickness_ratio_ << node_thickness_ << node_area_
-            << contact_pressure_ << third_stress_ << total.elastic << total.plastic << total.normal;
+    archive << history_ << carried_ << committed_strain_ << committed_stress_ << thickness_ratio_ << node_thickness_
+            << node_area_ << contact_pressure_ << third_stress_ << total.elastic << total.plastic << total.normal;
   }
 
 
@@ -241,7 +262,7 @@ namespace deltaform
   {
     BlankEnergy total;
     boost::archive::binary_iarchive archive(stream);
-    archive >> history_ >> committed_strain_ >> committed_stress_ >> thickness_ratio_ >> node_thickness_ >>
+    archive >> history_ >> carried_ >> committed_strain_ >> committed_stress_ >> thickness_ratio_ >> node_thickness_ >>
       node_area_ >> contact_pressure_ >> third_stress_ >> total.elastic >> total.plastic >> total.normal;
     if (energy_)
       energy_ = total;

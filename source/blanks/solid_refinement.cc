@@ -242,6 +242,7 @@ namespace deltaform
     }
     history_.commit();
     history_.rollback();
+    carried_.forget();
 
     // Stresses of the law at the displacements as they came over, the scale of energies and the start of the next flow.
     Vector q = fields.empty() ? Vector(n_free_) : fields.front();

@@ -3,6 +3,7 @@
 #include <deltaform/base/scene_error.h>
 #include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
+#include <deltaform/materials/flow_error.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -46,6 +47,36 @@ namespace deltaform
                     inverse * (a[3] * b[0] - a[2] * b[1])}};
     result.hoop = deformation_[point].hoop / committed_deformation_[point].hoop;
     return result;
+  }
+
+
+  void Solid::begin_increment(const double ratio)
+  {
+    if (!carried_.carry(ratio) || !finite_)
+      return;
+    // The last flow is known in the axes of the last increment's end: they go on turning.
+    for (unsigned int i = 0; i < spin_.size(); ++i)
+    {
+      double *const flow = carried_.at(i);
+      const Mandel now   = turned({{flow[0], flow[1], flow[2], flow[3]}}, ratio * spin_[i]);
+      std::copy(now.begin(), now.end(), flow);
+    }
+  }
+
+
+  double Solid::flow_error() const
+  {
+    MeanFlowError error;
+    for (unsigned int i = 0; i < points_.size(); ++i)
+    {
+      const double flow = material_->equivalent_plastic_strain(history_.trial(i)) -
+                          material_->equivalent_plastic_strain(history_.committed(i));
+      const double spin = finite_ && flow > 0. ? angle(increment(i).f) : 0.;
+      error.add(points_[i].weight * flow, turned(committed_stress_[i], spin), stress_[i]);
+    }
+    error.astray = ranks::sum(error.astray);
+    error.flow   = ranks::sum(error.flow);
+    return error.value();
   }
 
 
@@ -159,6 +190,10 @@ namespace deltaform
       cp[2]             = b.zz / (hoop * hoop);
       cp[3]             = g[0] * g[2] * b.xx + (g[0] * g[3] + g[1] * g[2]) * b.xy + g[1] * g[3] * b.yy;
     }
+    carried_.keep(history_);
+    if (finite_)
+      for (unsigned int i = 0; i < spin_.size(); ++i)
+        spin_[i] = angle(increment(i).f);
     history_.commit();
     committed_stress_      = stress_;
     committed_deformation_ = deformation_;
@@ -273,8 +308,9 @@ namespace deltaform
     const BlankEnergy total = energy();
     std::ostringstream own;
     boost::archive::binary_oarchive archive(own);
-    archive << passes_ << estimated_error_ << history_ << committed_stress_ << gradients << plastic_metric_
-            << faces_[0].area << faces_[1].area << smallest_thickness_ << total.elastic << total.plastic;
+    archive << passes_ << estimated_error_ << history_ << carried_ << spin_ << committed_stress_ << gradients
+            << plastic_metric_ << faces_[0].area << faces_[1].area << smallest_thickness_ << total.elastic
+            << total.plastic;
     const std::vector<std::string> all = ranks::gather(own.str());
     boost::archive::binary_oarchive(stream) << all;
   }
@@ -300,8 +336,8 @@ namespace deltaform
       mesh_.triangulation().load_refine_flags(passes[pass]);
       refine(none);
     }
-    archive >> estimated_error_ >> history_ >> committed_stress_ >> gradients >> plastic_metric_ >> faces_[0].area >>
-      faces_[1].area >> smallest_thickness_ >> total.elastic >> total.plastic;
+    archive >> estimated_error_ >> history_ >> carried_ >> spin_ >> committed_stress_ >> gradients >> plastic_metric_ >>
+      faces_[0].area >> faces_[1].area >> smallest_thickness_ >> total.elastic >> total.plastic;
     if (energy_)
       energy_ = total;
     for (unsigned int i = 0; i < committed_deformation_.size(); ++i)

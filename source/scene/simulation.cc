@@ -105,15 +105,16 @@ namespace deltaform
         return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
       }
 
-      last_increment_ = next - time_;
-      before_         = problem_.committed();
+      const double flow_error = scene_.steps->flow_error > 0. ? scene_.actors.blank->flow_error() : 0.;
+      last_increment_         = next - time_;
+      before_                 = problem_.committed();
       if (measured)
         cost.condition = condition_->measure(problem_, q);
       problem_.commit(q);
       necking_.observe(scene_.actors.blank->profile(q));
       time_ = next;
       ++increment_;
-      control.accept(result.iterations - result.correction_iterations);
+      control.accept(result.iterations - result.correction_iterations, flow_error);
       ++since_refinement_;
       const bool refined = refinement_marked();
       recorder_.record(problem_, stage, time_, increment_, cost, !refined);
@@ -143,8 +144,13 @@ namespace deltaform
 
   std::string Simulation::attempt(const double time, const Effort effort, Vector &q, NewtonResult &result)
   {
-    promise_failed_ = false;
-    problem_.begin_increment(time);
+    promise_failed_  = false;
+    const auto begin = [&]()
+    {
+      problem_.begin_increment(time);
+      scene_.actors.blank->begin_increment(last_increment_ > 0 ? (time - time_) / last_increment_ : 0.);
+    };
+    begin();
     q = problem_.committed();
     if (scene_.steps->extrapolate && last_increment_ > 0)
       q.sadd(1. + (time - time_) / last_increment_, -(time - time_) / last_increment_, before_);
@@ -162,7 +168,7 @@ namespace deltaform
     if (failed())
     {
       // Once more, with first touches soft at first.
-      problem_.begin_increment(time);
+      begin();
       if (problem_.soften(1e-4))
       {
         q = problem_.committed();
@@ -175,7 +181,7 @@ namespace deltaform
       for (const Damping damping : {Damping::damped, Damping::with_slack})
         if (failed())
         {
-          problem_.begin_increment(time);
+          begin();
           q = problem_.committed();
           solve(damping);
           snapped = true;

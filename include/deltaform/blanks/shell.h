@@ -3,6 +3,7 @@
 #include <deltaform/blanks/blank.h>
 #include <deltaform/blanks/shell_mesh.h>
 #include <deltaform/kinematics/shell_strain.h>
+#include <deltaform/materials/carried_flow.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
 
@@ -72,6 +73,8 @@ namespace deltaform
                       ContactThickness thickness,
                       ContactNode &result) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
+    void begin_increment(double ratio) override;
+    double flow_error() const override;
     double largest_strain_increment() const override;
     double largest_rotation(const Vector &dq) const override;
     void commit(const Vector &q) override;
@@ -149,6 +152,7 @@ namespace deltaform
 
     // State: committed and, where it differs, trial
     PointHistory history_;
+    CarriedFlow carried_; ///< of no points if the material does not want it
     std::vector<Mandel> strain_, stress_, committed_strain_, committed_stress_;
     std::vector<double> thickness_ratio_;                 ///< committed, per quadrature point
     std::vector<double> node_thickness_;                  ///< committed

@@ -3,6 +3,7 @@
 #include <deltaform/blanks/blank.h>
 #include <deltaform/blanks/refinement.h>
 #include <deltaform/blanks/solid_mesh.h>
+#include <deltaform/materials/carried_flow.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
 
@@ -60,6 +61,8 @@ namespace deltaform
                       ContactThickness thickness,
                       ContactNode &result) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
+    void begin_increment(double ratio) override;
+    double flow_error() const override;
     double largest_strain_increment() const override;
     double largest_rotation(const Vector &dq) const override;
     void commit(const Vector &q) override;
@@ -233,6 +236,8 @@ namespace deltaform
 
     // State: committed and, where it differs, trial
     PointHistory history_;
+    CarriedFlow carried_;      ///< of no points if the material does not want it
+    std::vector<double> spin_; ///< angle by which the last increment turned each point; with carried_ only
     std::vector<Mandel> strain_, stress_, committed_stress_;
     std::vector<Deformation> deformation_, committed_deformation_;
     std::vector<std::array<double, 4>> plastic_metric_; ///< committed C_p^-1: rr, zz, hoop, rz
