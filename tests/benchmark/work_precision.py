@@ -26,8 +26,8 @@ from work_precision_problems import problems  # noqa: E402
 PAGE = os.path.join(ROOT, "doc", "work_precision.md")
 GALLERY = os.path.join(ROOT, "doc", "gallery")
 GOALS = (1e-2, 1e-3)
-COLOURS = ["#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7", "#7b4fa3", "#444444"]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
+COLOURS = ["#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7", "#7b4fa3"]
+MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
 
 
 def entries_of(*settings):
@@ -112,12 +112,13 @@ def picture(problem, rows, doubt, path):
             if not points:
                 continue
             bold, series = line == "all together", line != "rule"
-            axis.loglog([p[0] for p in points], [p[1] for p in points], MARKERS[number % 8] + ("-" if series else ""), color=COLOURS[number % 8], label=line,
-                        markersize=7 if bold else 5, linewidth=2.4 if bold else 1.2, zorder=3 if bold else 2)
+            colour, marker = ("#222222", "*") if bold else (COLOURS[number % 7], MARKERS[number % 7])
+            axis.loglog([p[0] for p in points], [p[1] for p in points], marker + ("-" if series else ""), color=colour, label=line,
+                        markersize=9 if bold else 5, linewidth=2.4 if bold else 1.2, zorder=3 if bold else 2)
             # The first of a line is its crudest; names of rules all, because they have no order.
             for end in range(len(points)) if not series else {0, len(points) - 1} if bold else {0}:
                 axis.annotate(points[end][2], points[end][:2], textcoords="offset points", xytext=(4, 4), fontsize=7,
-                              color=COLOURS[number % 8])
+                              color=colour)
         for goal in GOALS:
             axis.axhline(goal, color="#999999", linewidth=.8, linestyle=":")
         if known > 0.:
