@@ -144,7 +144,7 @@ def main():
     parser.add_argument("--write", action="store_true", help="renew doc/work_precision.md and its pictures")
     options = parser.parse_args()
     os.makedirs(options.output, exist_ok=True)
-    program = Program(os.path.join(options.build, "deltaform"))
+    program = Program(os.path.join(options.build, "deltaform"), short=.5)
     chosen = [p for p in problems(exact) if (p.key in options.only if options.only else not (options.quick and p.slow))]
     if not chosen:
         parser.error("there is no such problem; known are " + ", ".join(p.key for p in problems(exact)))
