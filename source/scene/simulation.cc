@@ -22,6 +22,10 @@ namespace deltaform
   {
     if (!resumed_)
       before_ = problem_.committed();
+    const auto &solver = problem_.linear_solver();
+    journal_.detail("linear solver: " + solver.name + (solver.automatic ? " (automatic)" : "") + ", " +
+                    std::to_string(problem_.committed().size()) + " unknowns" +
+                    (problem_.on_linear_path() ? ", constant stiffness: one factorization" : ""));
     int status = exit_status::done;
     for (; stage_ < scene_.actors.stages.size() && status == exit_status::done; ++stage_)
     {
@@ -205,6 +209,9 @@ namespace deltaform
     switch (result.outcome)
     {
     case NewtonResult::Outcome::singular:
+      if (const std::string failure = problem_.system().linear_failure(); !failure.empty())
+        return "the linear solver did not converge: " + failure +
+               " (Solver/Maximal linear iterations, Solver/Linear solver tolerance). Try Linear solver = mumps" + where;
       return "the tangent is singular: a part of the blank is free to move, or a limit load is reached" + where;
     case NewtonResult::Outcome::inadmissible:
       return std::string(result.status.cause) + ", cell " + std::to_string(result.status.place);

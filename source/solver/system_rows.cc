@@ -1,3 +1,4 @@
+#include "system_constant.h"
 #include "system_rows.h"
 
 #include <deltaform/base/ranks.h>
@@ -165,17 +166,25 @@ namespace deltaform
 
   void System::sum_over_ranks()
   {
+    const bool had_constant = constant_ && constant_->kept;
+    if (constant_)
+    {
+      constant_->complete = true;
+      constant_->kept |= tangent_;
+    }
     if (!rows_)
       return;
     ranks::sum(residual_.begin(), residual_.size());
     ranks::sum(magnitude_.begin(), magnitude_.size());
     common_ = true;
-    if (!tangent_)
+    if (!tangent_ || had_constant)
       return;
     rows_->exchange();
     diagonal_ = 0.;
     for (DofIndex i = first_; i < end_; ++i)
       diagonal_[i] = *entry(i, i);
     ranks::sum(diagonal_.begin(), diagonal_.size());
+    if (constant_)
+      constant_->diagonal = diagonal_;
   }
 } // namespace deltaform

@@ -21,9 +21,19 @@ namespace deltaform
 
     bool iterative() const;
 
+    /**
+     * Put a solver in the place of 'automatic': the faster one for a matrix with these couplings.
+     * @param constant  the matrix is factorized once
+     * @param symmetric and conjugate gradients may solve with it
+     */
+    void choose(const dealii::DynamicSparsityPattern &pattern, bool constant, bool symmetric);
+
+
     std::string name;
+    bool automatic = false; ///< name is the program's choice
     double tolerance            = 1e-10;
     unsigned int max_iterations = 2000;
+    bool linear_path            = true; ///< a part of the tangent that does not change is factorized once
   };
 
   /**
@@ -56,8 +66,20 @@ namespace deltaform
     /// The values of the matrix have changed. @return false if it is singular, on all processes alike
     virtual bool factorize() = 0;
 
+    /// They have changed little since factorize(): what was prepared there may serve again.
+    virtual bool update()
+    {
+      return factorize();
+    }
+
     /// Own rows of the right side and of the solution. @return success, on all processes alike
     virtual bool solve(const double *right_side, double *solution) = 0;
+
+    /// What went wrong in the last solve() with a matrix that need not be singular, in words; empty if nothing did.
+    virtual std::string failure() const
+    {
+      return {};
+    }
 
     virtual unsigned int n_iterations() const
     {
