@@ -41,6 +41,10 @@ namespace deltaform
       status   = run_stage(stage);
       resumed_ = false;
     }
+    journal_.detail(std::to_string(problem_.system().n_factorizations()) + " factorizations" +
+                    (problem_.on_linear_path()
+                       ? ", " + std::to_string(problem_.system().n_compliances()) + " compliances of contact unknowns"
+                       : ""));
     recorder_.finish(status, problem_, increment_, total_iterations_);
     // Not before the files are complete: until then, going on from the state before gives the same.
     if (before_giving_up_)
