@@ -70,10 +70,8 @@ namespace deltaform
           }
         }
     }
-    const bool friction = std::any_of(actors_.tools.begin(),
-                                      actors_.tools.end(),
-                                      [](const auto &tool) { return tool->friction_coefficient() > 0; });
-    linear_solver_.choose(pattern, on_linear_path(), on_linear_path() && !friction && !multipliers);
+    const std::size_t width = front_width(pattern);
+    linear_solver_.choose(n_sparse, width);
     // Newton holds on to the object.
     if (system_)
       *system_ = System(std::move(pattern), n_border, linear_solver_, owned);
@@ -91,7 +89,7 @@ namespace deltaform
       is_fixed_[dof] = true;
     is_prescribed_ = is_fixed_;
     if (on_linear_path())
-      system_->keep_constant_part(contact_unknowns());
+      system_->keep_constant_part(contact_unknowns(), std::clamp<std::size_t>(width / 2, 100, 600));
     if (on_linear_path() || linear_solver_.iterative())
       describe_rigid_motions();
     double extent = actors_.blank->initial_thickness();

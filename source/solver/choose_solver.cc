@@ -1,63 +1,61 @@
-// Which linear solver is the faster one: measured in doc/distributed.md, "Which solver".
+// Which direct solver is the faster one: measured in doc/distributed.md, "Which solver".
 #include <deltaform/base/ranks.h>
 #include <deltaform/solver/linear_solver.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace deltaform
 {
   namespace
   {
-    /**
-     * How many unknowns a front has that sweeps over the mesh, from neighbours to neighbours (the width of the level
-     * structure, Gibbs, Poole, Stockmeyer (1976), SIAM J. Numer. Anal. 13, 236): a few times the unknowns across a
-     * strip, however long it is.
-     */
-    std::size_t front_width(const dealii::DynamicSparsityPattern &pattern)
+    /// Levels of neighbours of neighbours from @p start, all marked: the last unknown that is met, and the most that a
+    /// level has.
+    std::pair<DofIndex, std::size_t> sweep(const dealii::DynamicSparsityPattern &pattern,
+                                           const DofIndex start,
+                                           const unsigned char mark,
+                                           std::vector<unsigned char> &seen)
     {
-      std::size_t widest = 0;
-      std::vector<unsigned int> seen(pattern.n_rows(), 0);
-      std::vector<DofIndex> level, next;
-      const auto sweep = [&](const DofIndex start, const unsigned int mark)
+      std::pair<DofIndex, std::size_t> result{start, 0};
+      std::vector<DofIndex> level{start}, next;
+      seen[start] = mark;
+      while (!level.empty())
       {
-        DofIndex last     = start;
-        std::size_t width = 0;
-        level.assign(1, start);
-        seen[start] = mark;
-        while (!level.empty())
-        {
-          width = std::max(width, level.size());
-          last  = level.back();
-          next.clear();
-          for (const auto row : level)
-            for (auto column = pattern.begin(row); column != pattern.end(row); ++column)
-              if (seen[column->column()] != mark)
-              {
-                seen[column->column()] = mark;
-                next.push_back(column->column());
-              }
-          level.swap(next);
-        }
-        return std::make_pair(last, width);
-      };
-      for (DofIndex i = 0; i < pattern.n_rows(); ++i)
-        if (seen[i] == 0)
-          widest = std::max(widest, sweep(sweep(i, 1).first, 2).second); // from an end of the body
-      return widest;
+        result = {level.back(), std::max(result.second, level.size())};
+        next.clear();
+        for (const auto row : level)
+          for (auto column = pattern.begin(row); column != pattern.end(row); ++column)
+            if (seen[column->column()] != mark)
+            {
+              seen[column->column()] = mark;
+              next.push_back(column->column());
+            }
+        level.swap(next);
+      }
+      return result;
     }
   } // namespace
 
 
-  void LinearSolverSettings::choose(const dealii::DynamicSparsityPattern &pattern,
-                                    const bool constant,
-                                    const bool symmetric)
+  std::size_t front_width(const dealii::DynamicSparsityPattern &pattern)
   {
-    if (!automatic)
-      return;
-    constexpr std::size_t small = 10000, wide = 200, large = 500000;
-    const std::size_t n = pattern.n_rows();
-    // A process knows the couplings of its own rows only.
-    const bool block = n > small && (ranks::count() > 1 || front_width(pattern) > wide);
-    name             = !block ? "klu" : n > large && constant && symmetric ? "cg amg" : "mumps";
+    const DofIndex n = pattern.n_rows();
+    if (ranks::count() > 1)
+      return static_cast<std::size_t>(2. * std::sqrt(2. * n));
+    std::size_t widest = 0;
+    std::vector<unsigned char> seen(n, 0);
+    for (DofIndex i = 0; i < n; ++i)
+      if (seen[i] == 0)
+        widest = std::max(widest, sweep(pattern, sweep(pattern, i, 1, seen).first, 2, seen).second);
+    return widest;
+  }
+
+
+  void LinearSolverSettings::choose(const std::size_t n, const std::size_t width)
+  {
+    constexpr std::size_t small = 5000, narrow = 50;
+    if (automatic)
+      name = n < small || width < narrow ? "klu" : "mumps";
   }
 } // namespace deltaform

@@ -61,11 +61,6 @@ namespace deltaform
         return matrix_->all(preconditioner_->IsPreconditionerComputed());
       }
 
-      bool update() override
-      {
-        return true;
-      }
-
       bool solve(const double *right_side, double *solution) override
       {
         const int n = matrix_->right_side->MyLength();

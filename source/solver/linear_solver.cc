@@ -16,7 +16,7 @@ namespace deltaform
                           {"automatic", "klu", "mumps", "cg amg", "gmres amg", "cg diagonal", "gmres diagonal"},
                           "Direct: klu for thin strips, mumps for blocks. Iterative, for large solids: conjugate "
                           "gradients (no friction) or GMRES, preconditioned by algebraic multigrid or by the "
-                          "diagonal. automatic: the faster one by the size and shape of the mesh.")),
+                          "diagonal. automatic: klu or mumps, by the size and shape of the mesh.")),
       automatic(name == "automatic"),
       tolerance(section.number("Linear solver tolerance",
                                1e-10,

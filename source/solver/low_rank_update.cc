@@ -8,9 +8,9 @@
 
 namespace deltaform
 {
-  LowRankUpdate::LowRankUpdate(std::vector<DofIndex> candidates)
-    : candidates_(std::move(candidates)), ground_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(candidates_.size()))),
-      columns_(candidates_.size())
+  LowRankUpdate::LowRankUpdate(std::vector<DofIndex> candidates, const std::size_t largest_rank)
+    : candidates_(std::move(candidates)), largest_rank_(largest_rank),
+      ground_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(candidates_.size()))), columns_(candidates_.size())
   {
   }
 
@@ -59,7 +59,7 @@ namespace deltaform
       all.push_back(find(dof));
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    if (all.size() > largest_rank || (!all.empty() && all.back() == invalid_index))
+    if (all.size() > largest_rank_ || (!all.empty() && all.back() == invalid_index))
       return false;
 
     // Unknowns that D couples get the same block: that of the least of them.
@@ -140,9 +140,9 @@ namespace deltaform
     right_side.tail(n_border) = border.right_side;
     for (const auto &block : blocks_)
     {
-      const auto n  = block.factors.size();
-      auto of_block = matrix.middleRows(block.first, n);
-      of_block      = (block.right.transpose() * of_block).eval();
+      const auto n                       = block.factors.size();
+      auto of_block                      = matrix.middleRows(block.first, n);
+      of_block                           = (block.right.transpose() * of_block).eval();
       right_side.segment(block.first, n) = (block.right.transpose() * right_side.segment(block.first, n)).eval();
       C.middleCols(block.first, n)       = (C.middleCols(block.first, n) * block.right).eval();
     }
@@ -157,7 +157,7 @@ namespace deltaform
         const Eigen::Index j = block.first + k;
         const double factor = block.factors[k], compliance_here = matrix.col(j).head(m).lpNorm<Eigen::Infinity>();
         // y = columns[j] times the unknown
-        const bool stiff     = factor * compliance_here > 1.;
+        const bool stiff = factor * compliance_here > 1.;
         stiff_.push_back(stiff);
         columns[j] = stiff ? 1. : factor;
         matrix.col(j).head(m) *= columns[j];
@@ -197,8 +197,8 @@ namespace deltaform
         return false;
       solution = columns.cwiseProduct(lu.solve(right_side));
     }
-    w                     = solution.tail(n_border);
-    Eigen::VectorXd at_A  = B * w;
+    w                    = solution.tail(n_border);
+    Eigen::VectorXd at_A = B * w;
     for (const auto &block : blocks_)
       at_A.segment(block.first, block.factors.size()) +=
         block.left * solution.segment(block.first, block.factors.size());

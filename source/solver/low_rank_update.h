@@ -42,11 +42,11 @@ namespace deltaform
       Eigen::VectorXd right_side;
     };
 
-    /// More unknowns than this in A: factorizing the sum is faster.
-    static constexpr std::size_t largest_rank = 600;
-
-    /// @param candidates for A, rising
-    explicit LowRankUpdate(std::vector<DofIndex> candidates);
+    /**
+     * @param candidates   for A, rising
+     * @param largest_rank with more unknowns in A, factorizing the sum is faster
+     */
+    LowRankUpdate(std::vector<DofIndex> candidates, std::size_t largest_rank);
 
     const std::vector<DofIndex> &candidates() const
     {
@@ -92,6 +92,7 @@ namespace deltaform
 
   private:
     std::vector<DofIndex> candidates_;
+    std::size_t largest_rank_;
     Eigen::VectorXd ground_;
     std::vector<Eigen::VectorXd> columns_; ///< F^-1 e_j at all candidates, by candidate; empty: not needed yet
     std::vector<unsigned int> active_;     ///< A, as places among the candidates, block by block

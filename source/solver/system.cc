@@ -159,9 +159,6 @@ namespace deltaform
   void System::set_prescribed(const std::vector<bool> &prescribed)
   {
     prescribed_ = prescribed;
-    // A preconditioner for every solve of Newton, so that nothing depends on those before.
-    if (constant_ && symmetric_elimination_)
-      constant_->prepared = false;
   }
 
 

@@ -11,11 +11,11 @@
 
 namespace deltaform
 {
-  void System::keep_constant_part(std::vector<DofIndex> candidates)
+  void System::keep_constant_part(std::vector<DofIndex> candidates, const std::size_t largest_rank)
   {
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-    constant_ = std::make_unique<Constant>(std::move(candidates));
+    constant_ = std::make_unique<Constant>(std::move(candidates), largest_rank);
     if (rows_)
       return;
     constant_->storage.assign(static_cast<std::size_t>(row_start_[n_sparse_]), 0.);
@@ -94,7 +94,7 @@ namespace deltaform
       if (motions.empty())
         return result;
       const auto n_motions = static_cast<Eigen::Index>(motions.size());
-      Eigen::MatrixXd all  = Eigen::MatrixXd::Zero(n_motions, n_motions), held = all;
+      Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n_motions, n_motions), held = all;
       for (DofIndex i = 0; i < motions[0].size(); ++i)
         for (Eigen::Index a = 0; a < n_motions; ++a)
           for (Eigen::Index b = 0; b < n_motions; ++b)
@@ -131,21 +131,11 @@ namespace deltaform
   {
     auto &constant     = *constant_;
     constant.condensed = false;
-    if (!constant.kept)
+    // An iterative solver takes the whole matrix. Its preconditioner has to know the factors of contact: one that was
+    // kept took four times as long (doc/distributed.md).
+    if (!constant.kept || symmetric_elimination_)
       return false;
-    const bool prepared = constant.prepared && constant.prescribed == prescribed_;
-    if (symmetric_elimination_)
-    {
-      // An iterative solver takes the whole matrix; what its preconditioner was made of is near enough.
-      double *const staged = stage();
-      eliminate(staged, largest_diagonal(), 0.);
-      hand_over(staged);
-      constant.prepared   = true;
-      constant.prescribed = prescribed_;
-      n_factorizations_ += !prepared;
-      return prepared ? solver_->update() : solver_->factorize();
-    }
-    if (prepared)
+    if (constant.prepared && constant.prescribed == prescribed_)
       return constant.condensed = constant.update.set(constant.entries, constant.bordered, prescribed_);
 
     // Of the constant part alone, so that nothing depends on when it is factorized.
@@ -155,7 +145,7 @@ namespace deltaform
       if (rows_)
         return constant.diagonal[i];
       const double *const place = entry(i, i);
-      const auto first = std::find_if(constant.before.begin(),
+      const auto first          = std::find_if(constant.before.begin(),
                                       constant.before.end(),
                                       [place](const Constant::Before &before) { return before.place == place; });
       return first == constant.before.end() ? *place : first->value;
@@ -195,7 +185,7 @@ namespace deltaform
     hand_over(staged);
     ++n_factorizations_;
     constant.prescribed = prescribed_;
-    constant.condensed  = constant.prepared = solver_->factorize();
+    constant.condensed = constant.prepared = solver_->factorize();
     return constant.condensed;
   }
 

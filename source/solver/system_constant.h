@@ -12,7 +12,8 @@ namespace deltaform
    */
   struct System::Constant
   {
-    explicit Constant(std::vector<DofIndex> candidates) : update(std::move(candidates))
+    Constant(std::vector<DofIndex> candidates, const std::size_t largest_rank)
+      : update(std::move(candidates), largest_rank)
     {
     }
 

@@ -1,5 +1,5 @@
-#include "system_constant.h"
 #include "system_rows.h"
+#include "system_constant.h"
 
 #include <deltaform/base/ranks.h>
 

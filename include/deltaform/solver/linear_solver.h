@@ -21,20 +21,24 @@ namespace deltaform
 
     bool iterative() const;
 
-    /**
-     * Put a solver in the place of 'automatic': the faster one for a matrix with these couplings.
-     * @param constant  the matrix is factorized once
-     * @param symmetric and conjugate gradients may solve with it
-     */
-    void choose(const dealii::DynamicSparsityPattern &pattern, bool constant, bool symmetric);
+    /// Put a direct solver in the place of 'automatic': the faster one for a matrix with @p n rows and this
+    /// front_width().
+    void choose(std::size_t n, std::size_t width);
 
 
     std::string name;
-    bool automatic = false; ///< name is the program's choice
+    bool automatic              = false; ///< name is the program's choice
     double tolerance            = 1e-10;
     unsigned int max_iterations = 2000;
     bool linear_path            = true; ///< a part of the tangent that does not change is factorized once
   };
+
+  /**
+   * How many unknowns a front has that sweeps over the mesh, from neighbours to neighbours (the width of the level
+   * structure, Gibbs, Poole, Stockmeyer (1976), SIAM J. Numer. Anal. 13, 236): a few times the unknowns across a
+   * strip, however long it is. With several processes, which do not know all couplings, that of a square.
+   */
+  std::size_t front_width(const dealii::DynamicSparsityPattern &pattern);
 
   /**
    * A matrix of Trilinos with a fixed pattern and a way to solve with it: Amesos (KLU, MUMPS), or a Krylov method of
@@ -65,12 +69,6 @@ namespace deltaform
 
     /// The values of the matrix have changed. @return false if it is singular, on all processes alike
     virtual bool factorize() = 0;
-
-    /// They have changed little since factorize(): what was prepared there may serve again.
-    virtual bool update()
-    {
-      return factorize();
-    }
 
     /// Own rows of the right side and of the solution. @return success, on all processes alike
     virtual bool solve(const double *right_side, double *solution) = 0;

@@ -48,9 +48,10 @@ namespace deltaform
      * What is added to the tangent up to sum_over_ranks() does not change from pass to pass (the stiffness of a linear
      * blank): it is added in one pass with tangent, and none is wanted for it in later ones. A direct solver then
      * factorizes it once; what is added behind it is an update of low rank, see LowRankUpdate.
-     * @param candidates the sparse unknowns that may get entries behind it; with others the whole is factorized
+     * @param candidates   the sparse unknowns that may get entries behind it; with others the whole is factorized
+     * @param largest_rank so it is if more unknowns than this get entries
      */
-    void keep_constant_part(std::vector<DofIndex> candidates);
+    void keep_constant_part(std::vector<DofIndex> candidates, std::size_t largest_rank);
 
     /// Set everything to zero, but for a constant part, and start a pass.
     void clear(bool tangent);
@@ -175,11 +176,11 @@ namespace deltaform
     unsigned int n_sparse_, n_border_;
     DofIndex first_ = 0, end_; ///< own rows
     std::unique_ptr<LinearSolver> solver_;
-    std::unique_ptr<Rows> rows_;    ///< null if all rows are here
+    std::unique_ptr<Rows> rows_;         ///< null if all rows are here
     std::unique_ptr<Constant> constant_; ///< null if the whole tangent changes from pass to pass
-    bool symmetric_elimination_;    ///< of prescribed unknowns: what an iterative solver needs
-    bool common_           = false; ///< what is added now is the same on all processes
-    double prescribed_row_ = 1.;    ///< diagonal of the rows of prescribed unknowns
+    bool symmetric_elimination_;         ///< of prescribed unknowns: what an iterative solver needs
+    bool common_           = false;      ///< what is added now is the same on all processes
+    double prescribed_row_ = 1.;         ///< diagonal of the rows of prescribed unknowns
     const int *row_start_  = nullptr;
     const int *columns_    = nullptr;
     double *values_        = nullptr;
