@@ -87,7 +87,8 @@ def energies(axis, runs, _options):
     handles = []
     for number, run in enumerate(runs):
         abscissa, label = run.progress()
-        for index, column in enumerate(name for name in columns if np.any(run.history[name] != 0)):
+        asked = [name for name in columns if name in run.history and np.any(run.history[name] != 0)]
+        for index, column in enumerate(asked):
             line, = axis.plot(abscissa, run.history[column], STYLES[number % len(STYLES)],
                               color=TOOL_COLOURS[index % len(TOOL_COLOURS)], label=_spell(column),
                               marker=_marker(abscissa))

@@ -4,13 +4,11 @@
     scripts/rules.py [--program PROGRAM] [--output output/rules] [--jobs 2] [--scenes cup,pressed_plate,bent_strip] [--write]
 
 Error in force: root mean square difference from `active set` at ten travels over the largest force. Condition numbers are
-medians over every fifth increment. A run that fails is a row. --write copies the page to doc/rules.md (the text behind its
+medians over every fifth increment. The runs are those of `deltaform sweep`; one that fails is a row. --write copies the page to doc/rules.md (the text behind its
 first heading of second order is kept) and the picture to doc/gallery.
 """
 import argparse
-import concurrent.futures
 import csv
-import json
 import os
 import shutil
 import subprocess
@@ -28,48 +26,53 @@ from results import NoResults, Table  # noqa: E402
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 STROKE = {"cup": 1.0, "pressed_plate": 10.0, "bent_strip": 15.0}
-DELTAS = [f"1e-{k}" for k in range(1, 9)]
 LIMIT = 120  # seconds per run
 
 
-def cases():
-    """(choice, parameter): entries."""
-    result = {("active set", ""): {"Contact/Enforcement": "active set"}}
-    for delta in DELTAS:
-        for rule in ("adaptive", "paper", "proportional", "gap driven"):
-            result[(rule, delta)] = {"Contact/Penalty rule": rule, "Contact/Allowed penetration": f"{delta}*thickness"}
-        for enforcement in ("adaptive compensated", "augmented Lagrangian"):
-            result[(enforcement, delta)] = {"Contact/Enforcement": enforcement,
-                                            "Contact/Allowed penetration": f"{delta}*thickness"}
-    for factor in ("1e2", "1e3", "1e4", "1e5", "1e6", "1e7", "1e8", "1e9"):
-        result[("constant", factor)] = {"Contact/Penalty rule": "constant", "Contact/Penalty factor": factor}
-    for factor in ("0.01", "0.1", "1", "10"):
-        result[("element stiffness", factor)] = {"Contact/Penalty rule": "element stiffness",
-                                                 "Contact/Stiffness factor": factor}
+def sweeps():
+    """(enforcement and rule, varied entry, its values): one sweep each, all delta of all rules among them."""
+    deltas = [f"1e-{k}" for k in range(1, 9)]
+    result = [({"Contact/Enforcement": "active set"}, "active set", "Contact/Allowed penetration", ["1e-3"])]
+    for rule in ("adaptive", "paper", "proportional", "gap driven"):
+        result.append(({"Contact/Penalty rule": rule}, rule, "Contact/Allowed penetration", deltas))
+    for enforcement in ("adaptive compensated", "augmented Lagrangian"):
+        result.append(({"Contact/Enforcement": enforcement}, enforcement, "Contact/Allowed penetration", deltas))
+    result.append(({"Contact/Penalty rule": "constant"}, "constant", "Contact/Penalty factor", [f"1e{k}" for k in range(2, 10)]))
+    result.append(({"Contact/Penalty rule": "element stiffness"}, "element stiffness", "Contact/Stiffness factor",
+                   ["0.01", "0.1", "1", "10"]))
     return result
 
 
-def run(program, folder, scene, key, entries):
-    out = os.path.join(folder, scene, "_".join(key).replace(" ", "_"))
-    shutil.rmtree(out, ignore_errors=True)
+def run(program, folder, scene, jobs):
+    """All sweeps of a scene. @return (choice, parameter): row of sweep.csv"""
+    rows = {}
     travels = ", ".join(f"{STROKE[scene] * k / 10:g}" for k in range(1, 11))
-    command = [program, os.path.join(ROOT, "prm", scene + ".prm"), "--quiet", "--output", out,
-               "--set", "Output/Pictures=0", "--set", f"Output/Travels={travels}",
-               "--set", "Output/Condition number every=5"]
-    for entry, value in entries.items():
-        command += ["--set", f"{entry}={value}"]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT, check=False)
-        return out, done.returncode, (done.stderr.strip().split("\n") or [""])[-1]
-    except subprocess.TimeoutExpired:
-        return out, "time", f"not finished after {LIMIT} s"
+    for entries, choice, entry, values in sweeps():
+        out = os.path.join(folder, scene, choice.replace(" ", "_"))
+        shutil.rmtree(out, ignore_errors=True)
+        unit = "*thickness" if entry.endswith("penetration") else ""
+        command = [program, "sweep", os.path.join(ROOT, "prm", scene + ".prm"), "--quiet", "--jobs", str(jobs),
+                   "--seconds", str(LIMIT), "--output", out, "--vary", f"{entry}={','.join(v + unit for v in values)}",
+                   "--set", "Output/Pictures=0", "--set", f"Output/Travels={travels}",
+                   "--set", "Output/Condition number every=5"]
+        for name, value in entries.items():
+            command += ["--set", f"{name}={value}"]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        table_file = os.path.join(out, "sweep.csv")
+        if not os.path.exists(table_file):
+            sys.exit(f"rules: {done.stderr.strip()}")
+        with open(table_file, encoding="utf-8") as file:
+            for row in csv.DictReader(line for line in file if not line.startswith("#")):
+                parameter = "" if choice == "active set" else row[entry].replace("*thickness", "")
+                rows[(choice, parameter)] = dict(row, folder=os.path.join(out, row["folder"]))
+    return rows
 
 
-def measure(out, status, message, reference, scene):
-    """The row of a run."""
-    row = {"status": status, "message": message}
+def measure(swept, reference, scene):
+    """The row of a run: that of sweep.csv, and what needs its history."""
+    row = {"status": int(float(swept["exit_status"])), "message": swept["outcome"]}
     try:
-        history = Table(os.path.join(out, "history.csv"))
+        history = Table(os.path.join(swept["folder"], "history.csv"))
         travel = history["punch_travel"]
     except NoResults:
         return row
@@ -91,11 +94,7 @@ def measure(out, status, message, reference, scene):
     for name in ("condition_raw", "condition_scaled"):
         finite = history[name][np.isfinite(history[name].astype(float))]
         row[name] = float(np.median(finite)) if len(finite) else float("nan")
-    try:
-        with open(os.path.join(out, "summary.json"), encoding="utf-8") as file:
-            row["seconds"] = json.load(file)["seconds"]
-    except OSError:
-        pass
+    row["seconds"] = float(swept["seconds"])
     return row
 
 
@@ -158,17 +157,14 @@ def main():
         sys.exit(f"rules: no program '{arguments.program}': build it (scripts/build.sh) or name it with --program")
     plt.rcParams.update(STYLE)
     results = {}
-    with concurrent.futures.ThreadPoolExecutor(max_workers=arguments.jobs) as pool:
-        futures = {scene: {key: pool.submit(run, arguments.program, arguments.output, scene, key, entries)
-                           for key, entries in cases().items()} for scene in arguments.scenes.split(",")}
-        for scene, own in futures.items():
-            reference = None
-            results[scene] = {}
-            for key, future in own.items():
-                results[scene][key] = measure(*future.result(), reference, scene)
-                if reference is None:
-                    reference = results[scene][key]["force_at"]
-            print(table(scene, results[scene]), "\n", flush=True)
+    for scene in arguments.scenes.split(","):
+        reference = None
+        results[scene] = {}
+        for key, swept in run(arguments.program, arguments.output, scene, arguments.jobs).items():
+            results[scene][key] = measure(swept, reference, scene)
+            if reference is None:
+                reference = results[scene][key]["force_at"]
+        print(table(scene, results[scene]), "\n", flush=True)
 
     page = ["# Rules of contact compared", "", "Made by `scripts/rules.py --write` (the text at the end is written by hand).", ""]
     for scene, rows in results.items():

@@ -6,9 +6,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <thread>
 
 namespace deltaform
 {
@@ -57,15 +61,30 @@ namespace deltaform
   }
 
 
-  EndedProcess wait_for_process()
+  std::optional<EndedProcess> wait_for_process(const double seconds)
   {
-    int status    = 0;
-    pid_t process = 0;
-    do
-      process = waitpid(-1, &status, 0);
-    while (process < 0 && errno == EINTR);
-    if (process < 0)
-      throw std::runtime_error(std::string("No process to wait for: ") + std::strerror(errno) + ".");
-    return {process, WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status)};
+    // POSIX has no waitpid with a limit. Asking now and then is exact enough where processes take tenths of a second.
+    constexpr std::chrono::milliseconds pause(5);
+    const bool limited = std::isfinite(seconds);
+    const auto begin   = std::chrono::steady_clock::now();
+    while (true)
+    {
+      int status          = 0;
+      const pid_t process = waitpid(-1, &status, limited ? WNOHANG : 0);
+      if (process > 0)
+        return EndedProcess{process, WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status)};
+      if (process < 0 && errno != EINTR)
+        throw std::runtime_error(std::string("No process to wait for: ") + std::strerror(errno) + ".");
+      if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > seconds)
+        return {};
+      if (process == 0)
+        std::this_thread::sleep_for(pause);
+    }
+  }
+
+
+  void end_process(const int process)
+  {
+    kill(process, SIGKILL);
   }
 } // namespace deltaform

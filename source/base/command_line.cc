@@ -21,6 +21,7 @@ namespace deltaform
       add("output", po::value<std::string>());
       add("vary", po::value<Strings>()->composing());
       add("jobs", po::value<int>());
+      add("seconds", po::value<double>());
       for (const auto *const name : {"check", "resume", "quiet", "list", "print-parameters", "version", "help,h"})
         add(name, po::bool_switch());
       add("words", po::value<Strings>());
@@ -150,12 +151,16 @@ namespace deltaform
       throw UsageError("--resume goes with a run only.");
     if (sweep && line.variations.empty())
       throw UsageError("A sweep needs --vary \"Section/Entry=value,value,...\".");
-    if (!sweep && (values.count("vary") > 0 || values.count("jobs") > 0))
-      throw UsageError("--vary and --jobs go with 'deltaform sweep SCENE.prm' only.");
+    for (const auto *const name : {"vary", "jobs", "seconds"})
+      if (!sweep && values.count(name) > 0)
+        throw UsageError(std::string("--") + name + " goes with 'deltaform sweep SCENE.prm' only.");
     const int jobs = value_or(values, "jobs", 1);
     if (jobs < 1)
       throw UsageError("--jobs needs a number of at least 1.");
-    line.jobs = static_cast<unsigned int>(jobs);
+    line.jobs    = static_cast<unsigned int>(jobs);
+    line.seconds = value_or(values, "seconds", infinity);
+    if (!(line.seconds > 0))
+      throw UsageError("--seconds needs a positive number.");
     return line;
   }
 
@@ -182,6 +187,7 @@ Options of a sweep (and --set, --output, --quiet)
   --vary "Section/Entry=a,b,c" the values to run; with several --vary, all combinations;
                                values that contain commas: "Section/Entry=a;b;c"
   --jobs N                     runs at a time (1)
+  --seconds N                  a run that takes longer is ended; its row says so (no limit)
 
 Exit status
    0  done

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -57,12 +58,12 @@ namespace deltaform
         std::snprintf(buffer, sizeof buffer, "%.0f", value);
         return buffer;
       }
-      for (int digits = 1; digits <= 17; ++digits)
-      {
-        std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-        if (std::strtod(buffer, nullptr) == value)
-          break;
-      }
+      // As many digits as the shortest number that is read back as the value.
+      const char *const end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
+      const auto digits     = std::count_if(static_cast<const char *>(buffer),
+                                        std::find(static_cast<const char *>(buffer), end, 'e'),
+                                        [](const char c) { return c >= '0' && c <= '9'; });
+      std::snprintf(buffer, sizeof buffer, "%.*g", static_cast<int>(digits), value);
       // 1e7 rather than 1e+07.
       std::string result  = buffer;
       const auto exponent = result.find('e');

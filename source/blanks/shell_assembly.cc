@@ -76,6 +76,7 @@ namespace deltaform
       batch.strain          = &strain_[first];
       batch.third_stress    = &third_stress_[first];
       batch.committed       = history_.committed(first);
+      batch.carried         = carried_.at(first);
       batch.trial           = history_.trial(first);
       batch.stress          = &stress_[first];
       batch.tangent         = tangent ? layer_tangent.data() : nullptr;

@@ -2,6 +2,7 @@
 #include "shell_point.h"
 
 #include <deltaform/blanks/shell.h>
+#include <deltaform/materials/flow_error.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -10,6 +11,25 @@
 
 namespace deltaform
 {
+  void Shell::begin_increment(const double ratio)
+  {
+    carried_.carry(ratio);
+  }
+
+
+  double Shell::flow_error() const
+  {
+    MeanFlowError error;
+    for (unsigned int i = 0; i < strain_.size(); ++i)
+      error.add(points_[i / n_layers_].weight * layer_weight_[i % n_layers_] *
+                  (material_->equivalent_plastic_strain(history_.trial(i)) -
+                   material_->equivalent_plastic_strain(history_.committed(i))),
+                committed_stress_[i],
+                stress_[i]);
+    return error.value();
+  }
+
+
   double Shell::largest_strain_increment() const
   {
     double largest = 0.;
@@ -86,7 +106,8 @@ namespace deltaform
   void Shell::commit(const Vector &q)
   {
     const double shear = membrane_ ? 0. : shear_factor_ * material_->shear_modulus() * thickness_;
-    energy_.elastic    = 0.;
+    if (energy_)
+      energy_->elastic = 0.;
     for (unsigned int c = 0, i = 0; c < mesh_.cells().size(); ++c)
       for (unsigned int p = 0; p < n_points_per_cell_; ++p)
       {
@@ -95,26 +116,30 @@ namespace deltaform
         double thickness         = 0.;
         for (unsigned int l = 0; l < n_layers_; ++l, ++i)
         {
+          thickness += layer_weight_[l] * std::exp(strain_[i][2]);
+          if (!energy_)
+            continue;
           const double a1_zero = point.lambda - layer_position_[l] * point.angle_prime;
           const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * std::sin(point.angle) : 1.;
           const double volume  = point.weight * layer_weight_[l] * a1_zero * a2_zero;
           const Mandel before  = material_->plastic_strain(history_.committed(i));
           const Mandel after   = material_->plastic_strain(history_.trial(i));
           for (unsigned int k = 0; k < 4; ++k)
-            energy_.plastic += .5 * volume * (stress_[i][k] + committed_stress_[i][k]) * (after[k] - before[k]);
-          energy_.normal +=
+            energy_->plastic += .5 * volume * (stress_[i][k] + committed_stress_[i][k]) * (after[k] - before[k]);
+          energy_->normal +=
             .5 * volume * (stress_[i][2] + committed_stress_[i][2]) * (strain_[i][2] - committed_strain_[i][2]);
-          energy_.elastic += volume * material_->elastic_energy(stress_[i]);
-          thickness += layer_weight_[l] * std::exp(strain_[i][2]);
+          energy_->elastic += volume * material_->elastic_energy(stress_[i]);
         }
-        energy_.normal += thickness_strain_work(q, c, p, thickness / thickness_);
+        if (energy_)
+          energy_->normal += thickness_strain_work(q, c, p, thickness / thickness_);
         thickness_ratio_[place] = thickness / thickness_;
-        if (!membrane_)
+        if (energy_ && !membrane_)
         {
           const double gamma = strain_at(q, c, place).gamma - point.gamma;
-          energy_.elastic += .5 * shear * point.weight * point.radius * gamma * gamma;
+          energy_->elastic += .5 * shear * point.weight * point.radius * gamma * gamma;
         }
       }
+    carried_.keep(history_);
     history_.commit();
     committed_strain_ = strain_;
     committed_stress_ = stress_;
@@ -182,9 +207,15 @@ namespace deltaform
   }
 
 
+  void Shell::forget_energy()
+  {
+    energy_.reset();
+  }
+
+
   BlankEnergy Shell::energy() const
   {
-    return energy_;
+    return energy_.value_or(BlankEnergy());
   }
 
 
@@ -220,17 +251,21 @@ namespace deltaform
 
   void Shell::save(std::ostream &stream) const
   {
+    const BlankEnergy total = energy();
     boost::archive::binary_oarchive archive(stream);
-    archive << history_ << committed_strain_ << committed_stress_ << thickness_ratio_ << node_thickness_ << node_area_
-            << contact_pressure_ << third_stress_ << energy_.elastic << energy_.plastic << energy_.normal;
+    archive << history_ << carried_ << committed_strain_ << committed_stress_ << thickness_ratio_ << node_thickness_
+            << node_area_ << contact_pressure_ << third_stress_ << total.elastic << total.plastic << total.normal;
   }
 
 
   void Shell::load(std::istream &stream)
   {
+    BlankEnergy total;
     boost::archive::binary_iarchive archive(stream);
-    archive >> history_ >> committed_strain_ >> committed_stress_ >> thickness_ratio_ >> node_thickness_ >>
-      node_area_ >> contact_pressure_ >> third_stress_ >> energy_.elastic >> energy_.plastic >> energy_.normal;
+    archive >> history_ >> carried_ >> committed_strain_ >> committed_stress_ >> thickness_ratio_ >> node_thickness_ >>
+      node_area_ >> contact_pressure_ >> third_stress_ >> total.elastic >> total.plastic >> total.normal;
+    if (energy_)
+      energy_ = total;
     strain_ = committed_strain_;
     stress_ = committed_stress_;
   }

@@ -96,6 +96,8 @@ namespace deltaform
 
     const unsigned int n = points_.size() * n_layers_;
     history_             = PointHistory(n, material_->history_size());
+    if (material_->two_steps())
+      carried_ = CarriedFlow(n, material_->history_size());
     strain_.assign(n, Mandel{});
     stress_.assign(n, Mandel{});
     committed_strain_.assign(n, Mandel{});

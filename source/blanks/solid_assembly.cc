@@ -138,6 +138,7 @@ namespace deltaform
       batch.third_direction = ThirdDirection::strain_given;
       batch.strain          = &strain_[first];
       batch.committed       = history_.committed(first);
+      batch.carried         = carried_.at(first);
       batch.trial           = history_.trial(first);
       batch.stress          = &stress_[first];
       batch.tangent         = tangent ? moduli.data() : nullptr;

@@ -147,6 +147,7 @@ namespace deltaform
     }
     history_.commit();
     history_.rollback();
+    carried_.forget();
 
     // Stresses of the law at the displacements as they came over, the scale of energies and the start of the next flow.
     Vector q = fields.empty() ? Vector(n_free_) : fields.front();
@@ -154,9 +155,12 @@ namespace deltaform
     constant_matrices_.clear();
     committed_stress_      = stress_;
     committed_deformation_ = deformation_;
-    energy_.elastic        = 0.;
-    for (unsigned int i = 0; i < points_.size(); ++i)
-      energy_.elastic += points_[i].weight * material_->elastic_energy(stress_[i]);
+    if (energy_)
+    {
+      energy_->elastic = 0.;
+      for (unsigned int i = 0; i < points_.size(); ++i)
+        energy_->elastic += points_[i].weight * material_->elastic_energy(stress_[i]);
+    }
     update_areas(q);
     update_thickness(q);
   }

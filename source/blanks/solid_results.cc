@@ -3,6 +3,7 @@
 #include <deltaform/base/scene_error.h>
 #include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
+#include <deltaform/materials/flow_error.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -49,15 +50,55 @@ namespace deltaform
   }
 
 
+  void Solid::begin_increment(const double ratio)
+  {
+    if (!carried_.carry(ratio) || !finite_)
+      return;
+    // The last flow is known in the axes of the last increment's end: they go on turning.
+    for (unsigned int i = 0; i < spin_.size(); ++i)
+    {
+      double *const flow = carried_.at(i);
+      const Mandel now   = turned({{flow[0], flow[1], flow[2], flow[3]}}, ratio * spin_[i]);
+      std::copy(now.begin(), now.end(), flow);
+    }
+  }
+
+
+  double Solid::flow_error() const
+  {
+    MeanFlowError error;
+    for (unsigned int i = 0; i < points_.size(); ++i)
+    {
+      const double flow = material_->equivalent_plastic_strain(history_.trial(i)) -
+                          material_->equivalent_plastic_strain(history_.committed(i));
+      const double spin = finite_ && flow > 0. ? angle(increment(i).f) : 0.;
+      error.add(points_[i].weight * flow, turned(committed_stress_[i], spin), stress_[i]);
+    }
+    error.astray = ranks::sum(error.astray);
+    error.flow   = ranks::sum(error.flow);
+    return error.value();
+  }
+
+
   double Solid::largest_strain_increment() const
   {
     double largest = 0.;
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
-      const Deformation d = increment(i);
-      const auto &f       = d.f;
-      const Mandel e      = LogarithmicStrain::strain(
-        {f[0] * f[0] + f[1] * f[1], f[2] * f[2] + f[3] * f[3], d.hoop * d.hoop, f[0] * f[2] + f[1] * f[3]});
+      Mandel e;
+      if (finite_)
+      {
+        const Deformation d = increment(i);
+        const auto &f       = d.f;
+        e                   = LogarithmicStrain::strain(
+          {f[0] * f[0] + f[1] * f[1], f[2] * f[2] + f[3] * f[3], d.hoop * d.hoop, f[0] * f[2] + f[1] * f[3]});
+      }
+      else
+      {
+        const Deformation &now = deformation_[i], &before = committed_deformation_[i];
+        const auto &a = now.f, &b = before.f;
+        e = {{a[0] - b[0], a[3] - b[3], now.hoop - before.hoop, (a[1] - b[1] + a[2] - b[2]) / root_2}};
+      }
       const double radius = std::hypot(.5 * (e[0] - e[1]), e[3] / root_2);
       largest             = std::max({largest, .5 * std::abs(e[0] + e[1]) + radius, std::abs(e[2])});
     }
@@ -87,26 +128,46 @@ namespace deltaform
   }
 
 
-  void Solid::commit(const Vector &q)
+  void Solid::add_energy()
   {
-    if (linear_)
-      update_stress(q);
     double elastic = 0., plastic = 0.;
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
       const double volume = points_[i].weight;
+      elastic += volume * material_->elastic_energy(stress_[i]);
+      if (material_->history_size() == 0)
+        continue;
       const Mandel before = material_->plastic_strain(history_.committed(i));
       const Mandel after  = material_->plastic_strain(history_.trial(i));
       // The flow takes place in the axes of now: the last stress is turned along.
       const Mandel start = finite_ ? turned(committed_stress_[i], angle(increment(i).f)) : committed_stress_[i];
-      Mandel flow;
       for (unsigned int k = 0; k < 4; ++k)
-      {
-        flow[k] = after[k] - before[k];
-        plastic += .5 * volume * (stress_[i][k] + start[k]) * flow[k];
-      }
-      elastic += volume * material_->elastic_energy(stress_[i]);
-      if (!finite_ || (flow[0] == 0 && flow[1] == 0 && flow[2] == 0 && flow[3] == 0))
+        plastic += .5 * volume * (stress_[i][k] + start[k]) * (after[k] - before[k]);
+    }
+    energy_->elastic = ranks::sum(elastic);
+    energy_->plastic += ranks::sum(plastic);
+  }
+
+
+  void Solid::forget_energy()
+  {
+    energy_.reset();
+  }
+
+
+  void Solid::commit(const Vector &q)
+  {
+    if (linear_)
+      update_stress(q);
+    if (energy_)
+      add_energy();
+    // Without history there is no plastic flow.
+    for (unsigned int i = 0; finite_ && material_->history_size() > 0 && i < points_.size(); ++i)
+    {
+      const Mandel before = material_->plastic_strain(history_.committed(i));
+      const Mandel after  = material_->plastic_strain(history_.trial(i));
+      const Mandel flow{{after[0] - before[0], after[1] - before[1], after[2] - before[2], after[3] - before[3]}};
+      if (flow[0] == 0 && flow[1] == 0 && flow[2] == 0 && flow[3] == 0)
         continue;
 
       // C_p^-1 = F^-1 exp(2 (e_trial - flow)) F^-T
@@ -129,8 +190,10 @@ namespace deltaform
       cp[2]             = b.zz / (hoop * hoop);
       cp[3]             = g[0] * g[2] * b.xx + (g[0] * g[3] + g[1] * g[2]) * b.xy + g[1] * g[3] * b.yy;
     }
-    energy_.elastic = ranks::sum(elastic);
-    energy_.plastic += ranks::sum(plastic);
+    carried_.keep(history_);
+    if (finite_)
+      for (unsigned int i = 0; i < spin_.size(); ++i)
+        spin_[i] = angle(increment(i).f);
     history_.commit();
     committed_stress_      = stress_;
     committed_deformation_ = deformation_;
@@ -197,7 +260,7 @@ namespace deltaform
 
   BlankEnergy Solid::energy() const
   {
-    return energy_;
+    return energy_.value_or(BlankEnergy());
   }
 
 
@@ -242,10 +305,12 @@ namespace deltaform
       gradients.insert(gradients.end(), F.f.begin(), F.f.end());
       gradients.push_back(F.hoop);
     }
+    const BlankEnergy total = energy();
     std::ostringstream own;
     boost::archive::binary_oarchive archive(own);
-    archive << passes_ << estimated_error_ << history_ << committed_stress_ << gradients << plastic_metric_
-            << faces_[0].area << faces_[1].area << smallest_thickness_ << energy_.elastic << energy_.plastic;
+    archive << passes_ << estimated_error_ << history_ << carried_ << spin_ << committed_stress_ << gradients
+            << plastic_metric_ << faces_[0].area << faces_[1].area << smallest_thickness_ << total.elastic
+            << total.plastic;
     const std::vector<std::string> all = ranks::gather(own.str());
     boost::archive::binary_oarchive(stream) << all;
   }
@@ -261,6 +326,7 @@ namespace deltaform
                        "with as many only (mpirun -np " + std::to_string(all.size()) + "); these are " +
                        std::to_string(ranks::count()) + ".");
     std::istringstream own(all[ranks::mine()]);
+    BlankEnergy total;
     boost::archive::binary_iarchive archive(own);
     std::vector<std::vector<bool>> passes;
     archive >> passes;
@@ -270,8 +336,10 @@ namespace deltaform
       mesh_.triangulation().load_refine_flags(passes[pass]);
       refine(none);
     }
-    archive >> estimated_error_ >> history_ >> committed_stress_ >> gradients >> plastic_metric_ >> faces_[0].area >>
-      faces_[1].area >> smallest_thickness_ >> energy_.elastic >> energy_.plastic;
+    archive >> estimated_error_ >> history_ >> carried_ >> spin_ >> committed_stress_ >> gradients >> plastic_metric_ >>
+      faces_[0].area >> faces_[1].area >> smallest_thickness_ >> total.elastic >> total.plastic;
+    if (energy_)
+      energy_ = total;
     for (unsigned int i = 0; i < committed_deformation_.size(); ++i)
     {
       std::copy_n(gradients.begin() + 5 * i, 4, committed_deformation_[i].f.begin());

@@ -118,6 +118,11 @@ namespace deltaform
     }
 
     history_ = PointHistory(points_.size(), material_->history_size());
+    if (material_->two_steps())
+    {
+      carried_ = CarriedFlow(points_.size(), material_->history_size());
+      spin_.assign(points_.size(), 0.);
+    }
     strain_.assign(points_.size(), Mandel{});
     stress_           = strain_;
     committed_stress_ = strain_;

@@ -131,9 +131,12 @@ namespace deltaform
         state.*member = mean(member);
       state.arc_length = tool_.project(committed_x_[i], 0., hint_[i]).arc_length;
     }
-    trial_              = committed_;
-    const double stored = energy_.stored;
-    update_stored_energy();
-    energy_.epsilon += energy_.stored - stored;
+    trial_ = committed_;
+    if (energy_)
+    {
+      const double stored = energy_->stored;
+      update_stored_energy();
+      energy_->epsilon += energy_->stored - stored;
+    }
   }
 } // namespace deltaform

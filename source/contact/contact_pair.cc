@@ -305,6 +305,20 @@ namespace deltaform
   }
 
 
+  double ContactPair::free_travel() const
+  {
+    double closest = std::numeric_limits<double>::infinity();
+    for (const auto &state : trial_)
+    {
+      if (state.touching)
+        return 0.;
+      // Half of delta beyond the gap: only a penetration makes contact.
+      closest = std::min(closest, std::max(state.gap, 0.) + .5 * state.delta);
+    }
+    return closest;
+  }
+
+
   bool ContactPair::consistent(const double allowed_tension) const
   {
     // An exact constraint is to be exact: its residual is a length that the forces hardly notice.

@@ -23,12 +23,16 @@ namespace deltaform
       // What the springs gain beyond the trapezoidal work of their forces (eps p at both ends) when eps changes on the
       // way. The round in which it changed does not matter, and a first touch (p = 0) counts nothing: its force goes
       // from zero to the accepted one, whatever the factors of the rounds in between.
-      if (stores_energy() && before.touching && state.touching)
-        energy_.epsilon += .5 * (state.epsilon - before.epsilon) * before.penetration() * state.penetration();
+      if (energy_ && stores_energy() && before.touching && state.touching)
+        energy_->epsilon += .5 * (state.epsilon - before.epsilon) * before.penetration() * state.penetration();
       if (friction_ && (state.touching || before.touching))
       {
         const double start = before.touching ? before.arc_length : state.slip_start;
         const double slip  = state.touching ? tool_.shape().slip(start, state.arc_length, description_[i].offset) : 0.;
+        if (state.touching && !state.sticking)
+          state.slip += std::abs(slip);
+        if (!energy_)
+          continue;
         const double earlier = before.touching ? before.tangential_force : 0.;
         const auto stored    = [](const PairState &s)
         {
@@ -36,35 +40,36 @@ namespace deltaform
                    ? .5 * s.tangential_force * s.tangential_force / s.epsilon_tangential
                    : 0.;
         };
-        energy_.friction += .5 * (earlier + state.tangential_force) * slip - (stored(state) - stored(before));
-        if (state.touching && !state.sticking)
-          state.slip += std::abs(slip);
+        energy_->friction += .5 * (earlier + state.tangential_force) * slip - (stored(state) - stored(before));
       }
     }
     last_step_ = time_ - last_time_;
     last_time_ = time_;
     committed_ = trial_;
-    update_stored_energy();
+    if (energy_)
+      update_stored_energy();
   }
 
 
   void ContactPair::update_stored_energy()
   {
-    energy_.stored = 0.;
+    energy_->stored = 0.;
     for (const auto &state : committed_)
       if (state.touching)
       {
         const double p = state.penetration();
         if (stores_energy())
-          energy_.stored += .5 * state.epsilon * p * p;
+          energy_->stored += .5 * state.epsilon * p * p;
         if (state.epsilon_tangential > 0)
-          energy_.stored += .5 * state.tangential_force * state.tangential_force / state.epsilon_tangential;
+          energy_->stored += .5 * state.tangential_force * state.tangential_force / state.epsilon_tangential;
       }
   }
 
 
   void ContactPair::refresh(const Vector &q)
   {
+    if (!energy_)
+      return;
     // The thickness has changed at fixed positions; the forces stay those of the accepted equilibrium.
     const Tensor1 shift = travel(q) * tool_.direction();
     for (unsigned int i = 0; i < committed_.size(); ++i)
@@ -75,14 +80,14 @@ namespace deltaform
       const ContactNode description = node(q, i);
       const double gap              = tool_.project(description.x - shift, 0., hint_[i]).distance - description.offset;
       // The force works on the face that moves towards the tool.
-      energy_.thickness += state.force * (state.gap - gap);
+      energy_->thickness += state.force * (state.gap - gap);
     }
   }
 
 
   ContactEnergy ContactPair::energy() const
   {
-    return energy_;
+    return energy_.value_or(ContactEnergy());
   }
 
 
@@ -139,7 +144,12 @@ namespace deltaform
         x += N[1] * (end.x - start.x) + N[2] * (middle.x - start.x);
         return tool_.project(x, 0., hint_[a]).distance - offset;
       };
-      deepest = std::max({deepest, -gap(0.), -gap(1.)});
+      const Projection first = tool_.project(start.x - shift, 0., hint_[a]),
+                       last  = tool_.project(end.x - shift, 0., hint_[a]);
+      deepest                = std::max({deepest, start.offset - first.distance, end.offset - last.distance});
+      // A straight edge over one straight part of the tool is deepest at one of its ends.
+      if (m == invalid_index && first.segment == last.segment && first.turning == 0. && last.turning == 0.)
+        continue;
       // Two humps are possible where a line meets an arc inside the element: search both halves.
       for (const double low : {0., .5})
         deepest = std::max(deepest, -boost::math::tools::brent_find_minima(gap, low, low + .5, 20).second);
@@ -168,7 +178,14 @@ namespace deltaform
   {
     for (auto &state : committed_)
       state = PairState();
-    trial_         = committed_;
-    energy_.stored = 0.;
+    trial_ = committed_;
+    if (energy_)
+      energy_->stored = 0.;
+  }
+
+
+  void ContactPair::forget_energy()
+  {
+    energy_.reset();
   }
 } // namespace deltaform

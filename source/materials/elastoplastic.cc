@@ -2,6 +2,9 @@
 
 #include <deltaform/base/registry.h>
 
+#include <algorithm>
+#include <array>
+
 namespace deltaform
 {
   namespace
@@ -12,9 +15,10 @@ namespace deltaform
      *
      *     tau = C : (e - e_p),   q = sqrt(3/2) |dev tau| <= flow(x),   d e_p = dx (3/2) dev tau / q,   dx >= 0.
      *
-     * Integrated by backward Euler (first order in the increment; exact where the direction of flow is constant), with
-     * the consistent tangent. C. Miehe, N. Apel, M. Lambrecht, Anisotropic additive plasticity in the logarithmic
-     * strain space, Comput. Methods Appl. Mech. Eng. 191 (2002) 5383.
+     * Integrated by backward Euler (first order in the increment; exact where the direction of flow is constant) or by
+     * the two-step formula of CarriedFlow (second order), with the consistent tangent. C. Miehe, N. Apel, M. Lambrecht,
+     * Anisotropic additive plasticity in the logarithmic strain space, Comput. Methods Appl. Mech. Eng. 191 (2002)
+     * 5383.
      */
     class Elastoplastic : public Material
     {
@@ -25,11 +29,21 @@ namespace deltaform
         hardening_                = Registry<Hardening>::choose(
           hardening_section, "Law", "swift", "Flow stress against the equivalent plastic strain.");
         initial_flow_stress_ = hardening_->evaluate(0.).value;
+        two_steps_           = section.choice("Integration",
+                                    "two steps",
+                                    {"backward Euler", "two steps"},
+                                    "Of flow over an increment. Two steps: of second order, goes on from the flow of "
+                                              "the last increment.") == "two steps";
       }
 
       unsigned int history_size() const override
       {
         return J2::n_history;
+      }
+
+      bool two_steps() const override
+      {
+        return two_steps_;
       }
 
       Status update(const MaterialBatch &batch) const override
@@ -42,10 +56,32 @@ namespace deltaform
           const double *committed = batch.committed + p * n;
           double *trial           = batch.trial + p * n;
           double *tangent         = batch.tangent != nullptr ? batch.tangent + p * std::size_t(16) : nullptr;
-          const auto outcome =
-            strain_given ? radial_return(j2, batch.strain[p], committed, trial, batch.stress[p], tangent)
-                         : plane_stress_return(
-                             j2, batch.strain[p], batch.third_stress[p], committed, trial, batch.stress[p], tangent);
+          const auto return_from  = [&](const double *start)
+          {
+            return strain_given ? radial_return(j2, batch.strain[p], start, trial, batch.stress[p], tangent)
+                                : plane_stress_return(
+                                    j2, batch.strain[p], batch.third_stress[p], start, trial, batch.stress[p], tangent);
+          };
+          double *carried      = batch.carried != nullptr ? batch.carried + p * n : nullptr;
+          PointOutcome outcome = PointOutcome::good;
+          bool goes_on         = false;
+          if (carried != nullptr && carried[4] > 0.)
+          {
+            std::array<double, n> start;
+            for (unsigned int i = 0; i < n; ++i)
+              start[i] = committed[i] + carried[i];
+            outcome      = return_from(start.data());
+            double along = 0.;
+            for (unsigned int i = 0; i < 4; ++i)
+              along += carried[i] * (trial[i] - start[i]);
+            goes_on = outcome == PointOutcome::good && along > 0.;
+            // Decided once: points that change their minds from iteration to iteration keep Newton from converging.
+            if (!goes_on)
+              std::fill_n(carried, n, 0.);
+          }
+          // Where there is much less flow now, or none, or it has turned back, the last flow has nothing to go on with.
+          if (!goes_on)
+            outcome = return_from(committed);
           if (outcome == PointOutcome::not_finite)
             return Status::shorten("the strain at a material point is not finite", p);
           if (outcome == PointOutcome::not_converged)
@@ -86,6 +122,7 @@ namespace deltaform
       Elasticity elastic_;
       std::unique_ptr<Hardening> hardening_;
       double initial_flow_stress_ = 0.;
+      bool two_steps_             = false;
     };
 
     const Registry<Material>::Entry entry("elastoplastic",

@@ -65,7 +65,7 @@ namespace deltaform
     {
       for (const auto *group : {&costs_and_contact, &conditions, &linear_solver, &meshes, &energies})
         if ((group != &conditions || options.condition) && (group != &linear_solver || options.iterative) &&
-            (group != &meshes || options.refinement))
+            (group != &meshes || options.refinement) && (group != &energies || options.energies))
           for (const Number &number : *group)
             action(number);
     }

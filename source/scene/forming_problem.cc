@@ -256,14 +256,21 @@ namespace deltaform
   }
 
 
-  double FormingProblem::admissible_step(const Vector &q, const Vector &d) const
+  double FormingProblem::limit_step(const Vector &q, Vector &d) const
   {
-    double factor = actors_.blank->admissible_step(q, d);
-    // A tool that has lost contact for a moment must not fly away.
+    double factor = 1.;
     for (const auto *pair : active_pairs_)
       if (pair->tool().force_driven())
-        factor = std::min(factor, typical_length() / std::max(std::abs(d[pair->travel_dof()]), 1e-300));
-    return factor;
+      {
+        // A tool that has lost contact for a moment goes back to the blank, on its own: were the whole step shortened
+        // by what this component is too long, the blank would hardly move.
+        double &travel       = d[pair->travel_dof()];
+        const double closest = pair->free_travel();
+        if (closest > 0)
+          travel = std::clamp(travel, -std::min(closest, typical_length()), std::min(closest, typical_length()));
+        factor = std::min(factor, typical_length() / std::max(std::abs(travel), 1e-300));
+      }
+    return std::min(factor, actors_.blank->admissible_step(q, d));
   }
 
 

@@ -96,6 +96,14 @@ namespace deltaform
   }
 
 
+  void FormingProblem::forget_energy()
+  {
+    actors_.blank->forget_energy();
+    for (auto &pair : actors_.pairs)
+      pair->forget_energy();
+  }
+
+
   void FormingProblem::commit(const Vector &q)
   {
     Timers::Scope timer(timers_, timer_commit_);

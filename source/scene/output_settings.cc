@@ -39,6 +39,12 @@ namespace deltaform
                        : method == "lanczos" ? condition::Method::lanczos
                                              : condition::Method::automatic;
 
+    energies =
+      section.flag("Energies",
+                   true,
+                   "Works and energies in history.csv and their balance, energy_error, in summary.json. Without "
+                   "them an increment costs some percent less.");
+
     checkpoint_interval = section.number("Checkpoint interval",
                                          5.,
                                          Range::not_negative(),

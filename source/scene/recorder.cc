@@ -165,7 +165,8 @@ namespace deltaform
     summary.add("min_thickness", files.last.min_thickness);
     summary.add("max_penetration_over_delta", files.worst_promise);
     summary.add("max_penetration_between_nodes", files.worst_between);
-    summary.add("energy_error", files.last.energy_error);
+    if (files.scene.output->energies)
+      summary.add("energy_error", files.last.energy_error);
     summary.add("seconds", files.timers.total());
     write_file_atomically(files.folder + "/summary.json",
                           [&](std::ostream &out) { out << summary.to_string() << '\n'; });

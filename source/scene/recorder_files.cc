@@ -44,8 +44,7 @@ namespace deltaform
       row.reactions.push_back(problem.reaction(support));
 
     unsigned int governed = 0;
-    ContactEnergy contact;
-    row.min_epsilon = std::numeric_limits<double>::infinity();
+    row.min_epsilon       = std::numeric_limits<double>::infinity();
     for (const auto *pair : problem.active_pairs())
     {
       for (unsigned int i = 0; i < pair->n_nodes(); ++i)
@@ -63,15 +62,24 @@ namespace deltaform
       row.max_penetration_between_nodes =
         std::max(row.max_penetration_between_nodes, pair->penetration_between_nodes(problem.committed()));
     }
-    for (const auto &pair : scene.actors.pairs)
-      contact += pair->energy();
     if (row.contact_pairs == 0)
       row.min_epsilon = 0.;
     else
       row.floor_share = static_cast<double>(governed) / row.contact_pairs;
 
+    row.min_thickness = scene.actors.blank->smallest_thickness();
+    if (scene.output->energies)
+      add_energies(problem, row);
+    return row;
+  }
+
+
+  void Recorder::Files::add_energies(const FormingProblem &problem, HistoryRow &row) const
+  {
+    ContactEnergy contact;
+    for (const auto &pair : scene.actors.pairs)
+      contact += pair->energy();
     const BlankEnergy blank = scene.actors.blank->energy();
-    row.min_thickness       = scene.actors.blank->smallest_thickness();
     row.tool_work           = problem.work().tools;
     row.load_work           = problem.work().loads;
     row.elastic_energy      = blank.elastic;
@@ -84,7 +92,6 @@ namespace deltaform
     const double out        = row.elastic_energy + row.plastic_energy + row.friction_energy + row.contact_energy;
     const double size       = std::max({std::abs(row.tool_work), std::abs(row.load_work), std::abs(out)});
     row.energy_error        = size > 0 ? (in - out) / size : 0.;
-    return row;
   }
 
 

@@ -29,6 +29,7 @@ namespace deltaform
       HistoryOptions options;
       options.condition  = scene.output->condition_every > 0;
       options.refinement = scene.actors.blank->refinement() != nullptr;
+      options.energies   = scene.output->energies;
       options.iterative  = scene.linear_solver->iterative();
       if (start)
         options.resume_after = start->increment;
@@ -36,6 +37,9 @@ namespace deltaform
         options.supports.push_back(support.name);
       history = std::make_unique<History>(folder + "/history.csv", comments, names, units, options);
     }
+
+    /// Works, energies and their balance.
+    void add_energies(const FormingProblem &problem, HistoryRow &row) const;
 
     HistoryRow row(const FormingProblem &problem,
                    const Stage &stage,

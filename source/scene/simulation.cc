@@ -12,6 +12,8 @@ namespace deltaform
       problem_(scene.actors, *scene.linear_solver, timers),
       newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size(), timers)
   {
+    if (!scene.output->energies)
+      problem_.forget_energy();
     if (scene.output->condition_every > 0)
       condition_ =
         std::make_unique<ConditionReport>(scene.output->condition_every, scene.output->condition_method, timers);
@@ -73,12 +75,20 @@ namespace deltaform
       const bool measured = condition_ && condition_->due(increment_ + 1);
       if (measured)
         condition_->watch(problem_);
+      if (increment_ >= scene_.steps->max_increments)
+      {
+        journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) + ": " +
+                         std::to_string(increment_) +
+                         " increments are done (Solver/Maximal increments). To go on, allow more and --resume.");
+        return exit_status::not_converged;
+      }
       const double next = control.next(time_);
       // Cut twice, or as short as it may be: the length of the increment is not the reason.
-      const bool last_resort =
-        cost.cutbacks >= 2 || control.leaping() || (next - time_) * scene_.steps->shrink < stage.smallest_increment;
+      const Effort effort = (next - time_) * scene_.steps->shrink < stage.smallest_increment ? Effort::all
+                            : cost.cutbacks >= 2 || control.leaping()                        ? Effort::damped
+                                                                                             : Effort::usual;
       const auto linear_iterations_before = problem_.system().n_linear_iterations();
-      const std::string failure           = attempt(next, last_resort, q, result);
+      const std::string failure           = attempt(next, effort, q, result);
       cost.linear_iterations += problem_.system().n_linear_iterations() - linear_iterations_before;
       cost.iterations += result.iterations;
       cost.rounds += result.rounds;
@@ -103,15 +113,16 @@ namespace deltaform
         return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
       }
 
-      last_increment_ = next - time_;
-      before_         = problem_.committed();
+      const double flow_error = scene_.steps->flow_error > 0. ? scene_.actors.blank->flow_error() : 0.;
+      last_increment_         = next - time_;
+      before_                 = problem_.committed();
       if (measured)
         cost.condition = condition_->measure(problem_, q);
       problem_.commit(q);
       necking_.observe(scene_.actors.blank->profile(q));
       time_ = next;
       ++increment_;
-      control.accept(result.iterations - result.correction_iterations);
+      control.accept(result.iterations - result.correction_iterations, flow_error);
       ++since_refinement_;
       const bool refined = refinement_marked();
       recorder_.record(problem_, stage, time_, increment_, cost, !refined);
@@ -139,10 +150,15 @@ namespace deltaform
   }
 
 
-  std::string Simulation::attempt(const double time, const bool last_resort, Vector &q, NewtonResult &result)
+  std::string Simulation::attempt(const double time, const Effort effort, Vector &q, NewtonResult &result)
   {
-    promise_failed_ = false;
-    problem_.begin_increment(time);
+    promise_failed_  = false;
+    const auto begin = [&]()
+    {
+      problem_.begin_increment(time);
+      scene_.actors.blank->begin_increment(last_increment_ > 0 ? (time - time_) / last_increment_ : 0.);
+    };
+    begin();
     q = problem_.committed();
     if (scene_.steps->extrapolate && last_increment_ > 0)
       q.sadd(1. + (time - time_) / last_increment_, -(time - time_) / last_increment_, before_);
@@ -160,7 +176,7 @@ namespace deltaform
     if (failed())
     {
       // Once more, with first touches soft at first.
-      problem_.begin_increment(time);
+      begin();
       if (problem_.soften(1e-4))
       {
         q = problem_.committed();
@@ -168,13 +184,15 @@ namespace deltaform
       }
     }
     // The blank may snap to another equilibrium, however short the increment is.
-    if (last_resort)
+    bool snapped = false;
+    if (effort != Effort::usual)
       for (const Damping damping : {Damping::damped, Damping::with_slack})
         if (failed())
         {
-          problem_.begin_increment(time);
+          begin();
           q = problem_.committed();
           solve(damping);
+          snapped = true;
         }
     if (result.outcome == NewtonResult::Outcome::not_corrected || result.converged())
     {
@@ -188,8 +206,9 @@ namespace deltaform
     if (!result.converged())
       return explain(result);
 
-    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong.
-    if (time <= time_)
+    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong. Where the blank
+    // snaps through, a shorter increment does not make the way shorter.
+    if (time <= time_ || (snapped && effort == Effort::all))
       return "";
     const double strain = scene_.actors.blank->largest_strain_increment();
     if (strain > scene_.steps->largest_strain)
@@ -225,9 +244,15 @@ namespace deltaform
     default:
       break;
     }
+    // How it began and how it ended says what went wrong; there may be hundreds between.
+    constexpr std::size_t first = 3, last = 5;
+    const auto &history = result.residuals;
     std::string residuals;
-    for (const double residual : result.residuals)
-      residuals += (residuals.empty() ? "" : " ") + text::format(std::round(residual * 1e12) / 1e12);
+    for (std::size_t i = 0; i < history.size(); ++i)
+      if (i < first || i + last >= history.size())
+        residuals += (i == 0 ? "" : " ") + text::format(std::round(history[i] * 1e12) / 1e12);
+      else if (i == first)
+        residuals += " ...";
     return "Newton did not converge in " + std::to_string(result.iterations) + " iterations" + where +
            ", relative residuals " + residuals;
   }

@@ -30,7 +30,7 @@ namespace deltaform
       last_increment_ = 0.;
       Vector q;
       NewtonResult result;
-      const std::string failure = attempt(time_, true, q, result);
+      const std::string failure = attempt(time_, Effort::damped, q, result);
       total_iterations_ += result.iterations;
       if (!failure.empty())
         return failure;

@@ -24,7 +24,7 @@ namespace deltaform
       const auto step  = step_.value_or(StepControl::State());
       boost::archive::binary_oarchive archive(stream);
       archive << last_increment_ << since_refinement_ << accepted_iterations_ << failed_iterations_ << before_ << go_on
-              << step.increment << step.quiet;
+              << step.increment << step.quiet << step.shortened << step.error;
     }
     problem_.save(stream);
     result.simulation = stream.str();
@@ -51,7 +51,7 @@ namespace deltaform
       StepControl::State step;
       boost::archive::binary_iarchive archive(stream);
       archive >> last_increment_ >> since_refinement_ >> total_iterations_ >> failed_iterations_ >> before_ >> go_on >>
-        step.increment >> step.quiet;
+        step.increment >> step.quiet >> step.shortened >> step.error;
       if (go_on)
         step_ = step;
     }

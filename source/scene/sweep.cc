@@ -6,6 +6,7 @@
 #include <deltaform/scene/scene.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -80,6 +81,31 @@ namespace deltaform
         }
       return units;
     }
+
+    using Clock = std::chrono::steady_clock;
+
+    /// A run under way.
+    struct Running
+    {
+      std::size_t run = 0;
+      Clock::time_point begin;
+    };
+
+    /// End the runs that take longer than they may. @return seconds until the next one does
+    double end_overdue(const std::map<int, Running> &running, std::vector<SweepRun> &runs, const double seconds)
+    {
+      double left = seconds;
+      for (const auto &[process, own] : running)
+      {
+        const double rest     = seconds - std::chrono::duration<double>(Clock::now() - own.begin).count();
+        runs[own.run].overdue = runs[own.run].overdue || rest <= 0;
+        if (rest <= 0)
+          end_process(process);
+        else
+          left = std::min(left, rest);
+      }
+      return left;
+    }
   } // namespace
 
 
@@ -91,7 +117,7 @@ namespace deltaform
     make_folder(folder);
     Journal journal(command.quiet ? Journal::Console::quiet : Journal::Console::automatic);
 
-    std::map<int, std::size_t> running;
+    std::map<int, Running> running;
     std::size_t next = 0, n_ended = 0, n_failed = 0;
     int worst = exit_status::done;
     while (n_ended < runs.size())
@@ -105,17 +131,18 @@ namespace deltaform
         std::vector<std::string> arguments{own_program(), command.scene, "--quiet", "--output", runs[next].folder};
         for (const auto &assignment : assignments(command, runs[next]))
           arguments.insert(arguments.end(), {"--set", assignment});
-        running[start_process(arguments, runs[next].folder + "/console.txt")] = next;
+        running[start_process(arguments, runs[next].folder + "/console.txt")] = {next, Clock::now()};
       }
-      const EndedProcess ended = wait_for_process();
-      const auto which         = running.find(ended.process);
+      const auto ended = wait_for_process(end_overdue(running, runs, command.seconds));
+      const auto which = ended ? running.find(ended->process) : running.end();
       if (which == running.end())
         continue;
-      runs[which->second].exit_status = ended.exit_status;
-      worst                           = std::max(worst, ended.exit_status);
+      SweepRun &run   = runs[which->second.run];
+      run.exit_status = run.overdue ? exit_status::not_converged : ended->exit_status;
+      worst           = std::max(worst, run.exit_status);
+      n_failed += run.exit_status != exit_status::done;
       running.erase(which);
       ++n_ended;
-      n_failed += ended.exit_status != exit_status::done;
       write_sweep_table(folder, command, runs, units);
       journal.progress("sweep: " + std::to_string(n_ended) + " of " + std::to_string(runs.size()) + " runs ended, " +
                        std::to_string(n_failed) + " not done, " + std::to_string(running.size()) + " running");

@@ -73,8 +73,10 @@ namespace deltaform
     }
 
     /// What became of a run that left no summary: its own words.
-    std::string last_words(const SweepRun &run)
+    std::string last_words(const SweepRun &run, const double seconds)
     {
+      if (run.overdue)
+        return "not finished after " + text::format(seconds) + " s";
       if (run.exit_status > 128)
         return "ended by signal " + std::to_string(run.exit_status - 128);
       std::string words;
@@ -126,7 +128,7 @@ namespace deltaform
       std::vector<CsvWriter::Cell> row{i + 1.};
       row.insert(row.end(), run.values.begin(), run.values.end());
       const std::vector<CsvWriter::Cell> results{static_cast<double>(run.exit_status),
-                                                 summary.empty() ? last_words(run)
+                                                 summary.empty() ? last_words(run, command.seconds)
                                                                  : summary.get<std::string>("outcome", ""),
                                                  last(history, "time"),
                                                  last(history, run.main_tool + "_travel"),

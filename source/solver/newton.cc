@@ -169,7 +169,7 @@ namespace deltaform
         return result;
       }
       problem_.prepare_step(d);
-      double factor           = problem_.admissible_step(q, d);
+      double factor           = problem_.limit_step(q, d);
       start                   = q;
       const double work_start = work_along(d, is_prescribed);
 

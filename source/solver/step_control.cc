@@ -19,6 +19,18 @@ namespace deltaform
                                       Range::positive(),
                                       "rad",
                                       "An increment that turns any node by more is repeated with a smaller size.")),
+      max_increments(section.integer("Maximal increments",
+                                     10000,
+                                     1,
+                                     1000000000,
+                                     "Increments of the whole run; then it stops with status 2 and can be resumed.")),
+      flow_error(
+        section.number("Flow error",
+                       0.,
+                       Range{0., 1., false, true},
+                       "1",
+                       "Increments are made so short that flow in one of them goes astray by about this share of "
+                       "itself (half the turn of its direction, mean over the blank). 0: not controlled.")),
       extrapolate(section.flag("Extrapolate", true, "Start Newton from the last increment's velocity."))
   {
   }
@@ -52,15 +64,30 @@ namespace deltaform
   }
 
 
-  void StepControl::accept(const unsigned int iterations)
+  void StepControl::accept(const unsigned int iterations, const double error)
   {
-    leaps_ = 0;
+    constexpr double integral = .3, proportional = .4;
+    leaps_            = 0;
+    const double last = error_ > 0. ? error_ : error;
+    error_            = error;
+    double by_error   = settings_.growth;
+    if (settings_.flow_error > 0. && error > 0.)
+      by_error = std::pow(settings_.flow_error / error, integral) * std::pow(last / error, proportional);
     if (quiet_ > 0)
     {
       --quiet_;
       return;
     }
-    const double ratio = std::sqrt(static_cast<double>(settings_.target_iterations) / std::max(iterations, 1u));
+    double ratio = std::sqrt(static_cast<double>(settings_.target_iterations) / std::max(iterations, 1u));
+    // A shorter increment took as many: it is not its length that makes them, and ever shorter ones never end. Lightly
+    // loaded nodes that come and go do that.
+    if (ratio >= 1)
+      shortened_ = 0;
+    else if (shortened_ > 0 && iterations >= shortened_)
+      ratio = 1.;
+    else
+      shortened_ = iterations;
+    ratio      = std::min(ratio, by_error);
     increment_ = std::clamp(increment_ * std::clamp(ratio, settings_.shrink, settings_.growth), smallest_, largest_);
   }
 
@@ -87,6 +114,8 @@ namespace deltaform
   {
     increment_ = std::clamp(state.increment, smallest_, largest_);
     quiet_     = state.quiet;
+    shortened_ = state.shortened;
+    error_     = state.error;
   }
 
 

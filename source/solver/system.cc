@@ -34,11 +34,13 @@ namespace deltaform
     if (rows_)
     {
       rows_->connect(matrix, first_, [&](const DofIndex i, const DofIndex j) { return entry(i, j) - values_; });
+      find_diagonal();
       return;
     }
     row_start_ = start;
     columns_   = columns;
     values_    = values;
+    find_diagonal();
   }
 
 
@@ -69,6 +71,7 @@ namespace deltaform
       constant_->complete = false;
     if (!tangent)
       return;
+    places_.restart();
     if (constant_ && constant_->kept)
       restore_constant();
     else
@@ -85,15 +88,32 @@ namespace deltaform
   }
 
 
-  double *System::entry(const DofIndex row, const DofIndex column) const
+  int System::place(const DofIndex row, const DofIndex column) const
   {
+    if (row >= n_sparse_ || column >= n_sparse_)
+      return EntryPlaces::nowhere;
     const DofIndex local   = rows_ ? rows_->local[row] : row;
     const int *const first = columns_ + row_start_[local];
     const int *const last  = columns_ + row_start_[local + 1];
-    const int *const place = std::lower_bound(first, last, static_cast<int>(column));
-    Assert(place != last && *place == static_cast<int>(column),
-           dealii::ExcMessage("This coupling is not in the pattern."));
-    return values_ + (place - columns_);
+    const int *const found = std::lower_bound(first, last, static_cast<int>(column));
+    return found != last && *found == static_cast<int>(column) ? static_cast<int>(found - columns_)
+                                                               : EntryPlaces::nowhere;
+  }
+
+
+  double *System::entry(const DofIndex row, const DofIndex column) const
+  {
+    const int where = place(row, column);
+    Assert(where != EntryPlaces::nowhere, dealii::ExcMessage("This coupling is not in the pattern."));
+    return values_ + where;
+  }
+
+
+  void System::find_diagonal()
+  {
+    diagonal_places_.resize(end_ - first_);
+    for (DofIndex i = first_; i < end_; ++i)
+      diagonal_places_[i - first_] = static_cast<int>(entry(i, i) - values_);
   }
 
 
@@ -106,26 +126,42 @@ namespace deltaform
     }
     if (matrix == nullptr || !tangent_)
       return;
+    const int *const places =
+      places_.next(dofs,
+                   n,
+                   common_ ? 1 : 0,
+                   [&](const DofIndex row, const DofIndex column)
+                   { return common_ && row < n_sparse_ && !owns(row) ? EntryPlaces::nowhere : place(row, column); });
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
       {
         const double value = matrix[i * n + j];
         if (constant_ && value != 0.)
           constant_->note(*this, dofs[i], dofs[j], value);
-        if (dofs[i] < n_sparse_ && dofs[j] < n_sparse_)
-        {
-          if (value != 0. && (!common_ || owns(dofs[i])))
-            *entry(dofs[i], dofs[j]) += value;
-          if (rows_ && common_ && i == j)
-            diagonal_[dofs[i]] += value;
-        }
-        else if (dofs[i] < n_sparse_)
-          border_columns_[dofs[j] - n_sparse_][dofs[i]] += value;
-        else if (dofs[j] < n_sparse_)
-          border_rows_[dofs[i] - n_sparse_][dofs[j]] += value;
-        else
-          border_block_[(dofs[i] - n_sparse_) * n_border_ + dofs[j] - n_sparse_] += value;
+        if (const int where = places[i * n + j]; where != EntryPlaces::nowhere)
+          values_[where] += value;
+        else if (value != 0.)
+          add_elsewhere(dofs[i], dofs[j], value);
       }
+    if (rows_ && common_)
+      for (unsigned int i = 0; i < n; ++i)
+        if (dofs[i] < n_sparse_)
+          diagonal_[dofs[i]] += matrix[i * n + i];
+  }
+
+
+  void System::add_elsewhere(const DofIndex row, const DofIndex column, const double value)
+  {
+    if (row < n_sparse_ && column < n_sparse_)
+    {
+      Assert(common_ && !owns(row), dealii::ExcMessage("This coupling is not in the pattern."));
+    }
+    else if (row < n_sparse_)
+      border_columns_[column - n_sparse_][row] += value;
+    else if (column < n_sparse_)
+      border_rows_[row - n_sparse_][column] += value;
+    else
+      border_block_[(row - n_sparse_) * n_border_ + column - n_sparse_] += value;
   }
 
 
@@ -191,7 +227,7 @@ namespace deltaform
       if (constant_)
         constant_->note(*this, i, i, value);
       if (owns(i))
-        *entry(i, i) += value;
+        values_[diagonal_places_[i - first_]] += value;
       if (rows_)
         diagonal_[i] += value;
     }
@@ -200,7 +236,7 @@ namespace deltaform
 
   double System::diagonal(const DofIndex dof) const
   {
-    return dof >= n_sparse_ ? 0. : rows_ ? diagonal_[dof] : *entry(dof, dof);
+    return dof >= n_sparse_ ? 0. : rows_ ? diagonal_[dof] : values_[diagonal_places_[dof]];
   }
 
 
@@ -220,7 +256,7 @@ namespace deltaform
     eliminated_.clear();
     for (DofIndex i = first_; i < end_; ++i)
     {
-      double *const diagonal = staged + (entry(i, i) - values_);
+      double *const diagonal = staged + diagonal_places_[i - first_];
       double *const begin    = staged + row_start_[i - first_];
       double *const end      = staged + row_start_[i - first_ + 1];
       if (prescribed_[i])

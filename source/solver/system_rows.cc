@@ -182,7 +182,7 @@ namespace deltaform
     rows_->exchange();
     diagonal_ = 0.;
     for (DofIndex i = first_; i < end_; ++i)
-      diagonal_[i] = *entry(i, i);
+      diagonal_[i] = values_[diagonal_places_[i - first_]];
     ranks::sum(diagonal_.begin(), diagonal_.size());
     if (constant_)
       constant_->diagonal = diagonal_;

@@ -62,6 +62,8 @@ BOOST_AUTO_TEST_CASE(sweep)
   BOOST_CHECK(line.command == Command::sweep);
   BOOST_TEST(line.scene == "cup.prm");
   BOOST_TEST(line.jobs == 2u);
+  BOOST_TEST(line.seconds == std::numeric_limits<double>::infinity());
+  BOOST_TEST(parse({"sweep", "cup.prm", "--vary", "A/b=1", "--seconds", "2.5"}).seconds == 2.5);
   BOOST_REQUIRE_EQUAL(line.variations.size(), 1u);
   BOOST_TEST(line.variations[0].entry == "Contact/Allowed penetration");
   BOOST_TEST(line.variations[0].values == (std::vector<std::string>{"1e-3", "1e-5", "1e-7"}),
@@ -92,6 +94,8 @@ BOOST_AUTO_TEST_CASE(wrong_usage)
   check_contains(complaint({"a.prm", "--check", "--list"}), {"--list", "--check", "exclude"});
   check_contains(complaint({"a.prm", "--check", "--resume"}), {"--resume"});
   check_contains(complaint({"a.prm", "--jobs", "2"}), {"sweep"});
+  check_contains(complaint({"a.prm", "--seconds", "2"}), {"--seconds", "sweep"});
+  check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=1", "--seconds", "0"}), {"--seconds", "positive"});
   check_contains(complaint({"sweep", "a.prm"}), {"--vary"});
   check_contains(complaint({"sweep", "--vary", "A/b=1"}), {"No scene"});
   check_contains(complaint({"sweep", "a.prm", "--vary", "A/b="}), {"A/b="});
@@ -116,6 +120,7 @@ BOOST_AUTO_TEST_CASE(help_is_complete)
                   "sweep",
                   "--vary",
                   "--jobs",
+                  "--seconds",
                   "Exit status",
                   " 64 "});
 }

@@ -57,7 +57,8 @@ def main():
     shell = compute(arguments.program, os.path.join(arguments.scenes, "osu_stretching.prm"),
                     os.path.join(arguments.folder, "shell"), ["Blank/Elements=200"] + friction + arguments.shell)
     solid = compute(arguments.program, os.path.join(arguments.scenes, "osu_stretching_solid.prm"),
-                    os.path.join(arguments.folder, "solid"), friction)
+                    os.path.join(arguments.folder, "solid"),
+                    ["Blank/Elements=80", "Blank/Elements through thickness=2"] + friction)
 
     failed = 0
     worst, place = max((abs(a / b - 1), t) for a, b, t in zip(shell[0], solid[0], TRAVELS))

@@ -3,6 +3,8 @@ import math
 
 import shell_and_solid
 
+TWO_ACROSS = "Blank/Elements through thickness=2"
+
 
 def cells_of(degree, n):
     return ["Blank/Degree=%d" % degree, "Blank/Elements=%d" % n, "Blank/Elements through thickness=%d" % n]
@@ -96,7 +98,7 @@ def make(markdown, series):
         for mu in ("0", "0.15"):
             friction = ["Tools/punch/Friction coefficient=" + mu, "Tools/die/Friction coefficient=" + mu]
             files = ["history.csv", "profile_40.csv"]
-            solid = run("osu_stretching_solid", files, "Blank/Elements=160", *friction)
+            solid = run("osu_stretching_solid", files, "Blank/Elements=160", TWO_ACROSS, *friction)
             reference = [at(solid[0], "punch_travel", t)["punch_force_z"] for t in (20., 40.)]
 
             def strain(place):
@@ -110,7 +112,7 @@ def make(markdown, series):
 
             for title, scene, sets in (
                     ("solid, degree 2, 160 x 2", None, ()),
-                    ("solid, degree 2, 80 x 2", "osu_stretching_solid", ()),
+                    ("solid, degree 2, 80 x 2", "osu_stretching_solid", ("Blank/Elements=80", TWO_ACROSS)),
                     ("solid, degree 1, 200 x 4", "osu_stretching_solid",
                      ("Blank/Degree=1", "Blank/Elements=200", "Blank/Elements through thickness=4")),
                     ("shell, 200", "osu_stretching", ("Blank/Elements=200",)),
@@ -131,7 +133,7 @@ def make(markdown, series):
         tables = [run(scene, "history.csv", travels, *sets) for scene, sets in (
             ("osu_stretching", ("Blank/Elements=200",)),
             ("osu_stretching", ("Blank/Elements=200", "Blank/Transverse normal stress=false")),
-            ("osu_stretching_solid", ()))]
+            ("osu_stretching_solid", ("Blank/Elements=80", TWO_ACROSS)))]
         for force, travel in shell_and_solid.PUBLISHED:
             computed = [at(table, "punch_travel", travel)["punch_force_z"] for table in tables]
             rows.append(["%.1f" % travel, "%g" % (force / 1e3)] +
@@ -301,7 +303,7 @@ def make(markdown, series):
                     ("40 x 2, contact twice", ["Blank/Elements=40", "Blank/Refinement/Criterion=contact",
                                                "Blank/Refinement/Every=5", "Blank/Refinement/Maximal level=2",
                                                "Blank/Refinement/Contact edges=.08"])):
-                table = run("osu_stretching_solid", "history.csv", *sets, "Contact/Allowed penetration=" + delta)
+                table = run("osu_stretching_solid", "history.csv", TWO_ACROSS, *sets, "Contact/Allowed penetration=" + delta)
                 if not table:
                     rows.append([delta, title] + ["failed"] * 6)
                     continue

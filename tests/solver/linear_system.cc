@@ -250,4 +250,63 @@ BOOST_AUTO_TEST_CASE(a_border_that_nothing_holds_is_reported)
   }
 }
 
+BOOST_AUTO_TEST_CASE(elements_may_come_in_another_order)
+{
+  // Places of entries are remembered by the order of the elements; integers, so that sums do not depend on it.
+  Assembled assembled("klu", 1);
+  auto &system = assembled.system;
+  const std::vector<std::vector<DofIndex>> elements{{0, 1, 2, 3}, {1, 2, 3, 4}, {3, 4}, {n_sparse, 5, 6}, {4, 5, 6, 7}};
+  const auto pass = [&](const std::vector<unsigned int> &order)
+  {
+    system.clear(true);
+    for (const auto e : order)
+    {
+      const auto n = static_cast<unsigned int>(elements[e].size());
+      std::vector<double> block(n * n), vector(n, 0.);
+      for (unsigned int i = 0; i < n * n; ++i)
+        block[i] = 1. + i + 10. * e;
+      system.add(elements[e].data(), n, block.data(), vector.data());
+    }
+    std::vector<double> values;
+    system.for_each_entry([&](DofIndex, DofIndex, const double value) { values.push_back(value); });
+    return values;
+  };
+  const auto values = pass({0, 1, 2, 3, 4});
+  for (const auto &order :
+       std::vector<std::vector<unsigned int>>{{0, 1, 2, 3, 4}, {4, 3, 2, 1, 0}, {0, 1, 3, 2, 4}, {0, 1, 2, 3, 4}})
+    BOOST_TEST(pass(order) == values, boost::test_tools::per_element());
+  // And one that is left out is left out.
+  BOOST_TEST(pass({0, 1, 3, 4}) != pass({0, 1, 2, 3, 4}));
+}
+
+BOOST_AUTO_TEST_CASE(old_pivots_are_given_up_where_they_are_bad)
+{
+  // The pivots of the first matrix make the factors of the second grow by 3e5, which KLU itself does not notice.
+  dealii::DynamicSparsityPattern pattern(2, 2);
+  for (const DofIndex i : {0, 1})
+    for (const DofIndex j : {0, 1})
+      pattern.add(i, j);
+  System system(std::move(pattern), 0, "klu");
+  const std::array<DofIndex, 2> dofs{{0, 1}};
+  const std::array<double, 2> residual{{-1., -2.}};
+  system.set_prescribed({false, false});
+  for (const double diagonal : {1., 3e-6, 1., 1e-5, 1e-14, 0., 1e-14})
+  {
+    const std::array<double, 4> block{{diagonal, 1., 1., 3.}}, other{{1e3 * diagonal, 1., 1., diagonal}};
+    for (const auto &matrix : {block, other})
+    {
+      if (diagonal == 1. && matrix == other)
+        continue;
+      system.clear(true);
+      system.add(dofs.data(), 2, matrix.data(), residual.data());
+      BOOST_REQUIRE(system.factorize());
+      Vector d(2);
+      BOOST_REQUIRE(system.solve(Vector(2), d));
+      const double determinant = matrix[0] * matrix[3] - 1.;
+      BOOST_TEST(d[0] == (matrix[3] - 2.) / determinant, boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(d[1] == (2. * matrix[0] - 1.) / determinant, boost::test_tools::tolerance(1e-12));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -54,7 +54,7 @@ namespace
       return {};
     }
 
-    double admissible_step(const Vector &, const Vector &d) const override
+    double limit_step(const Vector &, Vector &d) const override
     {
       return std::min(1., largest_step / std::max(std::abs(d[0]), 1e-300));
     }
@@ -79,8 +79,9 @@ namespace
       return 0;
     }
 
-    void allow_slack(double) override
+    void allow_slack(const double force) override
     {
+      slack = force;
     }
 
     bool consistent(const double) const override
@@ -97,7 +98,10 @@ namespace
       return 1;
     }
 
-    NewtonResult solve(const double start, const std::vector<std::string> &entries = {}, const double goal = 0.)
+    NewtonResult solve(const double start,
+                       const std::vector<std::string> &entries = {},
+                       const double goal                       = 0.,
+                       const Damping damping                   = Damping::none)
     {
       const NewtonSettings settings = newton_settings(entries);
       Timers timers;
@@ -110,11 +114,11 @@ namespace
       prescribed[1]        = goal;
       visited.clear();
       factors.clear();
-      return newton.solve(q, prescribed, {false, true}, committed, 0.);
+      return newton.solve(q, prescribed, {false, true}, committed, 0., damping);
     }
 
     Function internal, slope;
-    double load, spring = 0., largest_step = 1e300, step = 0.;
+    double load, spring = 0., largest_step = 1e300, step = 0., slack = 0.;
     std::function<bool(double)> allowed = [](double) { return true; };
     unsigned int n_corrections          = 0;
     mutable unsigned int n_inconsistent = 0;
@@ -258,6 +262,44 @@ BOOST_AUTO_TEST_CASE(a_small_residual_alone_is_no_solution)
   BOOST_TEST(later.converged());
   BOOST_TEST(later.iterations > at_once.iterations);
   BOOST_TEST(problem.n_inconsistent == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(damped_steps_snap_through)
+{
+  // A shallow arch: R = u (u - 1)(u - 2) - load has its limit point at u = 1 - 1/sqrt(3), load = 2/sqrt(27) = .3849.
+  const auto arch = []()
+  {
+    return Scalar([](const double u) { return u * (u - 1.) * (u - 2.); },
+                  [](const double u) { return 3. * u * u - 6. * u + 2.; },
+                  .3849 + .02);
+  };
+  Scalar problem    = arch();
+  const auto damped = problem.solve(.4, {}, 0., Damping::damped);
+  BOOST_TEST(damped.converged());
+  const double u = problem.q[0];
+  BOOST_TEST(u > 2.);
+  BOOST_TEST(std::abs(u * (u - 1.) * (u - 2.) - problem.load) < 1e-6);
+  // It goes down the potential: never back from where it started.
+  for (const double visited : problem.visited)
+    BOOST_TEST(visited > .39);
+  // Near the end it is Newton's method: quadratic.
+  const auto &r = damped.residuals;
+  BOOST_REQUIRE(r.size() > 3u);
+  BOOST_TEST(r.back() < .1 * r[r.size() - 2]);
+  BOOST_TEST(problem.slack == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(slack_is_allowed_only_when_asked_and_after_some_iterations)
+{
+  Scalar problem = stiffening(1e6);
+  BOOST_TEST(problem.solve(0., {}, 0., Damping::damped).converged());
+  BOOST_TEST(problem.slack == 0.);
+  const auto result = problem.solve(0., {}, 0., Damping::with_slack);
+  BOOST_TEST(result.converged());
+  BOOST_REQUIRE(result.iterations > 4u);
+  // In forces: the tolerance of the residual times the scale of the forces, which is near the load.
+  BOOST_TEST(problem.slack > 0.);
+  BOOST_TEST(problem.slack < 1e-4 * 1e6);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -92,7 +92,7 @@ namespace deltaform
         return status;
       }
 
-      double admissible_step(const Vector &q, const Vector &d) const override
+      double limit_step(const Vector &q, Vector &d) const override
       {
         return blank->admissible_step(q, d);
       }

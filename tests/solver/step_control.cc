@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(easy_increments_grow_and_hard_ones_shrink)
     control.accept(1);
   BOOST_TEST(control.increment() == .1);
   for (unsigned int k = 0; k < 20; ++k)
-    control.accept(100);
+    control.accept(100 - k); // fewer from time to time: it helps
   BOOST_TEST(control.increment() == 1e-3);
 }
 
@@ -99,6 +99,25 @@ BOOST_AUTO_TEST_CASE(failures_cut_back)
     BOOST_TEST(control.leaping());
   }
   BOOST_TEST(!control.reject(.01));
+}
+
+BOOST_AUTO_TEST_CASE(shorter_increments_that_do_not_help_stay)
+{
+  const StepSettings what = settings();
+  StepControl control(what, 0., 10., 1., 1e-3, 2., {});
+  control.accept(32);
+  const double shorter = control.increment();
+  BOOST_TEST(shorter < 1.);
+  // As many iterations again: it stays, however often.
+  for (unsigned int k = 0; k < 5; ++k)
+    control.accept(32);
+  BOOST_TEST(control.increment() == shorter);
+  // Fewer, and still too many: shorter increments help.
+  control.accept(20);
+  BOOST_TEST(control.increment() < shorter);
+  const double help = control.increment();
+  control.accept(2);
+  BOOST_TEST(control.increment() > help);
 }
 
 BOOST_AUTO_TEST_CASE(the_first_increment_lies_between_the_limits)

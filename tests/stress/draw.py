@@ -19,6 +19,8 @@ RULE = """A scene is called sensible if
       stretching: ln of the length of the dome's arc over its chord, twice it in thickness; friction concentrates it by 1 + 2 mu;
       drawing: ratio of blank to punch radius at most 1 + .8 n/(n + .1) for the uniform strain n, less friction; tool radii >= 4 t;
                a holder by force presses with at most 2 % of the flow stress, by gap leaves at least 1.1 t;
+      a holder by force holds the flange down: its moment about the die, force times half the flange, is at least that of
+               the fully plastic sheet, sigma t^2/4, twice for hardening; else the flange lifts it and slips away under it;
       bending: t/(2 r) below the uniform strain, or any r >= 2 t without stretching (a free strip);
   - a linear elastic sheet is strained by less than .05, or its flow stress would be far exceeded in reality."""
 
@@ -179,6 +181,8 @@ def draw(seed):
             against.append("holder presses too hard")
         if holder == "gap" and gap < 1.1:
             against.append("holder leaves less than 1.1 t")
+    elif holder == "force" and pressure * (blank - inner) ** 2 / 2 < .5:
+        against.append("holder too weak to hold the flange down")
     elif elastic and bent > .05:
         against.append("elastic sheet strained by more than .05")
     elif holder != "none" and bent > known["uniform"]:

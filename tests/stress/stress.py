@@ -3,7 +3,7 @@
 
     stress.py PROGRAM FOLDER [--first N] [--count N] [--seeds LIST] [--jobs N] [--seconds N] [--resume N] [--write PAGE] [--keep]
 
-Never allowed, whatever the scene: a crash, a hang (more than --seconds), NaN or infinity in a result, a promise
+Never allowed, whatever the scene: a crash, a hang (more than --seconds of processor time), NaN or infinity in a result, a promise
 p <= delta that is broken silently, an exit status without its message. These make the exit status of this script 1; so
 does a share of completed sensible scenes below --share. --resume N kills the first N scenes that take long enough at
 random moments, and demands the same results from the resumed run. A scene is known by its number:
@@ -15,10 +15,12 @@ import concurrent.futures
 import csv
 import json
 import math
+import os
 import pathlib
 import random
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -100,6 +102,26 @@ def judge(tags, folder, status, said, seconds, limit):
     return ("necks" if "necks" in message else "stopped", message)
 
 
+def run_limited(command, console, limit):
+    """Exit status (None: more than limit seconds of processor time), what it said, seconds of processor time.
+
+    Processor time, unlike wall time, does not depend on what else the machine does.
+    """
+    with open(console, "w") as said:
+        process = subprocess.Popen(["prlimit", f"--cpu={math.ceil(limit)}"] + command, stdout=said, stderr=said)
+    begin, ended = time.monotonic(), 0
+    while not ended:
+        time.sleep(.01)
+        ended, status, usage = os.wait4(process.pid, os.WNOHANG)
+        if not ended and time.monotonic() - begin > 20 * limit:  # it sleeps
+            process.kill()
+    process.returncode = os.waitstatus_to_exitcode(status)
+    said = console.read_text()
+    console.unlink()
+    overdue = process.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+    return None if overdue else process.returncode, said, usage.ru_utime + usage.ru_stime
+
+
 def run_one(program, work, seed, limit, interrupt, keep):
     text, tags = draw.draw(seed)
     tags["size"] = max(float(number) for number in re.search(r"Points = 0 0; (\S+)", text).groups())
@@ -108,18 +130,14 @@ def run_one(program, work, seed, limit, interrupt, keep):
     scene.write_text(text)
     command = [program, str(scene), "--quiet", "--output", str(folder), "--set", "Output/Checkpoint interval=0"]
     begin = time.monotonic()
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=limit)
-        status, said = done.returncode, done.stdout + done.stderr
-    except subprocess.TimeoutExpired:
-        status, said = None, ""
-    seconds = time.monotonic() - begin
+    status, said, seconds = run_limited(command, work / f"{seed:05d}.txt", limit)
+    seconds_alone = time.monotonic() - begin
     kind, message = judge(tags, folder, status, said, seconds, limit)
     if interrupt and kind in ("done", "stopped", "necks"):
         killed = work / f"{seed:05d}_killed"
         shutil.rmtree(killed, ignore_errors=True)
         again = command[:4] + [str(killed)] + command[5:]
-        _, tags["resumed"] = resume.interrupt(again, killed, seconds, 3, random.Random(seed))
+        _, tags["resumed"] = resume.interrupt(again, killed, seconds_alone, 3, random.Random(seed))
         different = resume.compare(folder, killed)
         if different:
             kind, message = "resumed run differs", ", ".join(different)
@@ -137,8 +155,8 @@ def table(results, arguments):
     lines = ["# Stress test", "",
              f"Made by `tests/stress/stress.py build/release/deltaform FOLDER --first {arguments.first} --count {arguments.count} "
              f"--seconds {arguments.seconds:g} --resume {arguments.resume} --write doc/stress.md`: scenes drawn at random from the seeds {arguments.first} to "
-             f"{arguments.first + arguments.count - 1}. A scene that takes longer than {arguments.seconds:g} s counts as a hang, which depends on "
-             "the machine and on what else it does.", "",
+             f"{arguments.first + arguments.count - 1}. A scene that takes more than {arguments.seconds:g} s of processor time counts as a "
+             "hang.", "",
              "| outcome | meaning |", "|---|---|",
              "| done | full stroke, p <= delta in every increment (checked in history.csv, not believed) |",
              "| necks | exit status 2; the message names the node that necks |",
@@ -161,7 +179,7 @@ def table(results, arguments):
     complete = sum(r["outcome"] in ("done", "necks") for r in sensible)
     lines.append(f"**{complete} of {len(sensible)} sensible scenes completed ({100 * complete / max(1, len(sensible)):.1f} %; aim: 98 %)**; "
                  f"{sum(r['outcome'] in BAD for r in results)} of {len(results)} ended in a way that is never allowed. "
-                 f"Median time {sorted(r['seconds'] for r in results)[len(results) // 2]:.2f} s, longest "
+                 f"Median processor time {sorted(r['seconds'] for r in results)[len(results) // 2]:.2f} s, longest "
                  f"{max(r['seconds'] for r in results):.1f} s.")
     resumed = [r for r in results if r.get("resumed")]
     if resumed:

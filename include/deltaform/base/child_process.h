@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,12 @@ namespace deltaform
     int exit_status = 0; ///< 128 + the signal if one ended it, as shells do
   };
 
-  /// Wait until one of the started processes ends. @throws std::runtime_error if there is none
-  EndedProcess wait_for_process();
+  /**
+   * Wait until one of the started processes ends, at most @p seconds (infinity: as long as it takes).
+   * @return nothing if none has ended by then @throws std::runtime_error if there is none
+   */
+  std::optional<EndedProcess> wait_for_process(double seconds);
+
+  /// End a started process at once; wait_for_process() reports it.
+  void end_process(int process);
 } // namespace deltaform

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -44,6 +45,8 @@ namespace deltaform
       std::vector<std::string> values;
     };
 
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
     Command command = Command::run;
     std::string scene;             ///< file name; may be empty for the commands that need none
     std::vector<std::string> sets; ///< "Section/Entry=value", in order
@@ -51,6 +54,7 @@ namespace deltaform
     bool quiet        = false;
     bool resume       = false;
     unsigned int jobs = 1;             ///< runs of a sweep at a time
+    double seconds    = infinity;      ///< a run of a sweep may take
     std::vector<Variation> variations; ///< of a sweep
 
     /// @param argv as in main, with the program's name first. @throws UsageError

@@ -125,8 +125,20 @@ namespace deltaform
     virtual double admissible_step(const Vector &q, const Vector &dq) const = 0;
     ///@}
 
-    /// @name Once per accepted increment
+    /// @name Once per increment
     ///@{
+    /// The increment to come is @p ratio times as long as the last accepted one; 0: there is none that it continues.
+    virtual void begin_increment(const double /*ratio*/)
+    {
+    }
+
+    /// Estimated share of the plastic strain of this increment (committed to trial) that the integration of flow in one
+    /// step leads astray, mean over the blank.
+    virtual double flow_error() const
+    {
+      return 0.;
+    }
+
     /// Largest change of logarithmic strain of any point since the last commit.
     virtual double largest_strain_increment() const = 0;
 
@@ -141,6 +153,9 @@ namespace deltaform
     virtual void set_contact_pressure(Side side, const std::vector<double> &pressure) = 0;
 
     virtual BlankEnergy energy() const = 0;
+
+    /// Nobody asks for energies: they are zero from here on, and cost nothing.
+    virtual void forget_energy() = 0;
 
     virtual double smallest_thickness() const = 0;
     ///@}

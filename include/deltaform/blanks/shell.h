@@ -3,6 +3,7 @@
 #include <deltaform/blanks/blank.h>
 #include <deltaform/blanks/shell_mesh.h>
 #include <deltaform/kinematics/shell_strain.h>
+#include <deltaform/materials/carried_flow.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
 
@@ -11,6 +12,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <memory>
+#include <optional>
 
 namespace deltaform
 {
@@ -71,11 +73,14 @@ namespace deltaform
                       ContactThickness thickness,
                       ContactNode &result) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
+    void begin_increment(double ratio) override;
+    double flow_error() const override;
     double largest_strain_increment() const override;
     double largest_rotation(const Vector &dq) const override;
     void commit(const Vector &q) override;
     void set_contact_pressure(Side side, const std::vector<double> &pressure) override;
     BlankEnergy energy() const override;
+    void forget_energy() override;
     unsigned int n_cells() const override;
     double smallest_thickness() const override;
     Table profile(const Vector &q) const override;
@@ -147,12 +152,13 @@ namespace deltaform
 
     // State: committed and, where it differs, trial
     PointHistory history_;
+    CarriedFlow carried_; ///< of no points if the material does not want it
     std::vector<Mandel> strain_, stress_, committed_strain_, committed_stress_;
     std::vector<double> thickness_ratio_;                 ///< committed, per quadrature point
     std::vector<double> node_thickness_;                  ///< committed
     std::array<std::vector<double>, 2> contact_pressure_; ///< committed, per side and node
     std::vector<double> third_stress_;                    ///< per layer point of the whole blank
-    BlankEnergy energy_;
-    mutable std::vector<double> node_area_; ///< of the last assembled configuration
+    std::optional<BlankEnergy> energy_ = BlankEnergy();   ///< none if nobody asks
+    mutable std::vector<double> node_area_;               ///< of the last assembled configuration
   };
 } // namespace deltaform

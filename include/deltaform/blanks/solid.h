@@ -3,6 +3,7 @@
 #include <deltaform/blanks/blank.h>
 #include <deltaform/blanks/refinement.h>
 #include <deltaform/blanks/solid_mesh.h>
+#include <deltaform/materials/carried_flow.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
 
@@ -14,6 +15,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace deltaform
 {
@@ -60,11 +62,14 @@ namespace deltaform
                       ContactThickness thickness,
                       ContactNode &result) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
+    void begin_increment(double ratio) override;
+    double flow_error() const override;
     double largest_strain_increment() const override;
     double largest_rotation(const Vector &dq) const override;
     void commit(const Vector &q) override;
     void set_contact_pressure(Side side, const std::vector<double> &pressure) override;
     BlankEnergy energy() const override;
+    void forget_energy() override;
     double smallest_thickness() const override;
     Table profile(const Vector &q) const override;
     Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
@@ -165,6 +170,9 @@ namespace deltaform
     Status assemble_constant(const Vector &q, AssemblyTarget &target);
     void update_stress(const Vector &q);
 
+    /// Of the increment that is about to be committed.
+    void add_energy();
+
     Point2 position(const Vector &q, unsigned int node) const;
 
     /// Strip: number of the node's column. Nodes of refined cells lie at binary fractions.
@@ -229,10 +237,12 @@ namespace deltaform
 
     // State: committed and, where it differs, trial
     PointHistory history_;
+    CarriedFlow carried_;      ///< of no points if the material does not want it
+    std::vector<double> spin_; ///< angle by which the last increment turned each point; with carried_ only
     std::vector<Mandel> strain_, stress_, committed_stress_;
     std::vector<Deformation> deformation_, committed_deformation_;
     std::vector<std::array<double, 4>> plastic_metric_; ///< committed C_p^-1: rr, zz, hoop, rz
-    double smallest_thickness_ = 0;
-    BlankEnergy energy_;
+    double smallest_thickness_         = 0;
+    std::optional<BlankEnergy> energy_ = BlankEnergy(); ///< none if nobody asks
   };
 } // namespace deltaform

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -103,6 +104,9 @@ namespace deltaform
       return status_changed_;
     }
 
+    /// How far the tool can go before it touches, by the gaps of the last assembly; 0 if it touches.
+    double free_travel() const;
+
     /// Is no force tensile? Otherwise the state is not a solution, however small the residual.
     bool consistent(double allowed_tension) const;
 
@@ -147,6 +151,9 @@ namespace deltaform
     }
 
     ContactEnergy energy() const;
+
+    /// Nobody asks for energies: they are zero from here on, and cost nothing.
+    void forget_energy();
 
     /// Largest penetration anywhere along the edges, not only at the nodes.
     double penetration_between_nodes(const Vector &q) const;
@@ -210,8 +217,11 @@ namespace deltaform
       // digit from one that was not interrupted.
       archive_plain(archive, committed_);
       archive_plain(archive, stiffness_);
+      ContactEnergy total = energy();
       archive &area_ &thickness_of_ &committed_x_ &projected_x_ &projected_gap_ &noise_ &hint_ &time_ &last_time_
-        &last_step_ &energy_.stored &energy_.friction &energy_.epsilon &energy_.thickness;
+        &last_step_ &total.stored &total.friction &total.epsilon &total.thickness;
+      if (energy_)
+        energy_ = total;
     }
 
   private:
@@ -290,6 +300,6 @@ namespace deltaform
     std::vector<Tensor1> normal_;                           ///< the same
     std::vector<double> base_multiplier_, step_multiplier_; ///< estimates of lambda along a Newton step
     Tensor1 tool_force_;
-    ContactEnergy energy_;
+    std::optional<ContactEnergy> energy_ = ContactEnergy(); ///< none if nobody asks
   };
 } // namespace deltaform

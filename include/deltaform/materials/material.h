@@ -30,6 +30,8 @@ namespace deltaform
     Mandel *strain                 = nullptr; ///< in; [2] out for stress_given
     const double *third_stress     = nullptr; ///< in for stress_given: Kirchhoff stress along direction 3
     const double *committed        = nullptr; ///< in: history at the last accepted increment
+    double *carried = nullptr; ///< in, or null: what a law of two steps adds to the committed history before the flow
+                               ///< of this increment (CarriedFlow); out: zero where the flow did not go on
     double *trial   = nullptr; ///< in: a starting guess from the last iteration; out: history at this strain
     Mandel *stress  = nullptr; ///< out
     double *tangent = nullptr; ///< out if not null: n_points x 4 x 4 row-major, d stress / d strain. For
@@ -54,6 +56,12 @@ namespace deltaform
 
     /// Values of history per point; they start at zero. 0: the law is elastic.
     virtual unsigned int history_size() const = 0;
+
+    /// Does the law want MaterialBatch::carried? Its history then begins with the plastic strain (Mandel).
+    virtual bool two_steps() const
+    {
+      return false;
+    }
 
     /// Stress, tangent and trial history of all points.
     virtual Status update(const MaterialBatch &batch) const = 0;

@@ -53,6 +53,7 @@ namespace deltaform
   {
     bool condition  = false;                  ///< with the columns condition_raw and condition_scaled
     bool refinement = false;                  ///< with unknowns, cells and estimated_error
+    bool energies   = true;                   ///< with works and energies
     bool iterative  = false;                  ///< with the column linear_iterations
     std::vector<std::string> supports;        ///< names in the order of HistoryRow::reactions
     std::optional<unsigned int> resume_after; ///< go on with the file on disk, without what follows this increment

@@ -47,7 +47,7 @@ namespace deltaform
     ///@{
     double typical_length() const override;
     Status assemble(const Vector &q, bool tangent) override;
-    double admissible_step(const Vector &q, const Vector &d) const override;
+    double limit_step(const Vector &q, Vector &d) const override;
     void prepare_step(const Vector &d) override;
     void advance(double factor) override;
     bool status_changed() const override;
@@ -146,6 +146,9 @@ namespace deltaform
     {
       return active_pairs_;
     }
+
+    /// Nobody asks for energies.
+    void forget_energy();
 
     const Work &work() const
     {

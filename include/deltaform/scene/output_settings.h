@@ -23,6 +23,7 @@ namespace deltaform
     std::vector<double> frame_times;        ///< of the pictures, ascending
     unsigned int condition_every       = 0; ///< condition numbers in every so many increments; 0: never
     condition::Method condition_method = condition::Method::automatic;
-    double checkpoint_interval         = 5; ///< seconds
+    bool energies                      = true; ///< in the history
+    double checkpoint_interval         = 5;    ///< seconds
   };
 } // namespace deltaform

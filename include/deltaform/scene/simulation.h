@@ -48,9 +48,16 @@ namespace deltaform
     /// The state after the last accepted increment.
     Checkpoint checkpoint() const;
 
+    /// What is tried to find an equilibrium.
+    enum class Effort : unsigned char
+    {
+      usual,
+      damped, ///< damped steps as well: shorter increments did not help
+      all     ///< the shortest increment: where the blank snaps through, strains and rotations may be large
+    };
+
     /// Try the increment from the committed state to @p time. @return empty if accepted, else the cause of the failure
-    /// @param last_resort shorter increments do not help: try damped steps as well
-    std::string attempt(double time, bool last_resort, Vector &q, NewtonResult &result);
+    std::string attempt(double time, Effort effort, Vector &q, NewtonResult &result);
 
     /// Why a Newton solve failed, in words.
     std::string explain(const NewtonResult &result) const;

@@ -22,8 +22,9 @@ namespace deltaform
     /// Residual, and tangent if wanted, at @p q into the system.
     virtual Status assemble(const Vector &q, bool tangent) = 0;
 
-    /// Largest factor in (0, 1] of the step @p d that is admissible from @p q.
-    virtual double admissible_step(const Vector &q, const Vector &d) const = 0;
+    /// Shorten components of the step @p d that nothing resists. @return the largest factor in (0, 1] of the step
+    /// that is admissible from @p q
+    virtual double limit_step(const Vector &q, Vector &d) const = 0;
 
     /// A step @p d was computed from the state that was assembled last.
     virtual void prepare_step(const Vector &d) = 0;

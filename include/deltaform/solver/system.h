@@ -3,6 +3,7 @@
 #include <deltaform/base/assembly_target.h>
 #include <deltaform/base/stiffness_view.h>
 #include <deltaform/base/types.h>
+#include <deltaform/solver/entry_places.h>
 #include <deltaform/solver/linear_solver.h>
 
 #include <deal.II/base/index_set.h>
@@ -145,7 +146,16 @@ namespace deltaform
       return !rows_ || (row >= first_ && row < end_);
     }
 
+    /// Place of an entry among the values, EntryPlaces::nowhere if it is not stored.
+    int place(DofIndex row, DofIndex column) const;
+
     double *entry(DofIndex row, DofIndex column) const;
+
+    /// Places of the diagonal of the own rows: it is read in every iteration.
+    void find_diagonal();
+
+    /// Add to an entry that is not stored here.
+    void add_elsewhere(DofIndex row, DofIndex column, double value);
 
     bool solve_sparse(const Vector &right_side, Vector &solution);
 
@@ -186,6 +196,8 @@ namespace deltaform
     double *values_        = nullptr;
     double shift_          = 0; ///< of the last factorization
     bool tangent_          = true;
+    EntryPlaces places_;
+    std::vector<int> diagonal_places_; ///< of the own rows
     std::vector<bool> prescribed_;
     Vector residual_, magnitude_;
     Vector diagonal_; ///< of distributed rows

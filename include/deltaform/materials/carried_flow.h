@@ -1,0 +1,91 @@
+#pragma once
+
+#include <deltaform/materials/material.h>
+#include <deltaform/materials/point_history.h>
+
+#include <boost/serialization/vector.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * What the two-step backward differentiation formula keeps of the last increment. With the ratio w of the increment's
+   * length to the last one's it reads, for a history h with the rate f,
+   *
+   *     h_n+1 = h_n + w^2/(1 + 2 w) (h_n - h_n-1) + (1 + w)/(1 + 2 w) dt f_n+1,
+   *
+   * which is backward Euler from a start that has been carried on: the same return map, with the same tangent, of
+   * second order and as stable against large increments (L-stable). C.W. Gear, Numerical Initial Value Problems in
+   * Ordinary Differential Equations, Prentice-Hall 1971; for plasticity P. Papadopoulos, R.L. Taylor, On the
+   * application of multi-step integration methods to infinitesimal elastoplasticity, Int. J. Numer. Meth. Eng. 37
+   * (1994) 3169.
+   */
+  class CarriedFlow
+  {
+  public:
+    /// Longer in relation to the last one an increment goes without: the formula loses its stability at 1 + sqrt(2).
+    static constexpr double largest_ratio = 2.;
+
+    CarriedFlow() = default;
+
+    CarriedFlow(const std::size_t n_points, const unsigned int values_per_point)
+      : values_per_point_(values_per_point), last_(n_points * values_per_point, 0.), carried_(last_)
+    {
+    }
+
+    bool used() const
+    {
+      return !last_.empty();
+    }
+
+    /// Before @p history is committed.
+    void keep(const PointHistory &history)
+    {
+      const double *before = history.committed(0), *after = history.trial(0);
+      for (std::size_t i = 0; i < last_.size(); ++i)
+        last_[i] = after[i] - before[i];
+    }
+
+    /// The increment to come is @p ratio times as long as the last one. @return is anything carried?
+    bool carry(const double ratio)
+    {
+      active_ = used() && ratio > 0. && ratio <= largest_ratio;
+      if (!active_)
+        return false;
+      const double share = ratio * ratio / (1. + 2. * ratio);
+      for (std::size_t i = 0; i < last_.size(); ++i)
+        carried_[i] = share * last_[i];
+      return true;
+    }
+
+    /// There is no last increment that the next one continues.
+    void forget()
+    {
+      active_ = false;
+      last_.assign(last_.size(), 0.);
+    }
+
+    /// Values of point @p point and all that follow; null if nothing is carried.
+    const double *at(const std::size_t point) const
+    {
+      return active_ ? carried_.data() + point * values_per_point_ : nullptr;
+    }
+    double *at(const std::size_t point)
+    {
+      return active_ ? carried_.data() + point * values_per_point_ : nullptr;
+    }
+
+    template <typename Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &last_;
+    }
+
+  private:
+    unsigned int values_per_point_ = 0;
+    bool active_                   = false;
+    std::vector<double> last_, carried_;
+  };
+} // namespace deltaform
