@@ -2,7 +2,10 @@
 """Measures the linear solvers on the Hertzian block of tests/distributed and writes tables in Markdown to standard output.
 
     linear_solvers.py PROGRAM iterations            iterations per solve against epsilon and delta, rule by rule
-    linear_solvers.py PROGRAM cost --cells 70,223   time of a solve against the number of unknowns, with fitted exponents
+    linear_solvers.py PROGRAM cost --cells 70,223   processor time per Newton iteration against the number of unknowns, with
+                                                    fitted exponents: over all sizes, and from --from on
+    linear_solvers.py PROGRAM paths --cells 70,223  the same with the linear path on and off, in a run of eight increments
+    linear_solvers.py PROGRAM shapes                the direct solvers on strips and blocks of some 2e4 unknowns
     linear_solvers.py PROGRAM speed --cells 316     1 and 2 processes
 """
 import argparse
@@ -10,6 +13,7 @@ import csv
 import json
 import math
 import os
+import resource
 import subprocess
 import tempfile
 
@@ -18,19 +22,28 @@ RULES = ["adaptive", "constant", "paper", "element stiffness", "proportional", "
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 
+def processor_time():
+    """Of all runs so far: what others do on the machine hardly counts."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def run(program, cells, solver, sets=(), processes=0, timeout=900):
-    """The last row of the history, times and unknowns of a run; None if it did not end well."""
+    """The last row of the history, times and unknowns of a run; None if it did not end well. @p cells: along and across."""
+    along, across = cells if isinstance(cells, tuple) else (cells, cells)
     with tempfile.TemporaryDirectory() as folder:
         command = ["mpirun", "-np", str(processes), "--oversubscribe", "--bind-to", "none"] if processes else []
         command += [program, SCENE, "--quiet", "--output", folder]
-        for entry in ["Blank/Elements=%d" % cells, "Blank/Elements through thickness=%d" % cells,
+        for entry in ["Blank/Elements=%d" % along, "Blank/Elements through thickness=%d" % across,
                       "Solver/Linear solver=" + solver, *sets]:
             command += ["--set", entry]
+        before = processor_time()
         try:
             if subprocess.run(command, env=ENVIRONMENT, stderr=subprocess.DEVNULL, timeout=timeout).returncode != 0:
                 return None
         except subprocess.TimeoutExpired:
             return None
+        used = processor_time() - before
         with open(os.path.join(folder, "history.csv")) as file:
             row = list(csv.DictReader(line for line in file if not line.startswith("#")))[-1]
         with open(os.path.join(folder, "timing.json")) as file:
@@ -38,7 +51,7 @@ def run(program, cells, solver, sets=(), processes=0, timeout=900):
         with open(os.path.join(folder, "summary.json")) as file:
             summary = json.load(file)
         sections = {section["name"]: section for section in timing["sections"]}
-        return {"row": row, "total": timing["total"], "unknowns": summary["unknowns"],
+        return {"row": row, "processor": used, "total": timing["total"], "unknowns": summary["unknowns"],
                 "solve": next(s for name, s in sections.items() if name.startswith("11")),
                 "assembly": next(s for name, s in sections.items() if name.startswith("3-6"))}
 
@@ -67,26 +80,54 @@ def iterations(program, cells):
             print("| %s | %s | %s | %s | %s | %s |" % (rule, delta, *map(per_solve, results), *tail), flush=True)
 
 
-def cost(program, sizes, solvers):
-    print("| unknowns | solver | iterations per solve | one solve, s | one assembly, s |\n|---|---|---|---|---|")
+def exponent(points):
+    """Slope of the line through the logarithms of (unknowns, seconds)."""
+    x, y = [math.log(n) for n, _ in points], [math.log(s) for _, s in points]
+    mx, my = sum(x) / len(x), sum(y) / len(y)
+    return sum((a - mx) * (b - my) for a, b in zip(x, y)) / sum((a - mx)**2 for a in x)
+
+
+def cost(program, sizes, solvers, first):
+    print("| unknowns | solver | iterations per solve | processor time per Newton iteration, s |\n|---|---|---|---|")
     points = {}
     for solver in solvers:
         for cells in sizes:
             result = run(program, cells, solver, ["Contact/Penalty rule=constant", "Contact/Penalty factor=2e4"])
             if result is None:
-                print("| %d | %s | - | - | - |" % (2 * (cells + 1)**2, solver))
+                print("| %d | %s | - | - |" % (2 * (cells + 1)**2, solver))
                 continue
-            seconds = result["solve"]["seconds"] / result["solve"]["calls"]
+            seconds = result["processor"] / result["solve"]["calls"]
             points.setdefault(solver, []).append((result["unknowns"], seconds))
             count = per_solve(result) if "linear_iterations" in result["row"] else "direct"
-            print("| %d | %s | %s | %.3g | %.3g |" % (result["unknowns"], solver, count, seconds,
-                  result["assembly"]["seconds"] / result["assembly"]["calls"]), flush=True)
+            print("| %d | %s | %s | %.3g |" % (result["unknowns"], solver, count, seconds), flush=True)
+    print("\n| solver | exponent over all sizes | from %g unknowns on |\n|---|---|---|" % first)
     for solver, line in points.items():
-        if len(line) > 1:
-            x, y = [math.log(n) for n, _ in line], [math.log(s) for _, s in line]
-            mx, my = sum(x) / len(x), sum(y) / len(y)
-            slope = sum((a - mx) * (b - my) for a, b in zip(x, y)) / sum((a - mx)**2 for a in x)
-            print("\nFitted exponent of one solve, %s: %.2f" % (solver, slope))
+        large = [point for point in line if point[0] >= first]
+        print("| %s | %s |" % (solver, " | ".join("%.2f" % exponent(fit) if len(fit) > 1 else "-"
+                                                  for fit in (line, large))))
+
+
+def paths(program, sizes, solvers):
+    print("| unknowns | solver | Newton iterations | processor time off, s | automatic, s | ratio |\n|---|---|---|---|---|---|")
+    for cells in sizes:
+        for solver in solvers:
+            sets = ["Steps/press/First increment=0.125", "Steps/press/Largest increment=0.125"]
+            off, on = (run(program, cells, solver, sets + ["Solver/Linear path=" + path])
+                       for path in ("off", "automatic"))
+            if off and on:
+                print("| %d | %s | %d | %.3g | %.3g | %.2g |" % (
+                    on["unknowns"], solver, on["solve"]["calls"], off["processor"], on["processor"],
+                    off["processor"] / on["processor"]), flush=True)
+
+
+def shapes(program, solvers):
+    print("| cells | unknowns | " + " | ".join("`%s`, s" % s for s in solvers) + " |\n|---|---|" + "---|" * len(solvers))
+    for along, across in ((2500, 4), (1250, 8), (600, 16), (300, 32), (100, 100), (150, 150)):
+        sets = ["Contact/Penalty rule=constant", "Contact/Penalty factor=2e4", "Solver/Linear path=off",
+                "Blank/Thickness=%r" % (10. * across / along), "Tools/cylinder/Motion=%r*t" % (.05 * across / along)]
+        results = [run(program, (along, across), solver, sets) for solver in solvers]
+        print("| %d x %d | %d | %s |" % (along, across, 2 * (along + 1) * (across + 1),
+                                         " | ".join("%.3g" % r["processor"] if r else "-" for r in results)), flush=True)
 
 
 def speed(program, sizes):
@@ -104,15 +145,20 @@ def speed(program, sizes):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("what", choices=["iterations", "cost", "speed"])
+    parser.add_argument("what", choices=["iterations", "cost", "paths", "shapes", "speed"])
     parser.add_argument("--cells", default="70")
     parser.add_argument("--solvers", default="klu,mumps,cg amg")
+    parser.add_argument("--from", dest="first", type=float, default=1e5)
     arguments = parser.parse_args()
     sizes = [int(n) for n in arguments.cells.split(",")]
     if arguments.what == "iterations":
         iterations(arguments.program, sizes[0])
     elif arguments.what == "cost":
-        cost(arguments.program, sizes, arguments.solvers.split(","))
+        cost(arguments.program, sizes, arguments.solvers.split(","), arguments.first)
+    elif arguments.what == "paths":
+        paths(arguments.program, sizes, [s for s in arguments.solvers.split(",") if s != "cg amg"])
+    elif arguments.what == "shapes":
+        shapes(arguments.program, [s for s in arguments.solvers.split(",") if s != "cg amg"])
     else:
         speed(arguments.program, sizes)
 

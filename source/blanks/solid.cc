@@ -217,6 +217,12 @@ namespace deltaform
   }
 
 
+  bool Solid::constant_stiffness() const
+  {
+    return linear_;
+  }
+
+
   bool Solid::axisymmetric() const
   {
     return axisymmetric_;

@@ -1,8 +1,6 @@
-// Refining the solid during the run: which cells, and what their children inherit (doc/theory/solid.md).
+// Refining the solid during the run: which cells, and what follows from it (doc/theory/solid.md).
 #include <deltaform/blanks/solid.h>
-#include <deltaform/kinematics/logarithmic_strain.h>
 
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/grid_refinement.h>
 #include <deal.II/numerics/cell_data_transfer.templates.h>
 
@@ -14,33 +12,8 @@ namespace deltaform
 {
   namespace
   {
-    /// All that a cell knows: places of its nodes, their values in every field, plastic state of its points.
+    /// All that a cell knows, see Solid::pack().
     using CellData = std::vector<double>;
-
-    /// A place of the unit cell of a child in its parent's.
-    Point2 in_parent(const Point2 &xi, const unsigned int child)
-    {
-      return {.5 * (xi[0] + child % 2), .5 * (xi[1] + child / 2)};
-    }
-
-    /// Lagrange's polynomials of the points of Gauss's rule of the parent, at a place.
-    std::vector<double> point_weights(const std::vector<Point2> &points, const Point2 &xi)
-    {
-      const auto n = static_cast<unsigned int>(std::lround(std::sqrt(points.size())));
-      std::vector<double> result;
-      const auto line = [&](const unsigned int i, const double x)
-      {
-        double product = 1.;
-        for (unsigned int k = 0; k < n; ++k)
-          if (k != i)
-            product *= (x - points[k][0]) / (points[i][0] - points[k][0]);
-        return product;
-      };
-      for (unsigned int j = 0; j < n; ++j)
-        for (unsigned int i = 0; i < n; ++i)
-          result.push_back(line(i, xi[0]) * line(j, xi[1]));
-      return result;
-    }
   } // namespace
 
 
@@ -85,89 +58,6 @@ namespace deltaform
     }
     triangulation.prepare_coarsening_and_refinement();
     return any;
-  }
-
-
-  std::vector<double> Solid::pack(const unsigned int cell, const std::vector<Vector> &fields) const
-  {
-    CellData data;
-    for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
-      for (unsigned int k = 0; k < 2; ++k)
-        data.push_back(nodes_[cells_[cell][a]][k]);
-    for (const auto &field : fields)
-      for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
-        for (const auto dof : node_dofs_[cells_[cell][a]])
-          data.push_back(field[dof]);
-    for (unsigned int i = cell * n_points_per_cell_; i < (cell + 1) * n_points_per_cell_; ++i)
-    {
-      const double *const history = history_.committed(i);
-      data.insert(data.end(), history, history + material_->history_size());
-      const auto &cp      = plastic_metric_[i];
-      const Mandel metric = LogarithmicStrain::strain({cp[0], cp[1], cp[2], cp[3]});
-      data.insert(data.end(), metric.begin(), metric.end());
-    }
-    return data;
-  }
-
-
-  std::vector<double> Solid::inherit(const std::vector<double> &parent, const unsigned int child) const
-  {
-    // Displacements and places: exactly, since the parent's shape functions are among those of the children.
-    const dealii::FE_Q<2> shapes(degree_);
-    const unsigned int n = n_nodes_per_cell_, n_points = n_points_per_cell_, n_history = material_->history_size();
-    const unsigned int n_state = n_history + 4, n_vectors = (parent.size() - n_points * n_state) / (2 * n);
-    std::vector<std::vector<double>> weights(n, std::vector<double>(n));
-    for (unsigned int b = 0; b < n; ++b)
-      for (unsigned int a = 0; a < n; ++a)
-      {
-        const double weight = shapes.shape_value(a, in_parent(shapes.unit_support_point(b), child));
-        const double round  = std::round(weight);
-        weights[b][a]       = std::abs(weight - round) < 1e-13 ? round : weight; // old nodes keep their numbers exactly
-      }
-    CellData result(parent.size(), 0.);
-    for (unsigned int v = 0; v < n_vectors; ++v)
-      for (unsigned int b = 0; b < n; ++b)
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int k = 0; k < 2; ++k)
-            result[2 * (v * n + b) + k] += weights[b][a] * parent[2 * (v * n + a) + k];
-    if (n_history == 0)
-      return result;
-
-    // Plastic state: interpolated between the parent's points, towards their mean as far as the equivalent plastic
-    // strain would leave the range that a linear one with these values has at the points of the children, or get
-    // negative. The logarithm of C_p^-1 has no trace, whatever the weights.
-    const double *const states = &parent[2 * n_vectors * n];
-    const auto equivalent      = [&](const double *const state) { return material_->equivalent_plastic_strain(state); };
-    CellData mean(n_state, 0.), state(n_state);
-    double least = equivalent(states), most = least;
-    for (unsigned int p = 0; p < n_points; ++p)
-    {
-      least = std::min(least, equivalent(states + p * n_state));
-      most  = std::max(most, equivalent(states + p * n_state));
-      for (unsigned int k = 0; k < n_state; ++k)
-        mean[k] += states[p * n_state + k] / n_points;
-    }
-    const double middle = equivalent(mean.data());
-    const double first = quadrature_.front()[0], reach = .5 * first / (1. - 2. * first);
-    const double range = most - least;
-    most += reach * range;
-    least = std::max(0., least - reach * range);
-    for (unsigned int p = 0; p < n_points; ++p)
-    {
-      const auto w = point_weights(quadrature_, in_parent(quadrature_[p], child));
-      std::fill(state.begin(), state.end(), 0.);
-      for (unsigned int s = 0; s < n_points; ++s)
-        for (unsigned int k = 0; k < n_state; ++k)
-          state[k] += w[s] * states[s * n_state + k];
-      const double value = equivalent(state.data());
-      // A little less, so that round-off does not make a strain negative.
-      const double part = value > most    ? (1. - 1e-14) * (most - middle) / (value - middle)
-                          : value < least ? (1. - 1e-14) * (least - middle) / (value - middle)
-                                          : 1.;
-      for (unsigned int k = 0; k < n_state; ++k)
-        result[2 * n_vectors * n + p * n_state + k] = part == 1. ? state[k] : mean[k] + part * (state[k] - mean[k]);
-    }
-    return result;
   }
 
 
@@ -216,48 +106,6 @@ namespace deltaform
     }
     set_up_weightless();
     unpack(data, fields);
-  }
-
-
-  void Solid::unpack(const std::vector<std::vector<double>> &data, std::vector<Vector> &fields)
-  {
-    const unsigned int n = n_nodes_per_cell_, n_history = material_->history_size();
-    for (unsigned int v = 0; v < fields.size(); ++v)
-    {
-      fields[v].reinit(n_free_);
-      for (unsigned int c = 0; c < cells_.size(); ++c)
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int k = 0; k < 2; ++k)
-            if (const DofIndex dof = node_dofs_[cells_[c][a]][k]; dof < n_free_)
-              fields[v][dof] = data[c][2 * ((v + 1) * n + a) + k];
-    }
-    for (unsigned int i = 0; i < points_.size(); ++i)
-    {
-      const double *state =
-        &data[i / n_points_per_cell_][2 * (fields.size() + 1) * n + i % n_points_per_cell_ * (n_history + 4)];
-      std::copy_n(state, n_history, history_.trial(i));
-      state += n_history;
-      const auto b       = LogarithmicStrain::inverse({{state[0], state[1], state[2], state[3]}});
-      plastic_metric_[i] = {{b.xx, b.yy, b.zz, b.xy}};
-    }
-    history_.commit();
-    history_.rollback();
-    carried_.forget();
-
-    // Stresses of the law at the displacements as they came over, the scale of energies and the start of the next flow.
-    Vector q = fields.empty() ? Vector(n_free_) : fields.front();
-    update_stress(q);
-    constant_matrices_.clear();
-    committed_stress_      = stress_;
-    committed_deformation_ = deformation_;
-    if (energy_)
-    {
-      energy_->elastic = 0.;
-      for (unsigned int i = 0; i < points_.size(); ++i)
-        energy_->elastic += points_[i].weight * material_->elastic_energy(stress_[i]);
-    }
-    update_areas(q);
-    update_thickness(q);
   }
 
 

@@ -70,6 +70,8 @@ namespace deltaform
           }
         }
     }
+    const std::size_t width = front_width(pattern);
+    linear_solver_.choose(n_sparse, width);
     // Newton holds on to the object.
     if (system_)
       *system_ = System(std::move(pattern), n_border, linear_solver_, owned);
@@ -86,7 +88,9 @@ namespace deltaform
     for (const auto dof : actors_.blank->fixed_dofs())
       is_fixed_[dof] = true;
     is_prescribed_ = is_fixed_;
-    if (linear_solver_.iterative())
+    if (on_linear_path())
+      system_->keep_constant_part(contact_unknowns(), std::clamp<std::size_t>(width / 2, 100, 600));
+    if (on_linear_path() || linear_solver_.iterative())
       describe_rigid_motions();
     double extent = actors_.blank->initial_thickness();
     for (const auto &x : actors_.blank->positions(zero))
@@ -102,6 +106,22 @@ namespace deltaform
       scale_[i] = actors_.blank->dof_scale(i);
     for (unsigned int i = n_blank; i < n_sparse; ++i)
       scale_[i] = 1. / actors_.blank->stiffness_scale();
+  }
+
+
+  std::vector<DofIndex> FormingProblem::contact_unknowns() const
+  {
+    std::vector<DofIndex> result;
+    const Vector zero(actors_.blank->n_dofs());
+    for (const auto &pair : actors_.pairs)
+      for (unsigned int i = 0; i < pair->n_nodes(); ++i)
+      {
+        const ContactNode node = pair->node(zero, i);
+        result.insert(result.end(), node.dofs.begin(), node.dofs.begin() + node.n_dofs);
+        if (actors_.contact->enforcement->has_multiplier())
+          result.push_back(pair->multiplier_dof(i));
+      }
+    return result;
   }
 
 

@@ -24,6 +24,10 @@ namespace deltaform
   {
     if (!resumed_)
       before_ = problem_.committed();
+    const auto &solver = problem_.linear_solver();
+    journal_.detail("linear solver: " + solver.name + (solver.automatic ? " (automatic)" : "") + ", " +
+                    std::to_string(problem_.committed().size()) + " unknowns" +
+                    (problem_.on_linear_path() ? ", constant stiffness: one factorization" : ""));
     int status = exit_status::done;
     for (; stage_ < scene_.actors.stages.size() && status == exit_status::done; ++stage_)
     {
@@ -39,6 +43,10 @@ namespace deltaform
       status   = run_stage(stage);
       resumed_ = false;
     }
+    journal_.detail(std::to_string(problem_.system().n_factorizations()) + " factorizations" +
+                    (problem_.on_linear_path()
+                       ? ", " + std::to_string(problem_.system().n_compliances()) + " compliances of contact unknowns"
+                       : ""));
     recorder_.finish(status, problem_, increment_, total_iterations_);
     // Not before the files are complete: until then, going on from the state before gives the same.
     if (before_giving_up_)
@@ -224,6 +232,9 @@ namespace deltaform
     switch (result.outcome)
     {
     case NewtonResult::Outcome::singular:
+      if (const std::string failure = problem_.system().linear_failure(); !failure.empty())
+        return "the linear solver did not converge: " + failure +
+               " (Solver/Maximal linear iterations, Solver/Linear solver tolerance). Try Linear solver = mumps" + where;
       return "the tangent is singular: a part of the blank is free to move, or a limit load is reached" + where;
     case NewtonResult::Outcome::inadmissible:
       return std::string(result.status.cause) + ", cell " + std::to_string(result.status.place);

@@ -2,6 +2,8 @@
 // for elasticity the rigid ones: Vanek, Mandel, Brezina (1996), Computing 56, 179-196.
 #include "trilinos_matrix.h"
 
+#include <deltaform/base/text.h>
+
 #include <AztecOO.h>
 #include <Teuchos_ParameterList.hpp>
 #include <ml_MultiLevelPreconditioner.h>
@@ -67,6 +69,7 @@ namespace deltaform
         matrix_->right_side->Norm2(&norm);
         matrix_->solution->PutScalar(0.);
         // An indefinite tangent ends conjugate gradients: GMRES goes on.
+        failure_.clear();
         bool good = norm == 0. || (symmetric_ && iterate(AZ_cg));
         if (!good)
         {
@@ -75,6 +78,11 @@ namespace deltaform
         }
         std::copy(matrix_->solution->Values(), matrix_->solution->Values() + n, solution);
         return matrix_->all(good);
+      }
+
+      std::string failure() const override
+      {
+        return failure_;
       }
 
       unsigned int n_iterations() const override
@@ -100,6 +108,10 @@ namespace deltaform
         solver.Iterate(static_cast<int>(settings_.max_iterations), settings_.tolerance);
         n_iterations_ += static_cast<unsigned int>(solver.NumIters());
         const double why = solver.GetAztecStatus()[AZ_why];
+        if (why == AZ_maxits)
+          failure_ = std::string(method == AZ_cg ? "conjugate gradients" : "GMRES") + " stopped after " +
+                     std::to_string(solver.NumIters()) + " iterations at " + text::format(solver.ScaledResidual()) +
+                     " of the right side, wanted is " + text::format(settings_.tolerance);
         // The recursive residual has converged, the true one has reached its round-off: as good as it gets.
         return why == AZ_normal || why == AZ_loss;
       }
@@ -111,6 +123,7 @@ namespace deltaform
       std::vector<double> null_space_;
       std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> preconditioner_;
       unsigned int n_iterations_ = 0;
+      std::string failure_; ///< of the last solve
     };
   } // namespace
 

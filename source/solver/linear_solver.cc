@@ -12,11 +12,12 @@ namespace deltaform
 {
   LinearSolverSettings::LinearSolverSettings(Section &section)
     : name(section.choice("Linear solver",
-                          "klu",
-                          {"klu", "mumps", "cg amg", "gmres amg", "cg diagonal", "gmres diagonal"},
+                          "automatic",
+                          {"automatic", "klu", "mumps", "cg amg", "gmres amg", "cg diagonal", "gmres diagonal"},
                           "Direct: klu for thin strips, mumps for blocks. Iterative, for large solids: conjugate "
                           "gradients (no friction) or GMRES, preconditioned by algebraic multigrid or by the "
-                          "diagonal.")),
+                          "diagonal. automatic: klu or mumps, by the size and shape of the mesh.")),
+      automatic(name == "automatic"),
       tolerance(section.number("Linear solver tolerance",
                                1e-10,
                                Range::inside(0, 1),
@@ -26,7 +27,13 @@ namespace deltaform
                                      2000,
                                      1,
                                      1000000,
-                                     "Of an iterative linear solver, per solve: then the matrix counts as singular."))
+                                     "Of an iterative linear solver, per solve: the increment fails with more.")),
+      linear_path(section.choice("Linear path",
+                                 "automatic",
+                                 {"automatic", "off"},
+                                 "automatic: the stiffness of a linear elastic solid of small strain is assembled and "
+                                 "factorized once, and contact is condensed to its unknowns; off: as for any other "
+                                 "blank.") == "automatic")
   {
   }
 

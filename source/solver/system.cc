@@ -1,3 +1,4 @@
+#include "system_constant.h"
 #include "system_rows.h"
 
 #include <deltaform/base/ranks.h>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace deltaform
@@ -65,10 +67,15 @@ namespace deltaform
     common_    = !rows_;
     residual_  = 0.;
     magnitude_ = 0.;
+    if (constant_)
+      constant_->complete = false;
     if (!tangent)
       return;
     places_.restart();
-    std::fill(values_, values_ + row_start_[rows_ ? rows_->n() : n_sparse_], 0.);
+    if (constant_ && constant_->kept)
+      restore_constant();
+    else
+      std::fill(values_, values_ + row_start_[rows_ ? rows_->n() : n_sparse_], 0.);
     for (unsigned int b = 0; b < n_border_; ++b)
       border_columns_[b] = border_rows_[b] = 0.;
     std::fill(border_block_.begin(), border_block_.end(), 0.);
@@ -77,7 +84,7 @@ namespace deltaform
 
   bool System::wants_tangent() const
   {
-    return tangent_;
+    return tangent_ && !(constant_ && constant_->kept && !constant_->complete);
   }
 
 
@@ -127,10 +134,15 @@ namespace deltaform
                    { return common_ && row < n_sparse_ && !owns(row) ? EntryPlaces::nowhere : place(row, column); });
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
+      {
+        const double value = matrix[i * n + j];
+        if (constant_ && value != 0.)
+          constant_->note(*this, dofs[i], dofs[j], value);
         if (const int where = places[i * n + j]; where != EntryPlaces::nowhere)
-          values_[where] += matrix[i * n + j];
-        else if (matrix[i * n + j] != 0.)
-          add_elsewhere(dofs[i], dofs[j], matrix[i * n + j]);
+          values_[where] += value;
+        else if (value != 0.)
+          add_elsewhere(dofs[i], dofs[j], value);
+      }
     if (rows_ && common_)
       for (unsigned int i = 0; i < n; ++i)
         if (dofs[i] < n_sparse_)
@@ -212,6 +224,8 @@ namespace deltaform
     for (DofIndex i = 0; i < n_sparse_; ++i)
     {
       const double value = factor * scale[i] * scale[i];
+      if (constant_)
+        constant_->note(*this, i, i, value);
       if (owns(i))
         values_[diagonal_places_[i - first_]] += value;
       if (rows_)
@@ -236,16 +250,15 @@ namespace deltaform
   }
 
 
-  bool System::factorize(const double shift)
+  void System::eliminate(double *const staged, const double scale, const double shift)
   {
-    const double scale = largest_diagonal();
-    prescribed_row_    = scale > 0 ? scale : 1.;
+    prescribed_row_ = scale > 0 ? scale : 1.;
     eliminated_.clear();
     for (DofIndex i = first_; i < end_; ++i)
     {
-      double *const diagonal = values_ + diagonal_places_[i - first_];
-      double *const begin    = values_ + row_start_[i - first_];
-      double *const end      = values_ + row_start_[i - first_ + 1];
+      double *const diagonal = staged + diagonal_places_[i - first_];
+      double *const begin    = staged + row_start_[i - first_];
+      double *const end      = staged + row_start_[i - first_ + 1];
       if (prescribed_[i])
       {
         std::fill(begin, end, 0.);
@@ -257,20 +270,34 @@ namespace deltaform
       if (symmetric_elimination_)
         for (double *value = begin; value != end; ++value)
         {
-          const DofIndex column = columns_[value - values_];
+          const DofIndex column = columns_[value - staged];
           if (!prescribed_[column] || *value == 0.)
             continue;
           eliminated_.push_back({i, column, *value});
           *value = 0.;
         }
     }
+  }
+
+
+  bool System::factorize(const double shift)
+  {
+    if (constant_ && shift == 0. && factorize_constant())
+      return true;
+    return factorize_whole(shift);
+  }
+
+
+  bool System::factorize_whole(const double shift)
+  {
+    const double scale   = largest_diagonal();
+    double *const staged = stage();
+    eliminate(staged, scale, shift);
     // A force-driven tool that has lost the blank: it moves along its force.
     for (unsigned int b = 0; b < n_border_; ++b)
       border_block_[b * n_border_ + b] += shift * scale;
-    shift_ = shift;
     ++n_factorizations_;
-    if (rows_)
-      rows_->hand_over(values_);
+    hand_over(staged);
     return solver_->factorize();
   }
 
@@ -290,7 +317,15 @@ namespace deltaform
 
   void System::set_near_null_space(const std::vector<Vector> &motions)
   {
+    if (constant_)
+      constant_->motions = motions;
     solver_->set_near_null_space(motions, first_, end_);
+  }
+
+
+  std::string System::linear_failure() const
+  {
+    return solver_->failure();
   }
 
 
@@ -300,13 +335,27 @@ namespace deltaform
   }
 
 
+  void System::right_side(const Vector &increments, Vector &result) const
+  {
+    for (unsigned int i = 0; i < n_sparse_; ++i)
+      result[i] = prescribed_[i] ? prescribed_row_ * increments[i] : -residual_[i];
+    for (const auto &[row, column, value] : eliminated_)
+      result[row] -= value * increments[column];
+  }
+
+
   bool System::solve(const Vector &increments, Vector &d)
   {
+    if (constant_ && constant_->condensed)
+    {
+      if (solve_condensed(increments, d))
+        return true;
+      // The sum is singular, or nearly: what the whole matrix makes of it is what a run without an update would see.
+      if (!factorize_whole(0.))
+        return false;
+    }
     Vector right_side(n_sparse_);
-    for (unsigned int i = 0; i < n_sparse_; ++i)
-      right_side[i] = prescribed_[i] ? prescribed_row_ * increments[i] : -residual_[i];
-    for (const auto &[row, column, value] : eliminated_)
-      right_side[row] -= value * increments[column];
+    this->right_side(increments, right_side);
     if (!solve_sparse(right_side, d))
       return false;
     if (n_border_ == 0)

@@ -1,4 +1,5 @@
 #include "system_rows.h"
+#include "system_constant.h"
 
 #include <deltaform/base/ranks.h>
 
@@ -165,17 +166,25 @@ namespace deltaform
 
   void System::sum_over_ranks()
   {
+    const bool had_constant = constant_ && constant_->kept;
+    if (constant_)
+    {
+      constant_->complete = true;
+      constant_->kept |= tangent_;
+    }
     if (!rows_)
       return;
     ranks::sum(residual_.begin(), residual_.size());
     ranks::sum(magnitude_.begin(), magnitude_.size());
     common_ = true;
-    if (!tangent_)
+    if (!tangent_ || had_constant)
       return;
     rows_->exchange();
     diagonal_ = 0.;
     for (DofIndex i = first_; i < end_; ++i)
       diagonal_[i] = values_[diagonal_places_[i - first_]];
     ranks::sum(diagonal_.begin(), diagonal_.size());
+    if (constant_)
+      constant_->diagonal = diagonal_;
   }
 } // namespace deltaform

@@ -1,16 +1,19 @@
-"""Runs a scene with several numbers of processes, or several linear solvers, and compares their histories.
+"""Runs a scene with several numbers of processes, linear solvers or linear paths, and compares their histories.
 
-    same_history.py PROGRAM SCENE FOLDER --launcher MPIRUN [--np 1,2,4] [--solvers "klu,cg amg"] [--tolerance 1e-8]
-                    [--set ENTRY=VALUE]...
+    same_history.py PROGRAM SCENE FOLDER --launcher MPIRUN [--np 1,2,4] [--solvers "klu,cg amg"] [--paths off,automatic]
+                    [--tolerance 1e-8] [--factorizations N] [--ignore COLUMN,...] [--set ENTRY=VALUE]...
 
-Every number may differ from that of the first run by the tolerance times the largest of its column. Costs (iterations of
-linear solvers) are not compared. The comparison must be able to say no: a change of one number by ten times the tolerance
+Every number may differ from that of the first run by the tolerance times the largest of its column (an error of the energy:
+of the work of the tools). Costs (iterations of linear solvers) are not compared. With --factorizations, the last run
+must have needed that many. The comparison must be able to say no: a change of one number by ten times the tolerance
 has to be found.
 """
 import argparse
 import copy
 import csv
+import itertools
 import os
+import re
 import subprocess
 import sys
 
@@ -20,14 +23,19 @@ def history(folder):
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
-def difference(first, other, tolerance):
+def factorizations(folder):
+    with open(os.path.join(folder, "run.log")) as file:
+        return int(re.search(r"(\d+) factorizations", file.read()).group(1))
+
+
+def difference(first, other, tolerance, ignored=()):
     """The first difference in words, or None."""
     if len(first) != len(other):
         return "%d increments and %d" % (len(first), len(other))
     for column in first[0]:
-        if column in ("linear_iterations", "stage"):
+        if column in ("linear_iterations", "stage", *ignored):
             continue
-        scale = max(abs(float(row[column])) for row in first)
+        scale = max(abs(float(row["tool_work" if column == "energy_error" else column])) for row in first)
         for a, b in zip(first, other):
             if not abs(float(a[column]) - float(b[column])) <= tolerance * scale:
                 return "increment %s, %s: %s and %s" % (a["increment"], column, a[column], b[column])
@@ -42,24 +50,30 @@ def main():
     parser.add_argument("--launcher", required=True)
     parser.add_argument("--np", default="1,2")
     parser.add_argument("--solvers", default="")
+    parser.add_argument("--paths", default="")
+    parser.add_argument("--factorizations", type=int)
+    parser.add_argument("--ignore", default="")
     parser.add_argument("--tolerance", type=float, default=1e-8)
     parser.add_argument("--set", action="append", default=[])
     arguments = parser.parse_args()
 
     histories = []
-    for solver in arguments.solvers.split(",") if arguments.solvers else [None]:
-        for processes in arguments.np.split(","):
-            folder = os.path.join(arguments.folder, (solver or "scene").replace(" ", "_") + "_" + processes)
-            sets = arguments.set + (["Solver/Linear solver=" + solver] if solver else [])
-            command = [arguments.launcher, "-np", processes, "--oversubscribe", arguments.program, arguments.scene]
-            command += ["--quiet", "--output", folder]
-            for entry in sets:
-                command += ["--set", entry]
-            environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-            status = subprocess.run(command, env=environment).returncode
-            if status != 0:
-                sys.exit("exit status %d of %s" % (status, " ".join(command)))
-            histories.append((folder, history(folder)))
+    ignored = arguments.ignore.split(",")
+    for solver, path, processes in itertools.product(arguments.solvers.split(","), arguments.paths.split(","),
+                                                     arguments.np.split(",")):
+        name = "_".join([solver or "scene", path, processes] if path else [solver or "scene", processes])
+        folder = os.path.join(arguments.folder, name.replace(" ", "_"))
+        sets = arguments.set + ["Solver/%s=%s" % entry for entry in (("Linear solver", solver), ("Linear path", path))
+                                  if entry[1]]
+        command = [arguments.launcher, "-np", processes, "--oversubscribe", arguments.program, arguments.scene]
+        command += ["--quiet", "--output", folder]
+        for entry in sets:
+            command += ["--set", entry]
+        environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+        status = subprocess.run(command, env=environment).returncode
+        if status != 0:
+            sys.exit("exit status %d of %s" % (status, " ".join(command)))
+        histories.append((folder, history(folder)))
 
     name, first = histories[0]
     wrong = copy.deepcopy(first)
@@ -69,9 +83,11 @@ def main():
     if difference(first, wrong, arguments.tolerance) is None:
         sys.exit("the comparison finds nothing: there is no force in " + name)
     for other, rows in histories[1:]:
-        found = difference(first, rows, arguments.tolerance)
+        found = difference(first, rows, arguments.tolerance, ignored)
         if found:
             sys.exit("%s and %s differ: %s" % (name, other, found))
+    if arguments.factorizations is not None and factorizations(histories[-1][0]) != arguments.factorizations:
+        sys.exit("%s needed %d factorizations" % (histories[-1][0], factorizations(histories[-1][0])))
     print("%d histories of %d increments agree to %g" % (len(histories), len(first), arguments.tolerance))
 
 

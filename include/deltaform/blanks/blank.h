@@ -92,6 +92,12 @@ namespace deltaform
       return stiffness_scale() / initial_thickness();
     }
 
+    /// Is the tangent the same in every state? assemble() then needs to give it once.
+    virtual bool constant_stiffness() const
+    {
+      return false;
+    }
+
     virtual bool axisymmetric() const = 0;
 
     virtual double initial_thickness() const = 0;

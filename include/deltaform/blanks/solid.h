@@ -44,6 +44,7 @@ namespace deltaform
     std::string describe_dof(DofIndex dof) const override;
     double stiffness_scale() const override;
     double modulus() const override;
+    bool constant_stiffness() const override;
     bool axisymmetric() const override;
     double initial_thickness() const override;
     double typical_length() const override;

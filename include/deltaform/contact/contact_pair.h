@@ -52,6 +52,12 @@ namespace deltaform
       return travel_dof_;
     }
 
+    /// Where node @p i has its multiplier, if the enforcement has any.
+    DofIndex multiplier_dof(const unsigned int i) const
+    {
+      return first_multiplier_ + i;
+    }
+
     unsigned int n_nodes() const
     {
       return surface_.n_contact_nodes(tool_.side());

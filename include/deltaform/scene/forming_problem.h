@@ -99,6 +99,18 @@ namespace deltaform
       return *system_;
     }
 
+    /// As chosen for the present mesh.
+    const LinearSolverSettings &linear_solver() const
+    {
+      return linear_solver_;
+    }
+
+    /// Is the blank's stiffness assembled and factorized once?
+    bool on_linear_path() const
+    {
+      return linear_solver_.linear_path && actors_.blank->constant_stiffness();
+    }
+
     const std::vector<double> &scale() const
     {
       return scale_;
@@ -172,7 +184,10 @@ namespace deltaform
 
     void set_prescribed();
 
-    /// Tell the system what an algebraic multigrid has to know.
+    /// Unknowns to which contact may add entries of the tangent.
+    std::vector<DofIndex> contact_unknowns() const;
+
+    /// Tell the system what an algebraic multigrid has to know, or whoever factorizes the blank without contact.
     void describe_rigid_motions();
 
     void assemble_loads(const Vector &q, AssemblyTarget &target) const;

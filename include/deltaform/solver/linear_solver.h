@@ -21,10 +21,24 @@ namespace deltaform
 
     bool iterative() const;
 
+    /// Put a direct solver in the place of 'automatic': the faster one for a matrix with @p n rows and this
+    /// front_width().
+    void choose(std::size_t n, std::size_t width);
+
+
     std::string name;
+    bool automatic              = false; ///< name is the program's choice
     double tolerance            = 1e-10;
     unsigned int max_iterations = 2000;
+    bool linear_path            = true; ///< a part of the tangent that does not change is factorized once
   };
+
+  /**
+   * How many unknowns a front has that sweeps over the mesh, from neighbours to neighbours (the width of the level
+   * structure, Gibbs, Poole, Stockmeyer (1976), SIAM J. Numer. Anal. 13, 236): a few times the unknowns across a
+   * strip, however long it is. With several processes, which do not know all couplings, that of a square.
+   */
+  std::size_t front_width(const dealii::DynamicSparsityPattern &pattern);
 
   /**
    * A matrix of Trilinos with a fixed pattern and a way to solve with it: Amesos (KLU, MUMPS), or a Krylov method of
@@ -58,6 +72,12 @@ namespace deltaform
 
     /// Own rows of the right side and of the solution. @return success, on all processes alike
     virtual bool solve(const double *right_side, double *solution) = 0;
+
+    /// What went wrong in the last solve() with a matrix that need not be singular, in words; empty if nothing did.
+    virtual std::string failure() const
+    {
+      return {};
+    }
 
     virtual unsigned int n_iterations() const
     {

@@ -45,7 +45,16 @@ namespace deltaform
 
     unsigned int size() const;
 
-    /// Set everything to zero and start a pass.
+    /**
+     * What is added to the tangent up to sum_over_ranks() does not change from pass to pass (the stiffness of a linear
+     * blank): it is added in one pass with tangent, and none is wanted for it in later ones. A direct solver then
+     * factorizes it once; what is added behind it is an update of low rank, see LowRankUpdate.
+     * @param candidates   the sparse unknowns that may get entries behind it; with others the whole is factorized
+     * @param largest_rank so it is if more unknowns than this get entries
+     */
+    void keep_constant_part(std::vector<DofIndex> candidates, std::size_t largest_rank);
+
+    /// Set everything to zero, but for a constant part, and start a pass.
     void clear(bool tangent);
 
     void add(const DofIndex *dofs, unsigned int n, const double *matrix, const double *vector) override;
@@ -111,6 +120,9 @@ namespace deltaform
      */
     bool solve(const Vector &increments, Vector &d);
 
+    /// Why the last solve() failed, if it was not for a singular matrix: in words; otherwise empty.
+    std::string linear_failure() const;
+
     /// Iterations of the linear solver since the start, 0 for a direct one.
     unsigned int n_linear_iterations() const;
 
@@ -119,8 +131,12 @@ namespace deltaform
       return n_factorizations_;
     }
 
+    /// Solves with the constant part alone for its compliance at the unknowns that have been in an update.
+    unsigned int n_compliances() const;
+
   private:
     struct Rows;
+    struct Constant;
 
     /// Storage for the own rows and for those that own cells contribute to.
     void distribute(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned);
@@ -143,13 +159,38 @@ namespace deltaform
 
     bool solve_sparse(const Vector &right_side, Vector &solution);
 
+    /// The array in which a matrix for the solver is prepared, a copy of the tangent; the tangent itself where nobody
+    /// needs it any more.
+    double *stage();
+
+    /// Rows (and columns, where the elimination is symmetric) of prescribed unknowns, and the shift of the diagonal, in
+    /// a staged matrix whose largest diagonal entry is @p scale.
+    void eliminate(double *staged, double scale, double shift);
+
+    /// Give a staged matrix to the solver.
+    void hand_over(const double *staged);
+
+    bool factorize_whole(double shift);
+
+    /// The update is of low rank and the constant part is factorized.
+    bool factorize_constant();
+
+    /// Take back what has been added to the constant part.
+    void restore_constant();
+
+    bool solve_condensed(const Vector &increments, Vector &d);
+
+    /// -R, and what a solution lacks of it.
+    void right_side(const Vector &increments, Vector &result) const;
+
     unsigned int n_sparse_, n_border_;
     DofIndex first_ = 0, end_; ///< own rows
     std::unique_ptr<LinearSolver> solver_;
-    std::unique_ptr<Rows> rows_;    ///< null if all rows are here
-    bool symmetric_elimination_;    ///< of prescribed unknowns: what an iterative solver needs
-    bool common_           = false; ///< what is added now is the same on all processes
-    double prescribed_row_ = 1.;    ///< diagonal of the rows of prescribed unknowns
+    std::unique_ptr<Rows> rows_;         ///< null if all rows are here
+    std::unique_ptr<Constant> constant_; ///< null if the whole tangent changes from pass to pass
+    bool symmetric_elimination_;         ///< of prescribed unknowns: what an iterative solver needs
+    bool common_           = false;      ///< what is added now is the same on all processes
+    double prescribed_row_ = 1.;         ///< diagonal of the rows of prescribed unknowns
     const int *row_start_  = nullptr;
     const int *columns_    = nullptr;
     double *values_        = nullptr;
