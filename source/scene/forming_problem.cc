@@ -344,6 +344,7 @@ namespace deltaform
     factors_due_ = !active_pairs_.empty();
     cycling_     = false;
     visited_.clear();
+    system_->forget_factors();
   }
 
 

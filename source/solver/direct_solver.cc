@@ -36,6 +36,12 @@ namespace deltaform
         return *matrix_->crs;
       }
 
+      void forget() override
+      {
+        factored_.clear();
+        has_pivots_ = false;
+      }
+
       bool factorize() override
       {
         const std::size_t n = row_start_[matrix_->crs->NumMyRows()];
@@ -46,8 +52,8 @@ namespace deltaform
         factored_.clear();
         if (!analysed_ && !matrix_->all(factorization_->SymbolicFactorization() == 0))
           return false;
-        reuse_pivots(keeps_pivots_ && analysed_);
-        analysed_ = true;
+        reuse_pivots(keeps_pivots_ && has_pivots_);
+        analysed_ = has_pivots_ = true;
         if (!matrix_->all(factorization_->NumericFactorization() == 0))
           return false;
         factored_.assign(values_, values_ + n);
@@ -112,7 +118,7 @@ namespace deltaform
       std::unique_ptr<TrilinosMatrix> matrix_;
       bool keeps_pivots_;
       std::unique_ptr<Amesos_BaseSolver> factorization_;
-      bool analysed_ = false, reuses_pivots_ = false;
+      bool analysed_ = false, has_pivots_ = false, reuses_pivots_ = false;
       int *row_start_     = nullptr; ///< of the matrix, as the next two
       const int *columns_ = nullptr;
       double *values_     = nullptr;

@@ -280,6 +280,12 @@ namespace deltaform
   }
 
 
+  void System::forget_factors()
+  {
+    solver_->forget();
+  }
+
+
   bool System::factorize(const double shift)
   {
     if (constant_ && shift == 0. && factorize_constant())

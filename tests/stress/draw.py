@@ -234,6 +234,9 @@ def draw(seed):
     text += section("Steps", ["set Stages = form"] +
                     section("form", ["set End time = 1", f"set Smallest increment = {smallest:g}"] +
                             (["set First increment = 1", "set Largest increment = 1"] if whole else [])))
+    if against:
+        # It has to end well, no more: within bounded time.
+        text += section("Solver", ["set Maximal increments = 400"])
     text += section("Output", ["set Pictures = 2"])
     return "\n".join(text) + "\n", dict(seed=seed, kind=kind, features=features, law=known["law"], sensible=not against,
                                         against=against)

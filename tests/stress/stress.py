@@ -64,7 +64,8 @@ def worst_promise(folder):
 def shorten(message):
     """The kind of a failure: its message without numbers and names."""
     known = (("more than", "slow: increments were still accepted" if "increments" in message else "no increment accepted"),
-             ("necks", "necking"), ("promise p <= delta", "promise could not be kept, said so"),
+             ("necks", "necking"),
+             ("Maximal increments", "not sensible, and not done after 400 increments"), ("promise p <= delta", "promise could not be kept, said so"),
              ("round-off", "delta below round-off, refused"), ("tangent is singular", "tangent singular: limit load or free to move"),
              ("did not converge", "Newton did not converge"), ("strain increment", "strain increment too large"),
              ("rotation increment", "rotation increment too large"), ("corrections of the penalty", "corrections did not end"),

@@ -67,6 +67,11 @@ namespace deltaform
     {
     }
 
+    /// Take nothing over from earlier matrices: a resumed run, which knows none, is to compute the same to the last bit.
+    virtual void forget()
+    {
+    }
+
     /// The values of the matrix have changed. @return false if it is singular, on all processes alike
     virtual bool factorize() = 0;
 

@@ -54,6 +54,9 @@ namespace deltaform
      */
     void keep_constant_part(std::vector<DofIndex> candidates, std::size_t largest_rank);
 
+    /// Let no earlier matrix have a say in how the next ones are factorized.
+    void forget_factors();
+
     /// Set everything to zero, but for a constant part, and start a pass.
     void clear(bool tangent);
 
