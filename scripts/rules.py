@@ -4,8 +4,8 @@
     scripts/rules.py [--program PROGRAM] [--output output/rules] [--jobs 2] [--scenes cup,pressed_plate,bent_strip] [--write]
 
 Error in force: root mean square difference from `active set` at ten travels over the largest force. Condition numbers are
-medians over every fifth increment. The runs are those of `deltaform sweep`; one that fails is a row. --write copies the page to doc/rules.md (the text behind its
-first heading of second order is kept) and the picture to doc/gallery.
+medians over every fifth increment. The runs are those of `deltaform sweep`, so that one that fails is a row. --write copies the
+page to doc/rules.md (the text behind its first heading of second order is kept) and the picture to doc/gallery.
 """
 import argparse
 import csv
