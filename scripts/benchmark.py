@@ -8,7 +8,7 @@
 2. The cost of a Newton iteration from 50 to 3200 elements, and the exponent n of cost ~ elements^n.
 3. The same of a solid, and its assembly by a plain loop and by WorkStream.
 
-Builds what it needs. Standard library only; about two minutes.
+Builds what it needs. Standard library only; about three minutes.
 """
 import argparse
 import json
@@ -22,6 +22,7 @@ import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+BY_HAND = "## Found on the way"  # of the page: from here on it is kept as it is
 ELEMENTS = [50, 100, 200, 400, 800, 1600, 3200]
 
 
@@ -56,9 +57,9 @@ def compare_libraries(program, empty):
            (f" (without {', '.join(missing)})." if missing else ".")
 
 
-def whole_process(program, empty, folder, runs):
+def whole_process(program, empty, folder, runs, elements, allowed):
     """Lines of a table: medians over alternating runs."""
-    command = [program, "prm/cup.prm", "--output", folder]
+    command = [program, "prm/cup.prm", "--output", folder, "--set", f"Blank/Elements={elements}"]
     call(command), call([empty])  # libraries into the page cache
     cup, nothing, computing = [], [], []
     for _ in range(runs):
@@ -68,18 +69,17 @@ def whole_process(program, empty, folder, runs):
     summary = load(folder, "summary.json")
     wall, processor = ([statistics.median(run[k] for run in of) for of in (cup, nothing)] for k in (0, 1))
     return [
-        f"The cup of `prm/cup.prm` ({summary['increments']:g} increments, {summary['newton_iterations']:g} Newton iterations, "
+        f"The cup of `prm/cup.prm` with {elements} elements ({summary['increments']:g} increments, {summary['newton_iterations']:g} Newton iterations, "
         f"{runs} alternating runs, medians):",
         "",
         "| | whole process [s] | fastest [s] | processor time [s] |",
         "|---|---|---|---|",
         f"| deltaform prm/cup.prm, all default outputs | {wall[0]:.3f} | {min(r[0] for r in cup):.3f} | {processor[0]:.3f} |",
         f"| empty program, same libraries, MPI started and ended | {wall[1]:.3f} | {min(r[0] for r in nothing):.3f} | {processor[1]:.3f} |",
-        f"| **ratio** (asked: at most 3) | **{wall[0] / wall[1]:.2f}** | {min(r[0] for r in cup) / min(r[0] for r in nothing):.2f} "
+        f"| **ratio** (asked: at most {allowed}) | **{wall[0] / wall[1]:.2f}** | {min(r[0] for r in cup) / min(r[0] for r in nothing):.2f} "
         f"| {processor[0] / processor[1]:.2f} |",
         f"| of which deltaform computes and writes (`timing.json`, total) | {statistics.median(computing):.3f} | {min(computing):.3f} | |",
         "",
-        compare_libraries(program, empty),
     ]
 
 
@@ -165,14 +165,20 @@ def main():
     program, empty = os.path.join(build, "deltaform"), os.path.join(build, "tests", "benchmark", "empty_process")
     with tempfile.TemporaryDirectory() as folder:
         lines = ["# Speed", "", "Printed by `scripts/benchmark.py`; Release, one process, one thread.", "",
-                 "## The main job", "", *whole_process(program, empty, folder, options.runs), "",
+                 "## The main job", "", *whole_process(program, empty, folder, options.runs, 50, 3),
+                 *whole_process(program, empty, folder, options.runs, 400, 10), compare_libraries(program, empty), "",
                  "## Cost of an iteration", "", *per_iteration(program, folder, options.repetitions), "",
                  "## The solid", "", *solid(program, os.path.join(build, "tests", "benchmark", "assembly_loops"), folder,
                                             options.repetitions)]
     print("\n".join(lines))
     if options.write:
+        by_hand = ""
+        if os.path.exists(options.write):
+            with open(options.write, encoding="utf-8") as file:
+                _, heading, text = file.read().partition(BY_HAND)
+            by_hand = "\n" + heading + text if heading else ""
         with open(options.write, "w", encoding="utf-8") as file:
-            file.write("\n".join(lines) + "\n")
+            file.write("\n".join(lines) + "\n" + by_hand)
 
 
 if __name__ == "__main__":

@@ -67,7 +67,8 @@ namespace deltaform
     {
     }
 
-    /// Take nothing over from earlier matrices: a resumed run, which knows none, is to compute the same to the last bit.
+    /// Take nothing over from earlier matrices: a resumed run, which knows none, is to compute the same to the last
+    /// bit.
     virtual void forget()
     {
     }
