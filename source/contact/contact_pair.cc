@@ -9,13 +9,6 @@ namespace deltaform
 {
   namespace
   {
-    /// In an expression of delta the word auto is -1: a negative value is that many times the estimate.
-    std::map<std::string, double> with_automatic_delta(std::map<std::string, double> constants)
-    {
-      constants["auto"] = -1.;
-      return constants;
-    }
-
     /// Share of the friction force that a node receives, with its gradient, and d(slip)/d(displacement along the
     /// tangent): the same but for the penetration.
     struct SlipTransfer
@@ -41,35 +34,6 @@ namespace deltaform
               projection.slip_rate * (1. + k_point * offset) / (1. + k * offset)};
     }
   } // namespace
-
-
-  ContactSettings::ContactSettings(Section &section, const std::map<std::string, double> &constants)
-    : enforcement(Registry<Enforcement>::choose(section, "Enforcement", "penalty", "How gap >= 0 is imposed.")),
-      rule(Registry<PenaltyRule>::choose(section, "Penalty rule", "adaptive", "Where the penalty factors come from.")),
-      allowed_penetration(section.function("Allowed penetration",
-                                           Default<std::string>("1e-3*thickness"),
-                                           "length",
-                                           "delta: how far a node may penetrate a tool; expression of t and thickness. "
-                                           "'auto': a twentieth of the estimated discretisation error of the contact.",
-                                           with_automatic_delta(constants))),
-      allowed_slip(
-        section.function("Allowed elastic slip",
-                         Default<std::string>("1e-3*thickness"),
-                         "length",
-                         "delta_t: how far a sticking node may creep; sets the tangential factor mu lambda / delta_t.",
-                         constants)),
-      tangential_factor(section.number("Tangential factor",
-                                       0.,
-                                       Range::not_negative(),
-                                       "force/length",
-                                       "Constant tangential factor per node; 0: from the allowed elastic slip.")),
-      tangential_floor(section.number("Tangential floor factor",
-                                      1e-3,
-                                      Range::not_negative(),
-                                      "1",
-                                      "Smallest tangential factor in units of the nodal stiffness K_tt."))
-  {
-  }
 
 
   ContactPair::ContactPair(const ContactSurface &surface,
@@ -266,71 +230,6 @@ namespace deltaform
       if (normal.touching || own_unknown)
         add_pair(i, node, projection, normal, friction, target);
     }
-  }
-
-
-  bool ContactPair::is_idle(const PairState &state, const double gap) const
-  {
-    return std::abs(state.multiplier) <= slack_ && std::abs(state.shift - state.epsilon * gap) <= slack_ &&
-           gap >= -state.delta;
-  }
-
-
-  void ContactPair::prepare_step(const Vector &d)
-  {
-    if (settings_.enforcement->has_multiplier())
-      return;
-    const Tensor1 tool_step = tool_.force_driven() ? d[travel_dof_] * tool_.direction() : Tensor1();
-    for (unsigned int i = 0; i < trial_.size(); ++i)
-    {
-      PairState &state    = trial_[i];
-      base_multiplier_[i] = state.multiplier;
-      step_multiplier_[i] = -state.multiplier;
-      if (!state.touching)
-        continue;
-      Tensor1 dx = -tool_step;
-      for (unsigned int k = 0; k < description_[i].n_dofs; ++k)
-        dx += d[description_[i].dofs[k]] * description_[i].jacobian[k];
-      const double epsilon = softening_ < 1 && !committed_[i].touching ? softening_ * state.epsilon : state.epsilon;
-      step_multiplier_[i] += state.shift - epsilon * (state.gap + normal_[i] * dx);
-    }
-  }
-
-
-  void ContactPair::advance(const double factor)
-  {
-    if (!settings_.enforcement->has_multiplier())
-      for (unsigned int i = 0; i < trial_.size(); ++i)
-        trial_[i].multiplier = base_multiplier_[i] + factor * step_multiplier_[i];
-  }
-
-
-  double ContactPair::free_travel() const
-  {
-    double closest = std::numeric_limits<double>::infinity();
-    for (const auto &state : trial_)
-    {
-      if (state.touching)
-        return 0.;
-      // Half of delta beyond the gap: only a penetration makes contact.
-      closest = std::min(closest, std::max(state.gap, 0.) + .5 * state.delta);
-    }
-    return closest;
-  }
-
-
-  bool ContactPair::consistent(const double allowed_tension) const
-  {
-    // An exact constraint is to be exact: its residual is a length that the forces hardly notice.
-    if (settings_.enforcement->has_multiplier() && softening_ == 1.)
-      for (unsigned int i = 0; i < trial_.size(); ++i)
-        if (trial_[i].touching && std::abs(trial_[i].gap) > 1e-8 * description_[i].thickness + tolerance(i))
-          return false;
-    for (unsigned int i = 0; i < trial_.size(); ++i)
-      if (trial_[i].touching &&
-          trial_[i].force < -std::max(allowed_tension, Enforcement::weight(trial_[i]) * tolerance(i)))
-        return false;
-    return true;
   }
 
 

@@ -1,0 +1,68 @@
+// The state of a solid, for a run that goes on.
+#include <deltaform/base/ranks.h>
+#include <deltaform/base/scene_error.h>
+#include <deltaform/blanks/solid.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace deltaform
+{
+  void Solid::save(std::ostream &stream) const
+  {
+    std::vector<double> gradients;
+    for (const auto &F : committed_deformation_)
+    {
+      gradients.insert(gradients.end(), F.f.begin(), F.f.end());
+      gradients.push_back(F.hoop);
+    }
+    const BlankEnergy total = energy();
+    std::ostringstream own;
+    boost::archive::binary_oarchive archive(own);
+    archive << passes_ << estimated_error_ << history_ << carried_ << spin_ << committed_stress_ << gradients
+            << plastic_metric_ << faces_[0].area << faces_[1].area << smallest_thickness_ << total.elastic
+            << total.plastic;
+    const std::vector<std::string> all = ranks::gather(own.str());
+    boost::archive::binary_oarchive(stream) << all;
+  }
+
+
+  void Solid::load(std::istream &stream)
+  {
+    std::vector<double> gradients;
+    std::vector<std::string> all;
+    boost::archive::binary_iarchive(stream) >> all;
+    if (all.size() != ranks::count())
+      throw SceneError("Cannot resume: the run was saved by " + std::to_string(all.size()) + " processes and goes on " +
+                       "with as many only (mpirun -np " + std::to_string(all.size()) + "); these are " +
+                       std::to_string(ranks::count()) + ".");
+    std::istringstream own(all[ranks::mine()]);
+    BlankEnergy total;
+    boost::archive::binary_iarchive archive(own);
+    std::vector<std::vector<bool>> passes;
+    archive >> passes;
+    std::vector<Vector> none;
+    for (auto pass = passes_.size(); pass < passes.size(); ++pass)
+    {
+      mesh_.triangulation().load_refine_flags(passes[pass]);
+      refine(none);
+    }
+    archive >> estimated_error_ >> history_ >> carried_ >> spin_ >> committed_stress_ >> gradients >> plastic_metric_ >>
+      faces_[0].area >> faces_[1].area >> smallest_thickness_ >> total.elastic >> total.plastic;
+    if (energy_)
+      energy_ = total;
+    for (unsigned int i = 0; i < committed_deformation_.size(); ++i)
+    {
+      std::copy_n(gradients.begin() + 5 * i, 4, committed_deformation_[i].f.begin());
+      committed_deformation_[i].hoop = gradients[5 * i + 4];
+    }
+    stress_      = committed_stress_;
+    deformation_ = committed_deformation_;
+  }
+} // namespace deltaform

@@ -1,0 +1,45 @@
+// Entries of section Contact.
+#include <deltaform/base/registry.h>
+#include <deltaform/contact/contact_pair.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// In an expression of delta the word auto is -1: a negative value is that many times the estimate.
+    std::map<std::string, double> with_automatic_delta(std::map<std::string, double> constants)
+    {
+      constants["auto"] = -1.;
+      return constants;
+    }
+  } // namespace
+
+
+  ContactSettings::ContactSettings(Section &section, const std::map<std::string, double> &constants)
+    : enforcement(Registry<Enforcement>::choose(section, "Enforcement", "penalty", "How gap >= 0 is imposed.")),
+      rule(Registry<PenaltyRule>::choose(section, "Penalty rule", "adaptive", "Where the penalty factors come from.")),
+      allowed_penetration(section.function("Allowed penetration",
+                                           Default<std::string>("1e-3*thickness"),
+                                           "length",
+                                           "delta: how far a node may penetrate a tool; expression of t and thickness. "
+                                           "'auto': a twentieth of the estimated discretisation error of the contact.",
+                                           with_automatic_delta(constants))),
+      allowed_slip(
+        section.function("Allowed elastic slip",
+                         Default<std::string>("1e-3*thickness"),
+                         "length",
+                         "delta_t: how far a sticking node may creep; sets the tangential factor mu lambda / delta_t.",
+                         constants)),
+      tangential_factor(section.number("Tangential factor",
+                                       0.,
+                                       Range::not_negative(),
+                                       "force/length",
+                                       "Constant tangential factor per node; 0: from the allowed elastic slip.")),
+      tangential_floor(section.number("Tangential floor factor",
+                                      1e-3,
+                                      Range::not_negative(),
+                                      "1",
+                                      "Smallest tangential factor in units of the nodal stiffness K_tt."))
+  {
+  }
+} // namespace deltaform

@@ -1,0 +1,73 @@
+// Who is in contact: what a step makes of the forces, which states are solutions, what is too little to matter.
+#include <deltaform/contact/contact_pair.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace deltaform
+{
+  bool ContactPair::is_idle(const PairState &state, const double gap) const
+  {
+    return std::abs(state.multiplier) <= slack_ && std::abs(state.shift - state.epsilon * gap) <= slack_ &&
+           gap >= -state.delta;
+  }
+
+
+  void ContactPair::prepare_step(const Vector &d)
+  {
+    if (settings_.enforcement->has_multiplier())
+      return;
+    const Tensor1 tool_step = tool_.force_driven() ? d[travel_dof_] * tool_.direction() : Tensor1();
+    for (unsigned int i = 0; i < trial_.size(); ++i)
+    {
+      PairState &state    = trial_[i];
+      base_multiplier_[i] = state.multiplier;
+      step_multiplier_[i] = -state.multiplier;
+      if (!state.touching)
+        continue;
+      Tensor1 dx = -tool_step;
+      for (unsigned int k = 0; k < description_[i].n_dofs; ++k)
+        dx += d[description_[i].dofs[k]] * description_[i].jacobian[k];
+      const double epsilon = softening_ < 1 && !committed_[i].touching ? softening_ * state.epsilon : state.epsilon;
+      step_multiplier_[i] += state.shift - epsilon * (state.gap + normal_[i] * dx);
+    }
+  }
+
+
+  void ContactPair::advance(const double factor)
+  {
+    if (!settings_.enforcement->has_multiplier())
+      for (unsigned int i = 0; i < trial_.size(); ++i)
+        trial_[i].multiplier = base_multiplier_[i] + factor * step_multiplier_[i];
+  }
+
+
+  double ContactPair::free_travel() const
+  {
+    double closest = std::numeric_limits<double>::infinity();
+    for (const auto &state : trial_)
+    {
+      if (state.touching)
+        return 0.;
+      // Half of delta beyond the gap: only a penetration makes contact.
+      closest = std::min(closest, std::max(state.gap, 0.) + .5 * state.delta);
+    }
+    return closest;
+  }
+
+
+  bool ContactPair::consistent(const double allowed_tension) const
+  {
+    // An exact constraint is to be exact: its residual is a length that the forces hardly notice.
+    if (settings_.enforcement->has_multiplier() && softening_ == 1.)
+      for (unsigned int i = 0; i < trial_.size(); ++i)
+        if (trial_[i].touching && std::abs(trial_[i].gap) > 1e-8 * description_[i].thickness + tolerance(i))
+          return false;
+    for (unsigned int i = 0; i < trial_.size(); ++i)
+      if (trial_[i].touching &&
+          trial_[i].force < -std::max(allowed_tension, Enforcement::weight(trial_[i]) * tolerance(i)))
+        return false;
+    return true;
+  }
+} // namespace deltaform
