@@ -19,6 +19,7 @@ RULE = """A scene is called sensible if
       stretching: ln of the length of the dome's arc over its chord, twice it in thickness; friction concentrates it by 1 + 2 mu;
       drawing: ratio of blank to punch radius at most 1 + .8 n/(n + .1) for the uniform strain n, less friction; tool radii >= 4 t;
                a holder by force presses with at most 2 % of the flow stress, by gap leaves at least 1.1 t;
+               a holder by force has something to press on to the end: the rim, by constant area, stays under it;
       a holder by force holds the flange down: its moment about the die, force times half the flange, is at least that of
                the fully plastic sheet, sigma t^2/4, twice for hardening; else the flange lifts it and slips away under it;
       bending: t/(2 r) below the uniform strain, or any r >= 2 t without stretching (a free strip);
@@ -164,6 +165,15 @@ def draw(seed):
         against.append("smallest increment above 1e-4")
     elastic = known["law"] == "linear elastic"
     bent = .5 / (smallest_radius + .5)
+    # The rim by constant area (plane strain: length) of a dome, or of a flat bottom with its wall.
+    dome = hemisphere and stroke < radius
+    if plane:
+        angle = math.acos(1 - stroke / radius) if dome else 0.
+        rim = blank - (radius * (angle - math.sin(angle)) if dome else stroke)
+    else:
+        rim = math.sqrt(max(0., blank ** 2 - (stroke ** 2 if dome else 2 * radius * stroke)))
+    if kind == "drawing" and holder == "force" and rim < inner:
+        against.append("the rim leaves a holder by force")
     if kind == "stretching":
         half = math.atan2(stroke, throat)
         strain = 2 * math.log(2 * half / math.sin(2 * half)) * (1 + 2 * friction)

@@ -226,6 +226,7 @@ def main():
     if arguments.again:
         results = [json.loads(line) for line in arguments.again.read_text().splitlines()]
         results = [dict(r, **draw.draw(r["seed"])[1]) for r in results]
+        results = [r for r in results if r["sensible"] or not arguments.sensible]
         results.sort(key=lambda r: r["seed"])
         if not arguments.sensible:
             arguments.first, arguments.count = results[0]["seed"], len(results)
