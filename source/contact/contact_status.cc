@@ -46,12 +46,13 @@ namespace deltaform
   double ContactPair::free_travel() const
   {
     double closest = std::numeric_limits<double>::infinity();
-    for (const auto &state : trial_)
+    for (unsigned int i = 0; i < trial_.size(); ++i)
     {
-      if (state.touching)
+      if (trial_[i].touching)
         return 0.;
-      // Half of delta beyond the gap: only a penetration makes contact.
-      closest = std::min(closest, std::max(state.gap, 0.) + .5 * state.delta);
+      // A node on the axis has no area and no pair. Half of delta beyond the gap: only a penetration makes contact.
+      if (area_[i] > 0)
+        closest = std::min(closest, std::max(trial_[i].gap, 0.) + .5 * trial_[i].delta);
     }
     return closest;
   }

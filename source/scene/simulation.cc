@@ -72,16 +72,17 @@ namespace deltaform
     NewtonResult result;
     while (!control.finished(time_))
     {
-      const bool measured = condition_ && condition_->due(increment_ + 1);
-      if (measured)
-        condition_->watch(problem_);
       if (increment_ >= scene_.steps->max_increments)
       {
         journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) + ": " +
                          std::to_string(increment_) +
                          " increments are done (Solver/Maximal increments). To go on, allow more and --resume.");
+        before_giving_up_ = checkpoint();
         return exit_status::not_converged;
       }
+      const bool measured = condition_ && condition_->due(increment_ + 1);
+      if (measured)
+        condition_->watch(problem_);
       const double next = control.next(time_);
       // Cut twice, or as short as it may be: the length of the increment is not the reason.
       const Effort effort = (next - time_) * scene_.steps->shrink < stage.smallest_increment ? Effort::all

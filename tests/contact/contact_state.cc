@@ -132,6 +132,23 @@ BOOST_AUTO_TEST_CASE(the_promise)
   BOOST_TEST(fixture.pair.correct_factors() == 1u);
 }
 
+BOOST_AUTO_TEST_CASE(free_travel_is_the_gap_of_the_closest_node)
+{
+  // The node on the axis has no area and no pair: it says nothing of how far the tool is away.
+  FakeSurface surface = row(3);
+  surface.axis_node   = 0;
+  PairFixture fixture(surface, {"Enforcement=penalty", "Allowed penetration=1e-3"}, flat);
+  Vector q = place(fixture, 0., .1);
+  q[5]     = .07;
+  fixture.pair.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., stiffness);
+  fixture.settle(q);
+  BOOST_TEST(std::abs(fixture.pair.free_travel() - .0705) < 1e-14);
+  q[5] = -1e-4;
+  fixture.settle(q);
+  BOOST_TEST(fixture.pair.free_travel() == 0.);
+}
+
 BOOST_AUTO_TEST_CASE(round_off_breaks_no_promise)
 {
   // delta = 1e-14 at coordinates of size 1: what the coordinates cannot resolve is not counted.

@@ -52,7 +52,7 @@ namespace deltaform
         node                      = ContactNode();
         node.node                 = i;
         node.n_dofs               = dofs_per_node();
-        node.area                 = area;
+        node.area                 = i == axis_node ? 0. : area;
         node.offset               = offset;
         node.reference_coordinate = X[i][0];
         node.thickness            = 2. * (arm + offset);
@@ -77,6 +77,7 @@ namespace deltaform
 
       std::vector<Point2> X;
       double arm, offset, area = 1.;
+      unsigned int axis_node = invalid_index; ///< a node without area
       std::vector<std::array<unsigned int, 3>> edges;
     };
 

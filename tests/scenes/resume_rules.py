@@ -51,6 +51,15 @@ run(0, "resumed after increment", *few, "--set", "Contact/Allowed penetration=1e
 run(1, "Cannot resume: the saved state at time 1.05", *few, "--set", "Steps/Stages=form, release", "--set",
     "Steps/form/End time=0.5", "--set", "Steps/release/End time=1.2", "--resume")
 
+# Out of increments, then allowed more: the rows are those of a run that was never stopped.
+short, straight = folder / "short", folder / "straight"
+run(0, "results in", *few, where=straight)
+run(2, "20 increments are done (Solver/Maximal increments)", *few, "--set", "Solver/Maximal increments=20", where=short)
+run(0, "resumed after increment 20", *few, "--resume", where=short)
+if rows(short) != rows(straight):
+    failures += 1
+    print("a run that was resumed when its increments were used up differs from one that was not stopped")
+
 state = folder / "checkpoint.bin"
 content = bytearray(state.read_bytes())
 content[len(content) // 2] ^= 1
