@@ -148,6 +148,9 @@ namespace deltaform
     for (auto &value : thickness)
       value *= thickness_;
     node_thickness_ = to_nodes(thickness);
+    // The pressures are those that the transverse stress of this increment was made of.
+    for (unsigned int i = 0; i < node_relief_.size(); ++i)
+      node_relief_[i] = .25 * node_thickness_[i] * (contact_pressure_[0][i] + contact_pressure_[1][i]) / modulus();
     update_areas(q);
   }
 
@@ -254,7 +257,8 @@ namespace deltaform
     const BlankEnergy total = energy();
     boost::archive::binary_oarchive archive(stream);
     archive << history_ << carried_ << committed_strain_ << committed_stress_ << thickness_ratio_ << node_thickness_
-            << node_area_ << contact_pressure_ << third_stress_ << total.elastic << total.plastic << total.normal;
+            << node_relief_ << node_area_ << contact_pressure_ << third_stress_ << total.elastic << total.plastic
+            << total.normal;
   }
 
 
@@ -263,7 +267,8 @@ namespace deltaform
     BlankEnergy total;
     boost::archive::binary_iarchive archive(stream);
     archive >> history_ >> carried_ >> committed_strain_ >> committed_stress_ >> thickness_ratio_ >> node_thickness_ >>
-      node_area_ >> contact_pressure_ >> third_stress_ >> total.elastic >> total.plastic >> total.normal;
+      node_relief_ >> node_area_ >> contact_pressure_ >> third_stress_ >> total.elastic >> total.plastic >>
+      total.normal;
     if (energy_)
       energy_ = total;
     strain_ = committed_strain_;

@@ -131,6 +131,7 @@ namespace deltaform
     for (unsigned int i = 0; i < n; ++i)
       node_angle_[i] /= count[i];
     node_thickness_.assign(n, thickness_);
+    node_relief_.assign(n, 0.);
     node_area_.assign(n, 0.);
     contact_pressure_[0].assign(n, 0.);
     contact_pressure_[1].assign(n, 0.);

@@ -11,7 +11,7 @@ namespace deltaform
     ContactNode node;
     for (unsigned int i = 0; i < trial_.size(); ++i)
     {
-      surface_.contact_node(q, tool_.side(), i, thickness_, node);
+      describe(q, i, node);
       stiffness.block(node.dofs.data(), node.n_dofs, stiffness_[i].data());
       // Pairs that touch set their stiffness anew below; the others when they touch for the first time.
       trial_[i].stiffness = 0.;

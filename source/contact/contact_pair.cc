@@ -48,9 +48,16 @@ namespace deltaform
                           {"current", "initial", "none"},
                           "Thickness that keeps the tool from the mid-surface of a shell: as last "
                           "accepted, initial (a tool with a fixed gap to another), or none.");
-    thickness_ = thickness == "current"   ? ContactThickness::current
-                 : thickness == "initial" ? ContactThickness::initial
-                                          : ContactThickness::none;
+    thickness_                = thickness == "current"   ? ContactThickness::current
+                                : thickness == "initial" ? ContactThickness::initial
+                                                         : ContactThickness::none;
+    const std::string squeeze = tool_section.choice(
+      "Squeeze",
+      "automatic",
+      {"automatic", "on", "off"},
+      "Does the half of a shell's thickness on this side give way at once, by pressure over Young's "
+      "modulus, or only when the increment is accepted? Automatic: on for a tool driven by force.");
+    squeezed_ = squeeze == "on" || (squeeze == "automatic" && tool.force_driven());
     auto law =
       Registry<FrictionLaw>::choose(tool_section, "Friction law", "coulomb", "Tangential law; no friction, no object.");
     if (tool.friction_coefficient() > 0)
@@ -76,8 +83,18 @@ namespace deltaform
   ContactNode ContactPair::node(const Vector &q, const unsigned int i) const
   {
     ContactNode result;
-    surface_.contact_node(q, tool_.side(), i, thickness_, result);
+    describe(q, i, result);
     return result;
+  }
+
+
+  void ContactPair::describe(const Vector &q, const unsigned int i, ContactNode &node) const
+  {
+    surface_.contact_node(q, tool_.side(), i, thickness_, node);
+    if (squeezed_)
+      node.offset += node.relief;
+    else
+      node.squeeze = 0.;
   }
 
 
@@ -149,7 +166,7 @@ namespace deltaform
     ContactNode node;
     for (unsigned int i = 0; i < n; ++i)
     {
-      surface_.contact_node(q, tool_.side(), i, thickness_, node);
+      describe(q, i, node);
       PairState &state      = trial_[i];
       const Point2 relative = node.x - shift;
       area_[i]              = node.area;
@@ -189,20 +206,28 @@ namespace deltaform
 
       if (own_unknown)
         state.multiplier = q[first_multiplier_ + i];
+      const double compliance = node.squeeze;
+      const double share      = spring_share(state, compliance);
+      const double left       = share * (gap + compliance * state.shift);
       NormalResponse normal;
       if (std::isfinite(gap))
-        normal = settings_.enforcement->respond(state, gap, state.multiplier);
-      if (slack_ > 0 && normal.touching != state.touching && !own_unknown && is_idle(state, gap))
+        normal = settings_.enforcement->respond(state, own_unknown ? gap : left, state.multiplier);
+      if (slack_ > 0 && normal.touching != state.touching && !own_unknown && is_idle(state, left))
       {
         normal = NormalResponse();
         if (state.touching)
-          normal = {true, state.shift - state.epsilon * gap, -state.epsilon, false};
+          normal = {true, state.shift - state.epsilon * left, -state.epsilon, false};
       }
+      normal.derivative *= share;
+      if (own_unknown)
+        normal.compliance = compliance;
+      if (normal.touching)
+        state.gap = own_unknown ? gap + compliance * normal.force : left;
       if (softening_ < 1 && !committed_[i].touching)
       {
         normal.force *= own_unknown ? 1. : softening_;
         normal.derivative *= softening_;
-        normal.compliance = own_unknown ? 1. / (softening_ * state.stiffness) : 0.;
+        normal.compliance += own_unknown ? 1. / (softening_ * state.stiffness) : 0.;
       }
       FrictionResponse friction;
       if (friction_ && normal.touching)
@@ -274,7 +299,7 @@ namespace deltaform
       residual[k] = -(force * jacobian[k]);
     const double lambda = trial_[i].multiplier;
     if (own_unknown)
-      residual[n_motion] = normal.tied ? -trial_[i].gap - normal.compliance * lambda : lambda;
+      residual[n_motion] = normal.tied ? -trial_[i].gap - (normal.compliance - node.squeeze) * lambda : lambda;
 
     if (!target.wants_tangent())
     {

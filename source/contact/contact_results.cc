@@ -54,12 +54,13 @@ namespace deltaform
   void ContactPair::update_stored_energy()
   {
     energy_->stored = 0.;
-    for (const auto &state : committed_)
-      if (state.touching)
+    for (unsigned int i = 0; i < committed_.size(); ++i)
+      if (const PairState &state = committed_[i]; state.touching)
       {
         const double p = state.penetration();
         if (stores_energy())
           energy_->stored += .5 * state.epsilon * p * p;
+        energy_->stored += .5 * description_[i].squeeze * state.force * state.force;
         if (state.epsilon_tangential > 0)
           energy_->stored += .5 * state.tangential_force * state.tangential_force / state.epsilon_tangential;
       }
@@ -78,7 +79,7 @@ namespace deltaform
       if (!state.touching)
         continue;
       const ContactNode description = node(q, i);
-      const double gap              = tool_.project(description.x - shift, 0., hint_[i]).distance - description.offset;
+      const double gap = tool_.project(description.x - shift, 0., hint_[i]).distance - face(description, state);
       // The force works on the face that moves towards the tool.
       energy_->thickness += state.force * (state.gap - gap);
     }
@@ -134,19 +135,21 @@ namespace deltaform
         continue;
       const ContactNode start = node(q, a), end = node(q, b);
       const ContactNode middle = m == invalid_index ? start : node(q, m);
-      const auto gap           = [&](const double xi)
+      const double a_face = face(start, committed_[a]), b_face = face(end, committed_[b]);
+      const double m_face = m == invalid_index ? 0. : face(middle, committed_[m]);
+      const auto gap      = [&](const double xi)
       {
         const std::array<double, 3> N =
           m == invalid_index ? std::array<double, 3>{{1 - xi, xi, 0.}}
                              : std::array<double, 3>{{(1 - xi) * (1 - 2 * xi), xi * (2 * xi - 1), 4 * xi * (1 - xi)}};
         Point2 x            = start.x - shift;
-        const double offset = N[0] * start.offset + N[1] * end.offset + N[2] * middle.offset;
+        const double offset = N[0] * a_face + N[1] * b_face + N[2] * m_face;
         x += N[1] * (end.x - start.x) + N[2] * (middle.x - start.x);
         return tool_.project(x, 0., hint_[a]).distance - offset;
       };
       const Projection first = tool_.project(start.x - shift, 0., hint_[a]),
                        last  = tool_.project(end.x - shift, 0., hint_[a]);
-      deepest                = std::max({deepest, start.offset - first.distance, end.offset - last.distance});
+      deepest                = std::max({deepest, a_face - first.distance, b_face - last.distance});
       // A straight edge over one straight part of the tool is deepest at one of its ends.
       if (m == invalid_index && first.segment == last.segment && first.turning == 0. && last.turning == 0.)
         continue;

@@ -30,7 +30,8 @@ namespace deltaform
       for (unsigned int k = 0; k < description_[i].n_dofs; ++k)
         dx += d[description_[i].dofs[k]] * description_[i].jacobian[k];
       const double epsilon = softening_ < 1 && !committed_[i].touching ? softening_ * state.epsilon : state.epsilon;
-      step_multiplier_[i] += state.shift - epsilon * (state.gap + normal_[i] * dx);
+      const double share   = spring_share(state, description_[i].squeeze);
+      step_multiplier_[i] += state.shift - epsilon * (state.gap + share * (normal_[i] * dx));
     }
   }
 

@@ -56,6 +56,7 @@ namespace deltaform
         node.offset               = offset;
         node.reference_coordinate = X[i][0];
         node.thickness            = 2. * (arm + offset);
+        node.squeeze              = squeeze;
         for (unsigned int k = 0; k < node.n_dofs; ++k)
           node.dofs[k] = i * node.n_dofs + k;
         node.x           = X[i] + Tensor1({q[node.dofs[0]], q[node.dofs[1]]});
@@ -76,7 +77,7 @@ namespace deltaform
       }
 
       std::vector<Point2> X;
-      double arm, offset, area = 1.;
+      double arm, offset, area = 1., squeeze = 0.;
       unsigned int axis_node = invalid_index; ///< a node without area
       std::vector<std::array<unsigned int, 3>> edges;
     };

@@ -156,6 +156,7 @@ namespace deltaform
     std::vector<Mandel> strain_, stress_, committed_strain_, committed_stress_;
     std::vector<double> thickness_ratio_;                 ///< committed, per quadrature point
     std::vector<double> node_thickness_;                  ///< committed
+    std::vector<double> node_relief_;                     ///< elastic part of half of it by the transverse stress
     std::array<std::vector<double>, 2> contact_pressure_; ///< committed, per side and node
     std::vector<double> third_stress_;                    ///< per layer point of the whole blank
     std::optional<BlankEnergy> energy_ = BlankEnergy();   ///< none if nobody asks

@@ -228,6 +228,9 @@ namespace deltaform
     /// Is the contact point certainly clear of the tool? The distance changes at most as fast as the point moves.
     bool certainly_clear(unsigned int i, const Point2 &relative, double offset) const;
 
+    /// The node as this pair sees it: the thickness that gives way at once is not yet taken off.
+    void describe(const Vector &q, unsigned int i, ContactNode &node) const;
+
     /// K_nn (or K_tt) = (J^T n)^T K (J^T n) with the nodal block of the blank's tangent.
     double nodal_stiffness(unsigned int i, const ContactNode &node, const Tensor1 &direction) const;
 
@@ -257,6 +260,19 @@ namespace deltaform
     /// By how much a penetration may exceed delta before the promise is broken: 1e-6 delta or round-off.
     double tolerance(unsigned int i) const;
 
+    /// Of a change of the distance between tool and mid-surface, the share that the penalty spring takes; the sheet, a
+    /// spring in series with it, takes the rest.
+    static double spring_share(const PairState &state, const double compliance)
+    {
+      return 1. / (1. + state.epsilon * compliance);
+    }
+
+    /// How far the face of the blank is from the contact point, squeezed by the pair's force.
+    double face(const ContactNode &node, const PairState &state) const
+    {
+      return node.offset - (state.touching ? node.squeeze * state.force : 0.);
+    }
+
     void update_stored_energy();
 
     /// Are the pairs springs that keep their penetration? Augmented ones end without, like exact constraints.
@@ -277,6 +293,7 @@ namespace deltaform
     const ContactSettings &settings_;
     std::unique_ptr<FrictionLaw> friction_;
     ContactThickness thickness_;
+    bool squeezed_ = false; ///< the sheet's half thickness on this side is a spring of the pair
 
     DofIndex travel_dof_       = dealii::numbers::invalid_dof_index;
     DofIndex first_multiplier_ = dealii::numbers::invalid_dof_index;

@@ -1,0 +1,99 @@
+// The thickness of a shell gives way to a tool as a spring in series with the contact: forces, tangent, energy.
+#include "fake_surface.h"
+
+using namespace deltaform;
+using namespace deltaform::testing;
+
+namespace
+{
+  constexpr double give = .02, factor = 200., stiffness = 1e3;
+
+  FakeSurface squeezed_node()
+  {
+    FakeSurface surface(1);
+    surface.X[0]    = Point2(.3, 0.);
+    surface.squeeze = give;
+    return surface;
+  }
+
+  const Entries constant = {"Penalty rule=constant", "Penalty factor=200", "Continuation=false"};
+
+  Vector sunk(const PairFixture &fixture, const double depth)
+  {
+    Vector q(fixture.n);
+    q[1] = -depth;
+    return q;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(squeeze)
+
+BOOST_AUTO_TEST_CASE(two_springs_in_series)
+{
+  const FakeSurface surface = squeezed_node();
+  for (const double share : {0., 1.})
+  {
+    const std::string entry = share > 0. ? "Squeeze=on" : "Squeeze=automatic";
+    PairFixture fixture(surface, constant + Entries{"Enforcement=penalty"}, flat + Entries{entry});
+    fixture.pair.begin_stage(sunk(fixture, 0.), 0.);
+    fixture.begin_increment(sunk(fixture, 0.), 1., stiffness);
+    const DenseTarget target = fixture.settle(sunk(fixture, .1));
+    const double stiff       = 1. / (1. / factor + share * give);
+    const PairState &state   = fixture.pair.trial()[0];
+    BOOST_TEST(std::abs(state.force - .1 * stiff) < 1e-13);
+    BOOST_TEST(std::abs(state.penetration() - .1 * stiff / factor) < 1e-15);
+    BOOST_TEST(std::abs(target.matrix(1, 1) - stiff) < 1e-11);
+    fixture.pair.commit(sunk(fixture, .1));
+    BOOST_TEST(std::abs(fixture.pair.energy().stored - .5 * .1 * .1 * stiff) < 1e-13);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_estimate_along_a_step_is_the_force_at_its_end)
+{
+  const FakeSurface surface = squeezed_node();
+  PairFixture fixture(surface, constant + Entries{"Enforcement=penalty"}, flat + Entries{"Squeeze=on"});
+  fixture.pair.begin_stage(sunk(fixture, 0.), 0.);
+  fixture.begin_increment(sunk(fixture, 0.), 1., stiffness);
+  fixture.settle(sunk(fixture, .1));
+  Vector d(fixture.n);
+  d[1] = -.05;
+  fixture.pair.prepare_step(d);
+  fixture.pair.advance(1.);
+  fixture.assemble(sunk(fixture, .15));
+  const PairState &state = fixture.pair.trial()[0];
+  BOOST_TEST(std::abs(state.multiplier - state.force) < 1e-13);
+}
+
+BOOST_AUTO_TEST_CASE(an_exact_constraint_holds_at_the_squeezed_face)
+{
+  const FakeSurface surface = squeezed_node();
+  PairFixture fixture(surface, {"Enforcement=active set"}, flat + Entries{"Squeeze=on"});
+  fixture.pair.begin_stage(sunk(fixture, 0.), 0.);
+  fixture.begin_increment(sunk(fixture, 0.), 1., stiffness);
+  Vector q           = sunk(fixture, .1);
+  q[2]               = .1 / give;
+  DenseTarget target = fixture.assemble(q);
+  BOOST_TEST(std::abs(target.residual[2]) < 1e-15);
+  BOOST_TEST(std::abs(fixture.pair.trial()[0].gap) < 1e-15);
+  BOOST_TEST(std::abs(target.matrix(2, 2) + give) < 1e-15);
+  q[2] += .3;
+  target = fixture.assemble(q);
+  BOOST_TEST(std::abs(target.residual[2] + .3 * give) < 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(augmentation_leaves_the_squeeze)
+{
+  // A shift that is the force of the squeezed sheet: no penetration is left.
+  const FakeSurface surface = squeezed_node();
+  PairFixture fixture(surface, constant + Entries{"Enforcement=augmented Lagrangian"}, flat + Entries{"Squeeze=on"});
+  fixture.pair.begin_stage(sunk(fixture, 0.), 0.);
+  fixture.begin_increment(sunk(fixture, 0.), 1., stiffness);
+  fixture.settle(sunk(fixture, .1));
+  const double force = .1 / give;
+  fixture.pair.shift(&force);
+  fixture.settle(sunk(fixture, .1));
+  BOOST_TEST(std::abs(fixture.pair.trial()[0].force - force) < 1e-13);
+  BOOST_TEST(std::abs(fixture.pair.trial()[0].gap) < 1e-15);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
