@@ -182,6 +182,11 @@ def table(results, arguments):
                  f"{sum(r['outcome'] in BAD for r in results)} of {len(results)} ended in a way that is never allowed. "
                  f"Median processor time {sorted(r['seconds'] for r in results)[len(results) // 2]:.2f} s, longest "
                  f"{max(r['seconds'] for r in results):.1f} s.")
+    first_rule = [r for r in results if set(r["against"]) <= draw.AFTERWARDS]
+    first_complete = sum(r["outcome"] in ("done", "necks") for r in first_rule)
+    lines.append(f"Without the {len(draw.AFTERWARDS)} clauses that were added to the rule when a failure had shown what it had forgotten "
+                 f"({'; '.join(sorted(draw.AFTERWARDS))}): {first_complete} of {len(first_rule)} "
+                 f"({100 * first_complete / max(1, len(first_rule)):.1f} %).")
     resumed = [r for r in results if r.get("resumed")]
     if resumed:
         lines.append(f"{len(resumed)} scenes were killed at random moments ({sum(r['resumed'] for r in resumed)} times) and resumed; "
@@ -198,6 +203,13 @@ def table(results, arguments):
         lines.append(f"| {kind.replace('|', '/')} | {sum(r['sensible'] for r in members)} | "
                      f"{sum(not r['sensible'] for r in members)} | {shown} |")
     return "\n".join(lines) + "\n", complete / max(1, len(sensible))
+
+
+def write_page(path, page):
+    """What was written by hand, from "## Found by hand" on, stays."""
+    old = path.read_text() if path.exists() else ""
+    by_hand = old.find("## Found by hand")
+    path.write_text(page + ("\n" + old[by_hand:] if by_hand >= 0 else ""))
 
 
 def main():
@@ -230,7 +242,7 @@ def main():
         results.sort(key=lambda r: r["seed"])
         if not arguments.sensible:
             arguments.first, arguments.count = results[0]["seed"], len(results)
-        arguments.write.write_text(table(results, arguments)[0])
+        write_page(arguments.write, table(results, arguments)[0])
         return 0
     results = []
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool, open(arguments.folder / "results.jsonl", "w") as log:
@@ -246,7 +258,7 @@ def main():
     page, share = table(results, arguments)
     print(page[page.index("| judgement"):page.index("## What")])
     if arguments.write:
-        arguments.write.write_text(page)
+        write_page(arguments.write, page)
     return 1 if any(r["outcome"] in BAD for r in results) or share < arguments.share else 0
 
 
