@@ -2,6 +2,8 @@
 // nodes.
 #include "any_blank.h"
 
+#include <sstream>
+
 using namespace deltaform;
 using namespace deltaform::testing;
 
@@ -201,6 +203,41 @@ BOOST_AUTO_TEST_CASE(forces_turn_with_the_blank)
                      const Tensor1 expected({c * before[n][0] - s * before[n][1], s * before[n][0] + c * before[n][1]});
                      BOOST_TEST((after[n] - expected).norm() <= 1e-11 * blank.stiffness_scale());
                    }
+                 });
+}
+
+BOOST_AUTO_TEST_CASE(carried_flow_turns_with_the_blank)
+{
+  // The same plastic history once at rest and once on a turntable: two-step flow knows the axes of its last increment.
+  std::mt19937 generator(7);
+  for_all_blanks(curved(plastic),
+                 [&](Blank &blank, const Entries &)
+                 {
+                   if (blank.axisymmetric())
+                     return;
+                   std::stringstream fresh;
+                   blank.save(fresh);
+                   const Vector direction = random_state(blank, generator, .01);
+                   const auto history     = [&](const double turn)
+                   {
+                     std::vector<double> norms;
+                     for (unsigned int k = 1; k <= 4; ++k)
+                     {
+                       Vector q = direction;
+                       q *= 1. + .2 * k;
+                       const Vector turned = moved_rigidly(blank, q, turn * k, Tensor1());
+                       blank.begin_increment(1.);
+                       norms.push_back(residual(blank, turned).norm());
+                       blank.commit(turned);
+                     }
+                     norms.push_back(blank.energy().plastic);
+                     return norms;
+                   };
+                   const auto still = history(0.);
+                   blank.load(fresh);
+                   const auto turning = history(.15);
+                   for (unsigned int i = 0; i < still.size(); ++i)
+                     BOOST_TEST(std::abs(turning[i] / still[i] - 1.) < 1e-9);
                  });
 }
 
