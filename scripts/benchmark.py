@@ -7,6 +7,7 @@
    program that is linked to the same libraries and starts and ends MPI with the same settings; alternating runs.
 2. The cost of a Newton iteration from 50 to 3200 elements, and the exponent n of cost ~ elements^n.
 3. The same of a solid, and its assembly by a plain loop and by WorkStream.
+4. Of runs that take over 2 s: the share of start-up, output and bookkeeping.
 
 Builds what it needs. Standard library only; about three minutes.
 """
@@ -23,6 +24,9 @@ import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BY_HAND = "## Found on the way"  # of the page: from here on it is kept as it is
+LONG_RUNS = [("prm/cup.prm", ["Blank/Elements=400"]), ("prm/cup.prm", ["Blank/Elements=1600", "Steps/form/End time=0.4"]),
+             ("prm/u_bend.prm", []), ("prm/cup_solid.prm", []), ("prm/upsetting.prm", []),
+             ("prm/osu_stretching_solid.prm", ["Blank/Elements=200", "Blank/Elements through thickness=4", "Blank/Degree=1"])]
 ELEMENTS = [50, 100, 200, 400, 800, 1600, 3200]
 
 
@@ -145,6 +149,24 @@ def solid(program, loops, folder, repetitions):
             "", *table]
 
 
+def shares(program, empty, folder):
+    """Lines of a table: of whole processes, all default outputs, what is not steps 3 to 11 of an iteration."""
+    lines = ["Whole processes with all default outputs [s]. Bookkeeping is what remains: accepting increments (step 12), Newton's vectors, step",
+             "control, reading the scene. The empty program stands for loading the libraries and MPI, which no code here can shorten.", "",
+             "| scene | whole process | steps 3 to 11 | output (13) | bookkeeping | empty program | share of output and bookkeeping | and of start-up "
+             "(asked: at most 10 %) |", "|---|---|---|---|---|---|---|---|"]
+    for scene, entries in LONG_RUNS:
+        start_up = min(call([empty])[0] for _ in range(3))
+        wall, _ = call([program, scene, "--quiet", "--output", folder, *(word for entry in entries for word in ("--set", entry))])
+        sections = load(folder, "timing.json")["sections"]
+        output = sum(s["seconds"] for s in sections if s["name"].startswith("13"))
+        steps = sum(s["seconds"] for s in sections if not s["name"].startswith(("12", "13")))
+        rest = wall - start_up - output - steps
+        lines.append(f"| `{scene}`{', ' if entries else ''}{', '.join(entries)} | {wall:.2f} | {steps:.2f} | {output:.3f} | {rest:.3f} | {start_up:.3f} | "
+                     f"{100 * (output + rest) / wall:.1f} % | {100 * (1 - steps / wall):.1f} % |")
+    return lines
+
+
 def exponent(costs):
     """Slope of the straight line through log(cost) over log(elements)."""
     x, y = [math.log(n) for n in ELEMENTS], [math.log(cost) for cost in costs]
@@ -169,7 +191,8 @@ def main():
                  *whole_process(program, empty, folder, options.runs, 400, 10), compare_libraries(program, empty), "",
                  "## Cost of an iteration", "", *per_iteration(program, folder, options.repetitions), "",
                  "## The solid", "", *solid(program, os.path.join(build, "tests", "benchmark", "assembly_loops"), folder,
-                                            options.repetitions)]
+                                            options.repetitions), "",
+                 "## Start-up, output, bookkeeping", "", *shares(program, empty, folder)]
     print("\n".join(lines))
     if options.write:
         by_hand = ""

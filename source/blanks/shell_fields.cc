@@ -97,6 +97,29 @@ namespace deltaform
   }
 
 
+  std::vector<SheetSection> Shell::sections() const
+  {
+    const unsigned int n = points_.size();
+    std::vector<double> stretch(n, 0.), stress(n, 0.);
+    for (unsigned int p = 0, i = 0; p < n; ++p)
+      for (unsigned int l = 0; l < n_layers_; ++l, ++i)
+      {
+        const double w = layer_weight_[l] / thickness_;
+        stretch[p] += w * committed_strain_[i][0];
+        stress[p] += w * committed_stress_[i][0];
+      }
+    const auto mean_stretch = to_nodes(stretch), mean_stress = to_nodes(stress);
+    std::vector<SheetSection> result(node_dofs_.size());
+    for (unsigned int i = 0; i < result.size(); ++i)
+      result[i] = {mesh_.nodes()[i][0],
+                   node_thickness_[i],
+                   mean_stretch[i],
+                   -std::log(node_thickness_[i] / thickness_),
+                   mean_stress[i]};
+    return result;
+  }
+
+
   Drawing Shell::draw(const Vector &q, const std::vector<DrawnField> &nodal) const
   {
     // One quadrilateral per element and layer interval: the layers' surfaces are their midpoints, the outermost ones

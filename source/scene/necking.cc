@@ -6,36 +6,20 @@
 
 namespace deltaform
 {
-  double NeckingWatch::Node::force() const
+  namespace
   {
-    return stress * std::exp(-stretch);
-  }
-
-
-  void NeckingWatch::observe(const Table &profile)
-  {
-    std::vector<std::size_t> columns;
-    for (const auto *const name : {"R0",
-                                   "thickness",
-                                   "eps_meridional",
-                                   "eps_thickness",
-                                   "stress_meridional_bottom",
-                                   "stress_meridional_mid",
-                                   "stress_meridional_top"})
+    /// Over the initial thickness.
+    double force(const SheetSection &section)
     {
-      const auto column = std::find(profile.names.begin(), profile.names.end(), name);
-      if (column == profile.names.end())
-        return;
-      columns.push_back(column - profile.names.begin());
+      return section.stress * std::exp(-section.stretch);
     }
+  } // namespace
+
+
+  void NeckingWatch::observe(std::vector<SheetSection> sections)
+  {
     before_ = std::move(now_);
-    now_.clear();
-    for (const auto &row : profile.rows)
-    {
-      const auto cell = [&](const unsigned int i) { return row[columns[i]]; };
-      // The mean by Simpson's rule; bending, which is odd, drops out.
-      now_.push_back({cell(0), cell(1), cell(2), -cell(3), (cell(4) + 4 * cell(5) + cell(6)) / 6});
-    }
+    now_    = std::move(sections);
   }
 
 
@@ -43,7 +27,7 @@ namespace deltaform
   {
     if (now_.empty() || before_.size() != now_.size())
       return "";
-    const auto thinner = [](const Node &a, const Node &b) { return a.thickness < b.thickness; };
+    const auto thinner = [](const SheetSection &a, const SheetSection &b) { return a.thickness < b.thickness; };
     const auto i       = static_cast<std::size_t>(std::min_element(now_.begin(), now_.end(), thinner) - now_.begin());
     std::vector<double> rates;
     for (std::size_t k = 0; k < now_.size(); ++k)
@@ -51,10 +35,10 @@ namespace deltaform
     std::nth_element(rates.begin(), rates.begin() + rates.size() / 2, rates.end());
     const double median = rates[rates.size() / 2];
 
-    const Node &node     = now_[i];
-    const double stretch = node.stretch - before_[i].stretch;
-    const double thinned = node.thinning - before_[i].thinning;
-    const double fall    = 1 - node.force() / before_[i].force();
+    const SheetSection &node = now_[i];
+    const double stretch     = node.stretch - before_[i].stretch;
+    const double thinned     = node.thinning - before_[i].thinning;
+    const double fall        = 1 - force(node) / force(before_[i]);
     // A metal under plastic loading does not soften: d tau >= 0, so that F falls by no more than d eps. A larger fall
     // is unloading or bending, and no neck. A change in the last digits is no change.
     const bool softens =

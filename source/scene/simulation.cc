@@ -120,7 +120,7 @@ namespace deltaform
       if (measured)
         cost.condition = condition_->measure(problem_, q);
       problem_.commit(q);
-      necking_.observe(scene_.actors.blank->profile(q));
+      necking_.observe(scene_.actors.blank->sections());
       time_ = next;
       ++increment_;
       control.accept(result.iterations - result.correction_iterations, flow_error);

@@ -44,7 +44,8 @@ namespace deltaform
                  Timers &timers)
     : problem_(problem), system_(system), settings_(settings), scale_(scale), size_(size),
       smallest_motion_(.01 * problem.typical_length()), timers_(timers),
-      timer_solve_(timers.section("11 factorization and solve"))
+      timer_solve_(timers.section("11 factorization and solve")),
+      timer_limits_(timers.section("10 longest admissible step"))
   {
   }
 
@@ -169,7 +170,11 @@ namespace deltaform
         return result;
       }
       problem_.prepare_step(d);
-      double factor           = problem_.limit_step(q, d);
+      double factor = 1.;
+      {
+        Timers::Scope timer(timers_, timer_limits_);
+        factor = problem_.limit_step(q, d);
+      }
       start                   = q;
       const double work_start = work_along(d, is_prescribed);
 

@@ -6,6 +6,7 @@
 #include <deltaform/base/status.h>
 #include <deltaform/base/table.h>
 #include <deltaform/base/types.h>
+#include <deltaform/blanks/sheet_section.h>
 #include <deltaform/kinematics/contact_surface.h>
 
 #include <deal.II/base/index_set.h>
@@ -202,6 +203,12 @@ namespace deltaform
     ///@{
     /// Values along the blank, one row per node.
     virtual Table profile(const Vector &q) const = 0;
+
+    /// Cross-sections at the nodes; empty if the blank is no sheet (a solid carries its necks itself).
+    virtual std::vector<SheetSection> sections() const
+    {
+      return {};
+    }
 
     /// Picture for ParaView; @p nodal are further values, one per entry of positions() (shell: spread over the
     /// thickness).

@@ -84,6 +84,7 @@ namespace deltaform
     unsigned int n_cells() const override;
     double smallest_thickness() const override;
     Table profile(const Vector &q) const override;
+    std::vector<SheetSection> sections() const override;
     Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
     std::vector<Point2> positions(const Vector &q) const override;
     void rigid_motion(const Vector &q,

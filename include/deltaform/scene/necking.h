@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/table.h>
+#include <deltaform/blanks/sheet_section.h>
 
 #include <string>
 #include <vector>
@@ -18,19 +18,13 @@ namespace deltaform
   class NeckingWatch
   {
   public:
-    /// @param profile of the blank after an accepted increment; tables without the columns of a shell are ignored
-    void observe(const Table &profile);
+    /// @param sections of the blank after an accepted increment; none if it is no sheet
+    void observe(std::vector<SheetSection> sections);
 
     /// "node 12 at R0 = 0.9 necks: ...", or empty if the last increment shows no neck.
     std::string finding() const;
 
   private:
-    struct Node
-    {
-      double place = 0, thickness = 0, stretch = 0, thinning = 0, stress = 0;
-      double force() const; ///< over h0
-    };
-
-    std::vector<Node> before_, now_;
+    std::vector<SheetSection> before_, now_;
   };
 } // namespace deltaform
