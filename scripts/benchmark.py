@@ -25,8 +25,9 @@ import time
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BY_HAND = "## Found on the way"  # of the page: from here on it is kept as it is
 LONG_RUNS = [("prm/cup.prm", ["Blank/Elements=400"]), ("prm/cup.prm", ["Blank/Elements=1600", "Steps/form/End time=0.4"]),
-             ("prm/u_bend.prm", []), ("prm/cup_solid.prm", []), ("prm/upsetting.prm", []),
-             ("prm/osu_stretching_solid.prm", ["Blank/Elements=200", "Blank/Elements through thickness=4", "Blank/Degree=1"])]
+             ("prm/u_bend.prm", []), ("prm/cup_solid.prm", []),
+             ("prm/upsetting.prm", ["Blank/Elements=40", "Blank/Elements through thickness=60"]),
+             ("prm/osu_stretching_solid.prm", ["Blank/Elements=400", "Blank/Elements through thickness=4", "Blank/Degree=1"])]
 ELEMENTS = [50, 100, 200, 400, 800, 1600, 3200]
 
 

@@ -265,7 +265,7 @@ namespace deltaform
                              const FrictionResponse &friction,
                              AssemblyTarget &target)
   {
-    constexpr unsigned int most = ContactNode::max_dofs + 2;
+    constexpr std::size_t most = ContactNode::max_dofs + 2;
     std::array<DofIndex, most> dofs;
     std::array<Tensor1, most> jacobian;
     std::array<double, most> residual;

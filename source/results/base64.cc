@@ -10,14 +10,11 @@ namespace deltaform
     constexpr const char *digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
     /// The two characters of each number of twelve bits: half the look-ups.
-    std::array<char, 2 * 4096> pairs_of_digits()
+    std::array<std::array<char, 2>, 4096> pairs_of_digits()
     {
-      std::array<char, 2 * 4096> result{};
-      for (unsigned int bits = 0; bits < 4096; ++bits)
-      {
-        result[2 * bits]     = digits[bits >> 6u];
-        result[2 * bits + 1] = digits[bits & 63u];
-      }
+      std::array<std::array<char, 2>, 4096> result{};
+      for (std::size_t bits = 0; bits < 4096; ++bits)
+        result[bits] = {{digits[bits >> 6u], digits[bits & 63u]}};
       return result;
     }
   } // namespace
@@ -32,8 +29,8 @@ namespace deltaform
     for (; i + 3 <= n; i += 3, to += 4)
     {
       const unsigned int bits = (bytes[i] << 16u) | (bytes[i + 1] << 8u) | bytes[i + 2];
-      std::memcpy(to, &pairs[2 * (bits >> 12u)], 2);
-      std::memcpy(to + 2, &pairs[2 * (bits & 4095u)], 2);
+      std::memcpy(to, pairs[bits >> 12u].data(), 2);
+      std::memcpy(to + 2, pairs[bits & 4095u].data(), 2);
     }
     if (i < n)
     {

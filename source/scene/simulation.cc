@@ -197,7 +197,7 @@ namespace deltaform
         }
     if (result.outcome == NewtonResult::Outcome::not_corrected || result.converged())
     {
-      const std::string broken = problem_.broken_promise();
+      std::string broken = problem_.broken_promise();
       if (!broken.empty())
       {
         promise_failed_ = true;
