@@ -19,8 +19,8 @@ function(deltaform_setup target)
                                                DELTAFORM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
                                            -Wfloat-conversion -Werror)
-  # Debian's deal.II hands down -g and -funroll-all-loops also for Release. Debugging symbols make every precompiled header and
-  # program ten times as large; a build took 8 GB of disk. -DCMAKE_BUILD_TYPE=Debug has them.
+  # Debian's deal.II hands down -g also for Release. Symbols make a program thirty times as large, and a build took 8 GB of
+  # disk. A Debug build has them.
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-g0>)
   deltaform_link(${target} Boost::program_options Boost::serialization Eigen3::Eigen)
   if(DELTAFORM_SANITIZE)

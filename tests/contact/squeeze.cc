@@ -24,6 +24,17 @@ namespace
     q[1] = -depth;
     return q;
   }
+
+  /// A pair of the node with a plate, at the start of its first increment.
+  struct SqueezedPair : PairFixture
+  {
+    SqueezedPair(const FakeSurface &surface, const Entries &contact, const std::string &squeeze = "Squeeze=on")
+      : PairFixture(surface, contact, flat + Entries{squeeze})
+    {
+      pair.begin_stage(sunk(*this, 0.), 0.);
+      begin_increment(sunk(*this, 0.), 1., stiffness);
+    }
+  };
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(squeeze)
@@ -34,9 +45,7 @@ BOOST_AUTO_TEST_CASE(two_springs_in_series)
   for (const double share : {0., 1.})
   {
     const std::string entry = share > 0. ? "Squeeze=on" : "Squeeze=automatic";
-    PairFixture fixture(surface, constant + Entries{"Enforcement=penalty"}, flat + Entries{entry});
-    fixture.pair.begin_stage(sunk(fixture, 0.), 0.);
-    fixture.begin_increment(sunk(fixture, 0.), 1., stiffness);
+    SqueezedPair fixture(surface, constant + Entries{"Enforcement=penalty"}, entry);
     const DenseTarget target = fixture.settle(sunk(fixture, .1));
     const double stiff       = 1. / (1. / factor + share * give);
     const PairState &state   = fixture.pair.trial()[0];
@@ -51,9 +60,7 @@ BOOST_AUTO_TEST_CASE(two_springs_in_series)
 BOOST_AUTO_TEST_CASE(an_estimate_along_a_step_is_the_force_at_its_end)
 {
   const FakeSurface surface = squeezed_node();
-  PairFixture fixture(surface, constant + Entries{"Enforcement=penalty"}, flat + Entries{"Squeeze=on"});
-  fixture.pair.begin_stage(sunk(fixture, 0.), 0.);
-  fixture.begin_increment(sunk(fixture, 0.), 1., stiffness);
+  SqueezedPair fixture(surface, constant + Entries{"Enforcement=penalty"});
   fixture.settle(sunk(fixture, .1));
   Vector d(fixture.n);
   d[1] = -.05;
@@ -67,9 +74,7 @@ BOOST_AUTO_TEST_CASE(an_estimate_along_a_step_is_the_force_at_its_end)
 BOOST_AUTO_TEST_CASE(an_exact_constraint_holds_at_the_squeezed_face)
 {
   const FakeSurface surface = squeezed_node();
-  PairFixture fixture(surface, {"Enforcement=active set"}, flat + Entries{"Squeeze=on"});
-  fixture.pair.begin_stage(sunk(fixture, 0.), 0.);
-  fixture.begin_increment(sunk(fixture, 0.), 1., stiffness);
+  SqueezedPair fixture(surface, {"Enforcement=active set"});
   Vector q           = sunk(fixture, .1);
   q[2]               = .1 / give;
   DenseTarget target = fixture.assemble(q);
@@ -85,9 +90,7 @@ BOOST_AUTO_TEST_CASE(augmentation_leaves_the_squeeze)
 {
   // A shift that is the force of the squeezed sheet: no penetration is left.
   const FakeSurface surface = squeezed_node();
-  PairFixture fixture(surface, constant + Entries{"Enforcement=augmented Lagrangian"}, flat + Entries{"Squeeze=on"});
-  fixture.pair.begin_stage(sunk(fixture, 0.), 0.);
-  fixture.begin_increment(sunk(fixture, 0.), 1., stiffness);
+  SqueezedPair fixture(surface, constant + Entries{"Enforcement=augmented Lagrangian"});
   fixture.settle(sunk(fixture, .1));
   const double force = .1 / give;
   fixture.pair.shift(&force);
