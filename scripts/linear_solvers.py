@@ -3,7 +3,8 @@
 
     linear_solvers.py PROGRAM iterations            iterations per solve against epsilon and delta, rule by rule
     linear_solvers.py PROGRAM cost --cells 70,223   processor time per Newton iteration against the number of unknowns, with
-                                                    fitted exponents: over all sizes, and from --from on
+                                                    fitted exponents: over all sizes, and from --from on; --path
+                                                    automatic: with the linear path
     linear_solvers.py PROGRAM paths --cells 70,223  the same with the linear path on and off, in a run of eight increments
     linear_solvers.py PROGRAM shapes                the direct solvers on strips and blocks of some 2e4 unknowns
     linear_solvers.py PROGRAM speed --cells 316     1 and 2 processes
@@ -87,12 +88,13 @@ def exponent(points):
     return sum((a - mx) * (b - my) for a, b in zip(x, y)) / sum((a - mx)**2 for a in x)
 
 
-def cost(program, sizes, solvers, first):
+def cost(program, sizes, solvers, first, path):
     print("| unknowns | solver | iterations per solve | processor time per Newton iteration, s |\n|---|---|---|---|")
     points = {}
     for solver in solvers:
         for cells in sizes:
-            result = run(program, cells, solver, ["Contact/Penalty rule=constant", "Contact/Penalty factor=2e4"])
+            result = run(program, cells, solver, ["Contact/Penalty rule=constant", "Contact/Penalty factor=2e4",
+                                                  "Solver/Linear path=" + path])
             if result is None:
                 print("| %d | %s | - | - |" % (2 * (cells + 1)**2, solver))
                 continue
@@ -148,13 +150,14 @@ def main():
     parser.add_argument("what", choices=["iterations", "cost", "paths", "shapes", "speed"])
     parser.add_argument("--cells", default="70")
     parser.add_argument("--solvers", default="klu,mumps,cg amg")
+    parser.add_argument("--path", choices=["off", "automatic"], default="off")
     parser.add_argument("--from", dest="first", type=float, default=1e5)
     arguments = parser.parse_args()
     sizes = [int(n) for n in arguments.cells.split(",")]
     if arguments.what == "iterations":
         iterations(arguments.program, sizes[0])
     elif arguments.what == "cost":
-        cost(arguments.program, sizes, arguments.solvers.split(","), arguments.first)
+        cost(arguments.program, sizes, arguments.solvers.split(","), arguments.first, arguments.path)
     elif arguments.what == "paths":
         paths(arguments.program, sizes, [s for s in arguments.solvers.split(",") if s != "cg amg"])
     elif arguments.what == "shapes":

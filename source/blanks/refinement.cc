@@ -1,20 +1,7 @@
 #include <deltaform/blanks/refinement.h>
 
-#include <deal.II/base/mpi.h>
-
 namespace deltaform
 {
-  namespace
-  {
-    bool several_processes()
-    {
-      int initialized = 0;
-      MPI_Initialized(&initialized);
-      return initialized != 0 && dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
-    }
-  } // namespace
-
-
   RefinementSettings::RefinementSettings(Section section)
   {
     const std::string criterion =
@@ -28,8 +15,6 @@ namespace deltaform
     by_error = criterion == "recovery";
     if (!active && !section.documentation())
       return;
-    if (active && several_processes())
-      section.fail("Criterion", "refinement during the run works on one process only, not under mpirun -n 2 or more");
     share  = section.number("Error share",
                            .5,
                            Range::above_to(0, 1),

@@ -87,10 +87,7 @@ namespace deltaform
 
   dealii::IndexSet Solid::locally_owned_dofs() const
   {
-    // Hanging nodes, on one process only, are no unknowns.
-    if (ranks::count() == 1)
-      return dealii::complete_index_set(n_free_);
-    return dof_handler_.locally_owned_dofs();
+    return owned_;
   }
 
 
@@ -176,7 +173,7 @@ namespace deltaform
 
   unsigned int Solid::n_cells() const
   {
-    return cells_.size();
+    return mesh_.n_cells();
   }
 
 

@@ -9,14 +9,14 @@
 
 namespace deltaform
 {
-  void Solid::set_up_distributed_dofs()
+  void Solid::set_up_distributed_dofs(const std::vector<DofIndex> &number, const CellPlaces &places)
   {
     const dealii::FE_Q<2> scalar(degree_);
     const dealii::MappingQ<2> mapping(degree_);
     struct Node
     {
       DofIndex r, z;
-      std::array<double, 2> parameter;
+      std::array<double, 2> parameter, place;
     };
     const auto &owned = dof_handler_.locally_owned_dofs();
     std::vector<Node> own;
@@ -27,6 +27,7 @@ namespace deltaform
       for (const auto &cell : dof_handler_.active_cell_iterators())
         if (cell->is_locally_owned())
         {
+          cells_.emplace_back();
           cell->get_dof_indices(dofs);
           for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
             action(cell,
@@ -41,26 +42,23 @@ namespace deltaform
         if (seen[r] || !owned.is_element(r))
           return;
         seen[r]        = true;
-        const Point2 x = mapping.transform_unit_to_real_cell(cell, scalar.unit_support_point(a));
-        own.push_back({r, z, {{x[0], x[1]}}});
+        const Point2 p = mapping.transform_unit_to_real_cell(cell, scalar.unit_support_point(a));
+        const Point2 X = places ? places(cells_.size() - 1, a) : mesh_.place(p);
+        own.push_back({r, z, {{p[0], p[1]}}, {{X[0], X[1]}}});
       });
 
     auto all = ranks::gather(own);
     std::sort(all.begin(), all.end(), [](const Node &a, const Node &b) { return a.r < b.r; });
     std::vector<unsigned int> node_of_dof(dof_handler_.n_dofs(), invalid_index);
-    for (const auto &[r, z, parameter] : all)
+    for (const auto &[r, z, parameter, place] : all)
     {
       node_of_dof[r] = nodes_.size();
       parameters_.emplace_back(parameter[0], parameter[1]);
-      nodes_.push_back(mesh_.place(parameters_.back()));
-      node_dofs_.push_back({{r, z}});
+      nodes_.emplace_back(place[0], place[1]);
+      node_dofs_.push_back({{number[r], number[z]}});
     }
-    each_node(
-      [&](const auto &, const unsigned int a, const DofIndex r, const DofIndex)
-      {
-        if (a == 0)
-          cells_.emplace_back();
-        cells_.back()[a] = node_of_dof[r];
-      });
+    cells_.clear();
+    each_node([&](const auto &, const unsigned int a, const DofIndex r, const DofIndex)
+              { cells_.back()[a] = node_of_dof[r]; });
   }
 } // namespace deltaform

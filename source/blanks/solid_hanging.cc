@@ -1,5 +1,6 @@
 // Hanging nodes of the solid: their displacements are those of the coarse edge on which they lie, so that they are no
 // unknowns. All other rooms see free unknowns only; nodes of the boundary, and with them contact, never hang.
+#include <deltaform/base/ranks.h>
 #include <deltaform/blanks/solid.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -9,11 +10,49 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    /// One of those that a hanging node follows.
+    struct Master
+    {
+      DofIndex hanging, master;
+      double weight;
+    };
+  } // namespace
+
+
+  void Solid::hanging_constraints(dealii::AffineConstraints<double> &result) const
+  {
+    if (ranks::count() == 1)
+    {
+      dealii::DoFTools::make_hanging_node_constraints(dof_handler_, result);
+      result.close();
+      return;
+    }
+    // A process finds those of its own nodes; afterwards each knows all of them.
+    dealii::IndexSet relevant;
+    dealii::DoFTools::extract_locally_relevant_dofs(dof_handler_, relevant);
+    dealii::AffineConstraints<double> near(relevant);
+    dealii::DoFTools::make_hanging_node_constraints(dof_handler_, near);
+    std::vector<Master> own;
+    for (const auto &line : near.get_lines())
+      if (dof_handler_.locally_owned_dofs().is_element(line.index))
+        for (const auto &[master, weight] : line.entries)
+          own.push_back({line.index, master, weight});
+    const auto all = ranks::gather(own);
+    for (const auto &[hanging, master, weight] : all)
+    {
+      result.add_line(hanging);
+      result.add_entry(hanging, master, weight);
+    }
+    result.close();
+  }
+
+
   std::vector<DofIndex> Solid::set_up_hanging_nodes()
   {
     dealii::AffineConstraints<double> constraints;
-    dealii::DoFTools::make_hanging_node_constraints(dof_handler_, constraints);
-    constraints.close();
+    hanging_constraints(constraints);
     const DofIndex n = dof_handler_.n_dofs();
     n_free_          = n - constraints.n_constraints();
     hanging_.clear();
@@ -21,6 +60,11 @@ namespace deltaform
     DofIndex next = 0, next_hanging = n_free_;
     for (DofIndex i = 0; i < n; ++i)
       number[i] = constraints.is_constrained(i) ? next_hanging++ : next++;
+    owned_ = dealii::IndexSet(n_free_);
+    for (const DofIndex i : dof_handler_.locally_owned_dofs())
+      if (number[i] < n_free_)
+        owned_.add_index(number[i]);
+    owned_.compress();
     for (DofIndex i = 0; i < n; ++i)
       if (constraints.is_constrained(i))
       {

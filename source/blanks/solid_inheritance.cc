@@ -1,4 +1,5 @@
 // What the children of a refined cell inherit: places, displacements, plastic state (doc/theory/solid.md).
+#include <deltaform/base/ranks.h>
 #include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 
@@ -17,7 +18,8 @@ namespace deltaform
     /// A place of the unit cell of a child in its parent's.
     Point2 in_parent(const Point2 &xi, const unsigned int child)
     {
-      return {.5 * (xi[0] + child % 2), .5 * (xi[1] + child / 2)};
+      const unsigned int right = child % 2, upper = child / 2;
+      return {.5 * (xi[0] + right), .5 * (xi[1] + upper)};
     }
 
     /// Lagrange's polynomials of the points of Gauss's rule of the parent, at a place.
@@ -67,8 +69,8 @@ namespace deltaform
   {
     // Displacements and places: exactly, since the parent's shape functions are among those of the children.
     const dealii::FE_Q<2> shapes(degree_);
-    const unsigned int n = n_nodes_per_cell_, n_points = n_points_per_cell_, n_history = material_->history_size();
-    const unsigned int n_state = n_history + 4, n_vectors = (parent.size() - n_points * n_state) / (2 * n);
+    const std::size_t n = n_nodes_per_cell_, n_points = n_points_per_cell_, n_history = material_->history_size();
+    const std::size_t n_state = n_history + 4, n_vectors = (parent.size() - n_points * n_state) / (2 * n);
     std::vector<std::vector<double>> weights(n, std::vector<double>(n));
     for (unsigned int b = 0; b < n; ++b)
       for (unsigned int a = 0; a < n; ++a)
@@ -126,15 +128,16 @@ namespace deltaform
 
   void Solid::unpack(const std::vector<std::vector<double>> &data, std::vector<Vector> &fields)
   {
-    const unsigned int n = n_nodes_per_cell_, n_history = material_->history_size();
+    const std::size_t n = n_nodes_per_cell_, n_history = material_->history_size();
     for (unsigned int v = 0; v < fields.size(); ++v)
     {
       fields[v].reinit(n_free_);
       for (unsigned int c = 0; c < cells_.size(); ++c)
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int k = 0; k < 2; ++k)
-            if (const DofIndex dof = node_dofs_[cells_[c][a]][k]; dof < n_free_)
+            if (const DofIndex dof = node_dofs_[cells_[c][a]][k]; dof < n_free_ && owned_.is_element(dof))
               fields[v][dof] = data[c][2 * ((v + 1) * n + a) + k];
+      ranks::sum(fields[v].begin(), fields[v].size());
     }
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
@@ -157,9 +160,10 @@ namespace deltaform
     committed_deformation_ = deformation_;
     if (energy_)
     {
-      energy_->elastic = 0.;
+      double elastic = 0.;
       for (unsigned int i = 0; i < points_.size(); ++i)
-        energy_->elastic += points_[i].weight * material_->elastic_energy(stress_[i]);
+        elastic += points_[i].weight * material_->elastic_energy(stress_[i]);
+      energy_->elastic = ranks::sum(elastic);
     }
     update_areas(q);
     update_thickness(q);

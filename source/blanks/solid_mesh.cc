@@ -41,8 +41,10 @@ namespace deltaform
 
     std::unique_ptr<dealii::Triangulation<2>> make_triangulation()
     {
+      // Refinement leaves cells at a vertex that differ by one level at most, as p4est does: the mesh is that of
+      // several processes.
       if (ranks::count() == 1)
-        return std::make_unique<dealii::Triangulation<2>>();
+        return std::make_unique<dealii::Triangulation<2>>(dealii::Triangulation<2>::limit_level_difference_at_vertices);
       return std::make_unique<dealii::parallel::distributed::Triangulation<2>>(ranks::communicator());
     }
   } // namespace

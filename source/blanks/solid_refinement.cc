@@ -1,12 +1,16 @@
 // Refining the solid during the run: which cells, and what follows from it (doc/theory/solid.md).
+#include <deltaform/base/ranks.h>
 #include <deltaform/blanks/solid.h>
 
-#include <deal.II/grid/grid_refinement.h>
+#include <deal.II/distributed/cell_data_transfer.templates.h>
+#include <deal.II/distributed/tria.h>
 #include <deal.II/numerics/cell_data_transfer.templates.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 namespace deltaform
 {
@@ -28,36 +32,52 @@ namespace deltaform
     auto &triangulation     = mesh_.triangulation();
     estimated_error_        = std::numeric_limits<double>::quiet_NaN();
     const int highest_level = mesh_.first_level() + static_cast<int>(refinement_.levels);
+    std::vector<bool> marked(cells_.size(), false);
     if (refinement_.by_error)
     {
       const ErrorEstimate estimate = estimate_error();
       estimated_error_             = estimate.relative;
       if (estimate.relative > refinement_.target)
       {
-        dealii::Vector<double> squares(estimate.squares.begin(), estimate.squares.end());
-        dealii::GridRefinement::refine_and_coarsen_fixed_fraction(triangulation, squares, refinement_.share, 0.);
+        const double threshold = error_threshold(estimate.squares);
+        for (unsigned int c = 0; c < cells_.size(); ++c)
+          marked[c] = estimate.squares[c] >= threshold;
       }
     }
-    std::vector<bool> too_long(cells_.size(), false);
     for (const unsigned int side : {0, 1})
       for (unsigned int e = 0; e < longest_edges[side].size(); ++e)
       {
         const auto &face = faces_[side];
         const Point2 &A = nodes_[face.nodes[face.edges[e][0]]], &B = nodes_[face.nodes[face.edges[e][1]]];
-        if (A.distance(B) > longest_edges[side][e])
-          too_long[edge_cells_.at(std::minmax(face.nodes[face.edges[e][0]], face.nodes[face.edges[e][1]]))] = true;
+        const auto own = edge_cells_.find(std::minmax(face.nodes[face.edges[e][0]], face.nodes[face.edges[e][1]]));
+        if (own != edge_cells_.end() && A.distance(B) > longest_edges[side][e])
+          marked[own->second] = true;
       }
-    bool any = false;
+    bool any       = false;
+    unsigned int c = 0;
     for (const auto &cell : triangulation.active_cell_iterators())
-    {
-      if (too_long[cell->active_cell_index()])
+      if (cell->is_locally_owned() && marked[c++] && cell->level() < highest_level)
+      {
         cell->set_refine_flag();
-      if (cell->level() >= highest_level)
-        cell->clear_refine_flag();
-      any |= cell->refine_flag_set();
-    }
+        any = true;
+      }
     triangulation.prepare_coarsening_and_refinement();
-    return any;
+    return ranks::max(any ? 1. : 0.) > 0.;
+  }
+
+
+  double Solid::error_threshold(const std::vector<double> &squares) const
+  {
+    // The largest that together hold the share. All processes sort the same numbers, so that a mesh does not depend on
+    // how many they are (the bisection of deal.II's distributed marking would).
+    auto all           = ranks::gather(squares);
+    const double total = std::accumulate(all.begin(), all.end(), 0.);
+    std::sort(all.begin(), all.end(), std::greater<>());
+    double sum = 0.;
+    for (const double square : all)
+      if ((sum += square) >= refinement_.share * total)
+        return square;
+    return all.empty() ? 0. : all.back();
   }
 
 
@@ -76,26 +96,12 @@ namespace deltaform
       field = Vector(with_hanging(field, storage));
     }
 
-    std::vector<CellData> old(cells_.size());
+    std::vector<CellData> old;
     for (unsigned int c = 0; c < cells_.size(); ++c)
-      old[c] = pack(c, fields);
-    dealii::CellDataTransfer<2, 2, std::vector<CellData>> transfer(
-      triangulation,
-      [this](const dealii::Triangulation<2>::cell_iterator &, const CellData &parent)
-      {
-        std::vector<CellData> children;
-        for (unsigned int child = 0; child < 4; ++child)
-          children.push_back(inherit(parent, child));
-        return children;
-      },
-      [](const dealii::Triangulation<2>::cell_iterator &, const std::vector<CellData> &children)
-      { return children.front(); }); // nothing is coarsened
-    transfer.prepare_for_coarsening_and_refinement();
-    triangulation.execute_coarsening_and_refinement();
-    std::vector<CellData> data(triangulation.n_active_cells());
-    transfer.unpack(old, data);
+      old.push_back(pack(c, fields));
+    const std::vector<CellData> data = divide_cells(old);
 
-    set_up_dofs([&](const unsigned int cell, const unsigned int a)
+    set_up_dofs([&](const unsigned int cell, const std::size_t a)
                 { return Point2(data[cell][2 * a], data[cell][2 * a + 1]); });
     set_up_points();
     set_up_boundary();
@@ -106,6 +112,50 @@ namespace deltaform
     }
     set_up_weightless();
     unpack(data, fields);
+  }
+
+
+  std::vector<std::vector<double>> Solid::divide_cells(const std::vector<std::vector<double>> &own)
+  {
+    using Cell          = dealii::Triangulation<2>::cell_iterator;
+    auto &triangulation = mesh_.triangulation();
+    const auto divide   = [this](const Cell &, const CellData &parent)
+    {
+      std::vector<CellData> children;
+      for (unsigned int child = 0; child < 4; ++child)
+        children.push_back(inherit(parent, child));
+      return children;
+    };
+    // Nothing is coarsened.
+    const auto unite = [](const Cell &, const std::vector<CellData> &children) { return children.front(); };
+
+    if (ranks::count() == 1)
+    {
+      dealii::CellDataTransfer<2, 2, std::vector<CellData>> transfer(triangulation, divide, unite);
+      transfer.prepare_for_coarsening_and_refinement();
+      triangulation.execute_coarsening_and_refinement();
+      std::vector<CellData> result(triangulation.n_active_cells());
+      transfer.unpack(own, result);
+      return result;
+    }
+
+    // Cells move to other processes, so that each has equally many again.
+    std::vector<CellData> old(triangulation.n_active_cells());
+    unsigned int c = 0;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        old[cell->active_cell_index()] = own[c++];
+    auto &distributed = dynamic_cast<dealii::parallel::distributed::Triangulation<2> &>(triangulation);
+    dealii::parallel::distributed::CellDataTransfer<2, 2, std::vector<CellData>> transfer(
+      distributed, false, divide, unite);
+    transfer.prepare_for_coarsening_and_refinement(old);
+    triangulation.execute_coarsening_and_refinement();
+    std::vector<CellData> all(triangulation.n_active_cells()), result;
+    transfer.unpack(all);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        result.push_back(std::move(all[cell->active_cell_index()]));
+    return result;
   }
 
 

@@ -28,7 +28,7 @@ namespace deltaform
 
     if (ranks::count() > 1)
     {
-      set_up_distributed_dofs();
+      set_up_distributed_dofs(number, places);
       return;
     }
 
@@ -164,14 +164,15 @@ namespace deltaform
     {
       if (!cell->is_locally_owned())
         continue;
-      const auto &nodes = cells_[c++];
+      const auto &nodes = cells_[c];
       for (unsigned int f = 0; f < 4; ++f)
         if (cell->face(f)->at_boundary())
         {
           own.push_back({cell->face(f)->boundary_id(),
                          {{nodes[walk[f][0]], nodes[walk[f][1]], degree_ == 2 ? nodes[walk[f][2]] : invalid_index}}});
-          edge_cells_[std::minmax(nodes[walk[f][0]], nodes[walk[f][1]])] = cell->active_cell_index();
+          edge_cells_[std::minmax(nodes[walk[f][0]], nodes[walk[f][1]])] = c;
         }
+      ++c;
     }
     for (const auto &[boundary, edge] : ranks::gather(own))
       boundary_edges_[mesh_.boundaries()[boundary]].push_back(edge);

@@ -4,7 +4,7 @@
                     [--tolerance 1e-8] [--factorizations N] [--ignore COLUMN,...] [--set ENTRY=VALUE]...
 
 Every number may differ from that of the first run by the tolerance times the largest of its column (an error of the energy:
-of the work of the tools). Costs (iterations of linear solvers) are not compared. With --factorizations, the last run
+by the tolerance). Costs (iterations of linear solvers) are not compared. With --factorizations, the last run
 must have needed that many. The comparison must be able to say no: a change of one number by ten times the tolerance
 has to be found.
 """
@@ -12,6 +12,7 @@ import argparse
 import copy
 import csv
 import itertools
+import math
 import os
 import re
 import subprocess
@@ -35,8 +36,12 @@ def difference(first, other, tolerance, ignored=()):
     for column in first[0]:
         if column in ("linear_iterations", "stage", *ignored):
             continue
-        scale = max(abs(float(row["tool_work" if column == "energy_error" else column])) for row in first)
+        numbers = [abs(float(row[column])) for row in first]
+        # An error of the energy is relative already.
+        scale = 1. if column == "energy_error" else max(number for number in numbers if not math.isnan(number))
         for a, b in zip(first, other):
+            if a[column] == b[column]:  # also if both say nan: not known yet
+                continue
             if not abs(float(a[column]) - float(b[column])) <= tolerance * scale:
                 return "increment %s, %s: %s and %s" % (a["increment"], column, a[column], b[column])
     return None

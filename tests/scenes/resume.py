@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
 """Kill a run at random moments, resume it, and compare every result with that of a run that was left alone.
 
-    resume.py PROGRAM SCENE FOLDER [--seed N] [--kills N] [--set ENTRY=VALUE]...
+    resume.py PROGRAM SCENE FOLDER [--seed N] [--kills N] [--launcher MPIRUN --np N] [--set ENTRY=VALUE]...
 
 All files are compared byte by byte, but for those that contain wall times (run.log, timing.json, the seconds of
 summary.json) and the saved state itself. Exit status 1 if a file differs, or if no kill hit a run that had something to
 resume from: then nothing was tested.
 """
 import argparse
+import contextlib
 import json
+import os
 import pathlib
 import random
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -45,6 +48,18 @@ def saved(folder):
         return None
 
 
+def kill(process):
+    """With all that it has started: of mpirun, the program itself."""
+    family = [process.pid]
+    for pid in family:
+        for children in pathlib.Path("/proc/%d/task" % pid).glob("*/children"):
+            with contextlib.suppress(OSError):
+                family += map(int, children.read_text().split())
+    for pid in family:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
+
+
 def interrupt(command, folder, span, kills, chance):
     """Run and kill until the run ends by itself. Returns its status and how many kills left something to resume.
 
@@ -61,7 +76,7 @@ def interrupt(command, folder, span, kills, chance):
                 time.sleep(chance.choice((0., chance.uniform(0., .3) * span)))
             else:
                 time.sleep(chance.uniform(.1, 1.) * span)
-            process.kill()
+            kill(process)
         status = process.wait()
         if status >= 0:
             return status, resumable
@@ -76,13 +91,17 @@ def main():
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--kills", type=int, default=4)
+    parser.add_argument("--launcher")
+    parser.add_argument("--np", default="2")
     parser.add_argument("--set", action="append", default=[])
     arguments = parser.parse_args()
 
     shutil.rmtree(arguments.folder, ignore_errors=True)
     arguments.folder.mkdir(parents=True)
     alone, killed = arguments.folder / "alone", arguments.folder / "killed"
-    command = [arguments.program, arguments.scene, "--quiet", "--set", "Output/Checkpoint interval=0"]
+    os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    command = [arguments.launcher, "-np", arguments.np, "--oversubscribe"] if arguments.launcher else []
+    command += [arguments.program, arguments.scene, "--quiet", "--set", "Output/Checkpoint interval=0"]
     for entry in arguments.set:
         command += ["--set", entry]
     begin = time.monotonic()

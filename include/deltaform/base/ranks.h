@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <cstring>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -55,8 +56,10 @@ namespace deltaform
       std::vector<T> result;
       for (const auto &bytes : gather(std::string(reinterpret_cast<const char *>(own.data()), own.size() * sizeof(T))))
       {
-        const auto *const begin = reinterpret_cast<const T *>(bytes.data());
-        result.insert(result.end(), begin, begin + bytes.size() / sizeof(T));
+        const std::size_t before = result.size();
+        result.resize(before + bytes.size() / sizeof(T));
+        if (!bytes.empty())
+          std::memcpy(static_cast<void *>(&result[before]), bytes.data(), bytes.size());
       }
       return result;
     }

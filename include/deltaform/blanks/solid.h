@@ -7,8 +7,10 @@
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
 
+#include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/affine_constraints.h>
 
 #include <cmath>
 #include <functional>
@@ -126,6 +128,9 @@ namespace deltaform
     /// of the DoFHandler
     std::vector<DofIndex> set_up_hanging_nodes();
 
+    /// What the hanging nodes of all processes follow, by the numbers of the DoFHandler.
+    void hanging_constraints(dealii::AffineConstraints<double> &result) const;
+
     /// Estimated squared error in energy of every cell, and the relative one of the whole.
     struct ErrorEstimate
     {
@@ -141,9 +146,16 @@ namespace deltaform
     std::vector<double> pack(unsigned int cell, const std::vector<Vector> &fields) const;
     std::vector<double> inherit(const std::vector<double> &parent, unsigned int child) const;
     void unpack(const std::vector<std::vector<double>> &data, std::vector<Vector> &fields);
+
+    /// Halve the marked cells, share all among the processes anew and hand on what the own cells know.
+    std::vector<std::vector<double>> divide_cells(const std::vector<std::vector<double>> &own);
     void set_up_heritage(Side side, const std::vector<Point2> &old_places);
 
-    void set_up_distributed_dofs();
+    /// The part of set_up_dofs() that several processes do together; @p number: of the unknowns.
+    void set_up_distributed_dofs(const std::vector<DofIndex> &number, const CellPlaces &places);
+
+    /// Estimated squared errors of all processes' cells above which a cell is refined.
+    double error_threshold(const std::vector<double> &squares) const;
     void set_up_points();
     void set_up_boundary();
     void set_up_face(ContactFace &face, const std::vector<std::string> &names);
@@ -218,6 +230,7 @@ namespace deltaform
     std::vector<Point2> parameters_;                                ///< of the nodes in the triangulation
     std::vector<std::array<DofIndex, 2>> node_dofs_;                ///< from n_free_ on: of hanging nodes
     DofIndex n_free_ = 0;                                           ///< number of unknowns
+    dealii::IndexSet owned_;                                        ///< unknowns of this process
     std::vector<std::vector<std::pair<DofIndex, double>>> hanging_; ///< what the numbers from n_free_ on are
     std::vector<QuadraturePoint> points_;                           ///< cell by cell
     std::vector<double> projection_; ///< of the volumetric strain, per cell: from points to points

@@ -34,6 +34,12 @@ namespace deltaform
       return *triangulation_;
     }
 
+    /// Of all processes.
+    unsigned int n_cells() const
+    {
+      return triangulation_->n_global_active_cells();
+    }
+
     /// Level of the finest cells of the mesh as read.
     int first_level() const
     {
