@@ -129,6 +129,27 @@ def upsetting(deltaform, calculix, folder_of):
                    abs(rows[-1][1]) / exact - 1 if cost.good and rows else None)
 
 
+def rough(deltaform, calculix, folder_of):
+    """Force at 40 %, friction .1, against a fine mesh of deltaform: CalculiX seldom gets to 60 %."""
+    for degree, n in ((1, 10), (1, 20), (2, 5), (2, 10)):
+        mesh = "%d x %d, degree %d" % (n, 3 * n // 2, degree)
+        folder = folder_of()
+        cost = deltaform.run(folder, "upsetting", "Blank/Degree=%d" % degree, "Blank/Elements=%d" % n,
+                             "Blank/Elements through thickness=%d" % (3 * n // 2), "Steps/press/End time=6",
+                             "Tools/die/Friction coefficient=0.1", "Output/Travels=")
+        rows = deltaform.column(folder, "die_force_z")
+        yield deltaform.name, mesh, cost, rows[-1][0] / ROUGH_REFERENCE - 1 if cost.good else None
+        for kind in (("CAX4", "CAX4R") if degree == 1 else ("CAX8R",)) if calculix else ():
+            for largest in (.02, .005):
+                folder = folder_of()
+                cost = calculix.run(folder, inp.upsetting(n, 3 * n // 2, kind, largest, 6., .1))
+                rows = calculix.forces(folder, "tool")
+                if not cost.good and rows:
+                    cost.note = (cost.note or "stopped") + " at %.2f mm" % (6. * rows[-1][0])
+                yield ("%s %s, increments %g" % (calculix.name, kind, largest), mesh, cost,
+                       abs(rows[-1][1]) / ROUGH_REFERENCE - 1 if cost.good and rows else None)
+
+
 def cup(deltaform, calculix, folder_of):
     """Force at a travel of .6 in against fine meshes of deltaform: there is no closed form."""
     exact = CUP_REFERENCE
@@ -151,7 +172,9 @@ def cup(deltaform, calculix, folder_of):
 
 # 1.17761 with 200 x 2, 1.17750 with 400 x 3 elements of degree 2
 CUP_REFERENCE = 1.1775
-PROBLEMS = {"hertz": hertz, "upsetting": upsetting, "cup": cup}
+# 454 280 with 20 x 30, 454 025 with 40 x 60 elements of degree 2
+ROUGH_REFERENCE = 454025.
+PROBLEMS = {"hertz": hertz, "upsetting": upsetting, "rough": rough, "cup": cup}
 
 
 def start_up(deltaform, calculix, folder_of):
@@ -185,7 +208,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
     parser.add_argument("--ccx", default="ccx")
-    parser.add_argument("--problem", nargs="+", choices=sorted(PROBLEMS), default=["hertz", "upsetting", "cup"])
+    parser.add_argument("--problem", nargs="+", choices=sorted(PROBLEMS), default=["hertz", "upsetting", "rough", "cup"])
     parser.add_argument("--limit", type=float, default=300., help="seconds of processor time after which a run is given up")
     parser.add_argument("--keep", metavar="FOLDER", help="leave the files of the runs here")
     parser.add_argument("--write", metavar="FILE", help="renew the tables of this page")

@@ -135,8 +135,8 @@ def hertz(n, kind, young=1000., nu=.3, radius=200., approach=.005, size=50.):
                      contact("C", "SLAVE", "MASTER", 1e7) + step(boundary, 1., 1., prints=["TOOL"])) + "\n"
 
 
-def upsetting(n, across, kind, largest=.05):
-    """prm/upsetting.prm, no friction."""
+def upsetting(n, across, kind, largest=.05, travel=9., friction=0.):
+    """prm/upsetting.prm. With friction the free side, which folds onto the die, touches too."""
     job = Job()
     ids, cells = job.block("B", kind, ([10. * i / n for i in range(n + 1)], [15. * j / across for j in range(across + 1)]),
                            lambda u, v: (u, v))
@@ -144,13 +144,15 @@ def upsetting(n, across, kind, largest=.05):
     boundary += ["%d, 1, 1" % node for (i, j), node in ids.items() if i == 0]
     faces = job.tool("TOOL", [(3. * k, 15.) for k in range(9)], 2.)
     slaves = [(cells[c, across - 1], "S3") for c in range(n)]
-    boundary += ["TOOL, 1, 1, 0.", "TOOL, 2, 2, -9."]
-    table = [(.01 * k, 700. + 3. * k) for k in range(200)]
+    if friction:
+        slaves += [(cells[n - 1, c], "S2") for c in range(across // 2, across)]
+    boundary += ["TOOL, 1, 1, 0.", "TOOL, 2, 2, %g" % -travel]
+    table = [(.01 * k, 700. + 3. * k) for k in range(300)]
     # p = 1e3: a penetration of 1e-4
     return "\n".join(job.header() + material("M", 200e3, .3, table) + material("T", 200e3, .3) +
                      surface("SLAVE", slaves) + surface("MASTER", faces) +
                      ["*SOLID SECTION, ELSET=EB, MATERIAL=M", "*SOLID SECTION, ELSET=ETOOL, MATERIAL=T"] +
-                     contact("C", "SLAVE", "MASTER", 1e7) +
+                     contact("C", "SLAVE", "MASTER", 1e7, friction, 1e6) +
                      step(boundary, min(.01, largest), largest, nlgeom=True, prints=["TOOL"])) + "\n"
 
 
