@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Measures the linear solvers on the Hertzian block of tests/distributed and writes tables in Markdown to standard output.
+"""Measures the linear solvers on the blocks of tests/distributed and writes tables in Markdown to standard output.
 
-    linear_solvers.py PROGRAM iterations            iterations per solve against epsilon and delta, rule by rule
+    linear_solvers.py PROGRAM iterations            iterations per solve against epsilon and delta, rule by rule, and under
+                                                    a plane that is inclined
     linear_solvers.py PROGRAM cost --cells 70,223   processor time per Newton iteration against the number of unknowns, with
                                                     fitted exponents: over all sizes, and from --from on; --path
                                                     automatic: with the linear path
@@ -18,8 +19,9 @@ import resource
 import subprocess
 import tempfile
 
-SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tests", "distributed", "hertz_block.prm")
+SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tests", "distributed")
 RULES = ["adaptive", "constant", "paper", "element stiffness", "proportional", "gap driven"]
+ITERATIVE = ["cg amg", "cg blocks", "cg diagonal"]
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 
@@ -29,12 +31,12 @@ def processor_time():
     return usage.ru_utime + usage.ru_stime
 
 
-def run(program, cells, solver, sets=(), processes=0, timeout=900):
+def run(program, cells, solver, sets=(), processes=0, timeout=900, scene="hertz_block"):
     """The last row of the history, times and unknowns of a run; None if it did not end well. @p cells: along and across."""
     along, across = cells if isinstance(cells, tuple) else (cells, cells)
     with tempfile.TemporaryDirectory() as folder:
         command = ["mpirun", "-np", str(processes), "--oversubscribe", "--bind-to", "none"] if processes else []
-        command += [program, SCENE, "--quiet", "--output", folder]
+        command += [program, os.path.join(SCENES, scene + ".prm"), "--quiet", "--output", folder]
         for entry in ["Blank/Elements=%d" % along, "Blank/Elements through thickness=%d" % across,
                       "Solver/Linear solver=" + solver, *sets]:
             command += ["--set", entry]
@@ -45,6 +47,7 @@ def run(program, cells, solver, sets=(), processes=0, timeout=900):
         except subprocess.TimeoutExpired:
             return None
         used = processor_time() - before
+        largest = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1e6
         with open(os.path.join(folder, "history.csv")) as file:
             row = list(csv.DictReader(line for line in file if not line.startswith("#")))[-1]
         with open(os.path.join(folder, "timing.json")) as file:
@@ -52,7 +55,7 @@ def run(program, cells, solver, sets=(), processes=0, timeout=900):
         with open(os.path.join(folder, "summary.json")) as file:
             summary = json.load(file)
         sections = {section["name"]: section for section in timing["sections"]}
-        return {"row": row, "processor": used, "total": timing["total"], "unknowns": summary["unknowns"],
+        return {"row": row, "processor": used, "largest so far [GB]": largest, "total": timing["total"], "unknowns": summary["unknowns"],
                 "solve": next(s for name, s in sections.items() if name.startswith("11")),
                 "assembly": next(s for name, s in sections.items() if name.startswith("3-6"))}
 
@@ -64,21 +67,23 @@ def per_solve(result):
 
 
 def iterations(program, cells):
-    print("| epsilon (constant) | CG, multigrid | CG, diagonal | largest p |\n|---|---|---|---|")
-    for exponent in range(2, 10):
-        sets = ["Contact/Penalty rule=constant", "Contact/Penalty factor=1e%d" % exponent]
-        results = [run(program, cells, solver, sets) for solver in ("cg amg", "cg diagonal")]
-        p = next(("%.1e" % float(r["row"]["max_penetration"]) for r in results if r), "-")
-        print("| 1e%d | %s | %s | %s |" % (exponent, *map(per_solve, results), p), flush=True)
-    print("\n| rule | delta | CG, multigrid | CG, diagonal | epsilon, largest | p/delta |\n|---|---|---|---|---|---|")
+    header = " | ".join("`%s`" % solver for solver in ITERATIVE)
+    for scene in ("hertz_block", "inclined_block"):
+        print("\n%s:\n\n| epsilon (constant) | %s | largest p |\n|---|---|---|---|---|" % (scene, header))
+        for exponent in range(2, 10):
+            sets = ["Contact/Penalty rule=constant", "Contact/Penalty factor=1e%d" % exponent]
+            results = [run(program, cells, solver, sets, timeout=120, scene=scene) for solver in ITERATIVE]
+            p = next(("%.1e" % float(r["row"]["max_penetration"]) for r in results if r), "-")
+            print("| 1e%d | %s | %s |" % (exponent, " | ".join(map(per_solve, results)), p), flush=True)
+    print("\n| rule | delta | %s | epsilon, largest | p/delta |\n|---|---|---|---|---|---|---|" % header)
     for rule in RULES:
         for delta in ("1e-3", "1e-5", "1e-7"):
             sets = ["Contact/Penalty rule=" + rule, "Contact/Allowed penetration=" + delta]
-            results = [run(program, cells, solver, sets, timeout=120) for solver in ("cg amg", "cg diagonal")]
+            results = [run(program, cells, solver, sets, timeout=120) for solver in ITERATIVE]
             row = next((r["row"] for r in results if r), None)
             tail = ("%.1e" % float(row["max_epsilon"]), "%.2g" % float(row["max_penetration_over_delta"])) if row else \
                 ("-", "did not end")
-            print("| %s | %s | %s | %s | %s | %s |" % (rule, delta, *map(per_solve, results), *tail), flush=True)
+            print("| %s | %s | %s | %s | %s |" % (rule, delta, " | ".join(map(per_solve, results)), *tail), flush=True)
 
 
 def exponent(points):
@@ -89,19 +94,22 @@ def exponent(points):
 
 
 def cost(program, sizes, solvers, first, path):
-    print("| unknowns | solver | iterations per solve | processor time per Newton iteration, s |\n|---|---|---|---|")
+    # Memory: the largest of any run so far, so that it is right as long as it grows.
+    print("| unknowns | solver | iterations per solve | processor time per Newton iteration, s | memory, GB |\n"
+          "|---|---|---|---|---|")
     points = {}
     for solver in solvers:
         for cells in sizes:
             result = run(program, cells, solver, ["Contact/Penalty rule=constant", "Contact/Penalty factor=2e4",
                                                   "Solver/Linear path=" + path])
             if result is None:
-                print("| %d | %s | - | - |" % (2 * (cells + 1)**2, solver))
+                print("| %d | %s | - | - | - |" % (2 * (cells + 1)**2, solver))
                 continue
             seconds = result["processor"] / result["solve"]["calls"]
             points.setdefault(solver, []).append((result["unknowns"], seconds))
             count = per_solve(result) if "linear_iterations" in result["row"] else "direct"
-            print("| %d | %s | %s | %.3g |" % (result["unknowns"], solver, count, seconds), flush=True)
+            print("| %d | %s | %s | %.3g | %.2f |" % (result["unknowns"], solver, count, seconds,
+                                                      result["largest so far [GB]"]), flush=True)
     print("\n| solver | exponent over all sizes | from %g unknowns on |\n|---|---|---|" % first)
     for solver, line in points.items():
         large = [point for point in line if point[0] >= first]

@@ -1,10 +1,13 @@
 // Krylov methods for large solids. Algebraic multigrid by smoothed aggregation needs the motions that cost no energy,
-// for elasticity the rigid ones: Vanek, Mandel, Brezina (1996), Computing 56, 179-196.
+// for elasticity the rigid ones: Vanek, Mandel, Brezina (1996), Computing 56, 179-196. A penalty along an inclined
+// normal makes both unknowns of a node stiff, and one combination of them soft: what smooths or scales must take them
+// together.
 #include "trilinos_matrix.h"
 
 #include <deltaform/base/text.h>
 
 #include <AztecOO.h>
+#include <Ifpack.h>
 #include <Teuchos_ParameterList.hpp>
 #include <ml_MultiLevelPreconditioner.h>
 
@@ -20,6 +23,7 @@ namespace deltaform
       IterativeSolver(LinearSolverSettings settings, std::unique_ptr<TrilinosMatrix> matrix)
         : settings_(std::move(settings)), matrix_(std::move(matrix)),
           multigrid_(settings_.name.find("amg") != std::string::npos),
+          blocks_(settings_.name.find("blocks") != std::string::npos),
           symmetric_(settings_.name.compare(0, 2, "cg") == 0)
       {
       }
@@ -39,6 +43,8 @@ namespace deltaform
 
       bool factorize() override
       {
+        if (blocks_)
+          return matrix_->all(invert_blocks());
         if (!multigrid_)
           return true;
         Teuchos::ParameterList list;
@@ -46,6 +52,9 @@ namespace deltaform
         list.set("ML output", 0);
         list.set("aggregation: type", "Uncoupled");
         list.set("smoother: type", "symmetric Gauss-Seidel");
+        // Coarse levels have three unknowns, the motions of an aggregate, and no single node's contact.
+        if (matrix_->all(matrix_->crs->NumMyRows() % 2 == 0))
+          list.set("smoother: type (level 0)", "symmetric block Gauss-Seidel");
         list.set("smoother: sweeps", 2);
         list.set("coarse: type", "Amesos-KLU");
         list.set("coarse: max size", 2000);
@@ -91,6 +100,19 @@ namespace deltaform
       }
 
     private:
+      /// The blocks of two unknowns on the diagonal, one per node.
+      bool invert_blocks()
+      {
+        const int n = matrix_->crs->NumMyRows();
+        Teuchos::ParameterList list;
+        list.set("relaxation: type", "Jacobi");
+        list.set("partitioner: type", "linear");
+        list.set("partitioner: local parts", (n + 1) / 2);
+        block_diagonal_.reset(Ifpack().Create("block relaxation stand-alone", matrix_->crs, 0));
+        return block_diagonal_->SetParameters(list) == 0 && block_diagonal_->Initialize() == 0 &&
+               block_diagonal_->Compute() == 0;
+      }
+
       bool iterate(const int method)
       {
         AztecOO solver(*matrix_->problem);
@@ -100,6 +122,8 @@ namespace deltaform
         solver.SetAztecOption(AZ_kspace, 100);
         if (multigrid_)
           solver.SetPrecOperator(preconditioner_.get());
+        else if (blocks_)
+          solver.SetPrecOperator(block_diagonal_.get());
         else
         {
           solver.SetAztecOption(AZ_precond, AZ_Jacobi);
@@ -118,10 +142,11 @@ namespace deltaform
 
       LinearSolverSettings settings_;
       std::unique_ptr<TrilinosMatrix> matrix_;
-      bool multigrid_, symmetric_;
+      bool multigrid_, blocks_, symmetric_;
       int n_motions_ = 0;
       std::vector<double> null_space_;
       std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> preconditioner_;
+      std::unique_ptr<Ifpack_Preconditioner> block_diagonal_;
       unsigned int n_iterations_ = 0;
       std::string failure_; ///< of the last solve
     };

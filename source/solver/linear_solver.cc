@@ -13,10 +13,19 @@ namespace deltaform
   LinearSolverSettings::LinearSolverSettings(Section &section)
     : name(section.choice("Linear solver",
                           "automatic",
-                          {"automatic", "klu", "mumps", "cg amg", "gmres amg", "cg diagonal", "gmres diagonal"},
+                          {"automatic",
+                           "klu",
+                           "mumps",
+                           "cg amg",
+                           "gmres amg",
+                           "cg blocks",
+                           "gmres blocks",
+                           "cg diagonal",
+                           "gmres diagonal"},
                           "Direct: klu for thin strips, mumps for blocks. Iterative, for large solids: conjugate "
-                          "gradients (no friction) or GMRES, preconditioned by algebraic multigrid or by the "
-                          "diagonal. automatic: klu or mumps, by the size and shape of the mesh.")),
+                          "gradients (no friction) or GMRES, preconditioned by algebraic multigrid, by the "
+                          "diagonal or by its blocks of one node each, which do not care how contact is inclined. "
+                          "automatic: klu or mumps, by the size and shape of the mesh.")),
       automatic(name == "automatic"),
       tolerance(section.number("Linear solver tolerance",
                                1e-10,
