@@ -120,11 +120,11 @@ def cup():
         key="cup", name="20: cup", scene="cup", quantities=DRAWN, values=drawn((.4, .6, .8, 1.), (.3, .6, .9, 1.2, 1.5, 1.8)),
         fixed={"Output/Travels": "0.2, 0.4, 0.6, 0.8, 1"},
         base={**elements(100), **delta(1e-3), **step(100), **TWO_STEPS, "Blank/Layers": 7},
-        overkill=({**elements(200), **delta(1e-3), **step(200), "Blank/Layers": 9},
-                  {**elements(400), **delta(1e-3), **step(400), "Blank/Layers": 9}),
+        overkill=({**elements(800), **delta(1e-3), **step(200), "Blank/Layers": 9},
+                  {**elements(1600), **delta(1e-3), **step(400), "Blank/Layers": 9}),
         lines={
-            "elements, degree 1": labelled(elements, (25, 50, 100, 200)),
-            "elements, degree 2": labelled(elements, (15, 25, 50), 2),
+            "elements, degree 1": labelled(elements, (25, 50, 100, 200, 400)),
+            "elements, degree 2": labelled(elements, (15, 25, 50, 100, 200), 2),
             "layers": [(str(n), {"Blank/Layers": n}) for n in (2, 3, 5, 7)],
             "increments": labelled(step, (25, 50, 100, 200)),
             "increments, backward Euler": [(label, {**own, **EULER})
@@ -132,7 +132,8 @@ def cup():
             "delta/thickness": labelled(delta, (1e-1, 3e-2, 1e-2, 1e-3, 1e-4)),
             "rule": rules(1e5),
             "all together": [(f"{n}, {m}, {d:g}", {**elements(n), **step(m), **delta(d), "Blank/Layers": layers})
-                             for n, m, d, layers in ((25, 25, 1e-2, 3), (40, 30, 1e-2, 3), (60, 40, 1e-2, 3), (100, 50, 1e-2, 5), (200, 100, 1e-2, 5))],
+                             for n, m, d, layers in ((25, 25, 1e-2, 3), (40, 30, 1e-2, 3), (60, 40, 1e-2, 3), (100, 50, 1e-2, 5), (200, 100, 1e-2, 5),
+                                                     (400, 100, 3e-3, 5), (400, 200, 3e-3, 5), (800, 200, 1e-2, 5))],
         })
 
 
