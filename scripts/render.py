@@ -21,7 +21,7 @@ from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import (
     vtkAppendPolyData,
-    vtkCleanPolyData,
+    vtkCellDataToPointData,
     vtkClipPolyData,
     vtkFeatureEdges,
     vtkPolyDataNormals,
@@ -90,19 +90,17 @@ def frame_files(folder, frame):
 
 
 def read(path):
-    """The drawing as polygons or lines, points at the same place merged."""
+    """The drawing as polygons or lines; values of cells are brought to their points (the mean of those around)."""
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(path)
+    to_points = vtkCellDataToPointData()
+    to_points.SetInputConnection(reader.GetOutputPort())
     surface = vtkGeometryFilter()
-    surface.SetInputConnection(reader.GetOutputPort())
-    clean = vtkCleanPolyData()
-    clean.SetInputConnection(surface.GetOutputPort())
-    clean.SetTolerance(1e-7)
-    clean.ConvertPolysToLinesOff()
-    clean.Update()
-    if clean.GetOutput().GetNumberOfCells() == 0:
+    surface.SetInputConnection(to_points.GetOutputPort())
+    surface.Update()
+    if surface.GetOutput().GetNumberOfCells() == 0:
         raise NoPicture(f"'{path}' is empty or unreadable")
-    return clean.GetOutput()
+    return surface.GetOutput()
 
 
 def field_of(data, name):

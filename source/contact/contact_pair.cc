@@ -53,11 +53,11 @@ namespace deltaform
                                                          : ContactThickness::none;
     const std::string squeeze = tool_section.choice(
       "Squeeze",
-      "automatic",
-      {"automatic", "on", "off"},
+      "on",
+      {"on", "off"},
       "Does the half of a shell's thickness on this side give way at once, by pressure over Young's "
-      "modulus, or only when the increment is accepted? Automatic: on for a tool driven by force.");
-    squeezed_ = squeeze == "on" || (squeeze == "automatic" && tool.force_driven());
+      "modulus, or only when the increment is accepted?");
+    squeezed_ = squeeze == "on";
     auto law =
       Registry<FrictionLaw>::choose(tool_section, "Friction law", "coulomb", "Tangential law; no friction, no object.");
     if (tool.friction_coefficient() > 0)

@@ -44,10 +44,23 @@ namespace deltaform
           << base64(bytes.data(), bytes.size()) << "\n</DataArray>\n";
     }
 
+    /// Vectors have three components: ParaView takes them for such.
+    void write_field(std::ostream &out, const DrawnField &field, const Units &units)
+    {
+      const unsigned int n = field.n_components, n_written = n == 1 ? 1 : 3;
+      std::vector<float> values(field.values.size() / n * n_written, 0.f);
+      for (std::size_t i = 0; i < field.values.size(); ++i)
+        values[i / n * n_written + i % n] = static_cast<float>(field.values[i]);
+      write_array(out,
+                  "type=\"Float32\" Name=\"" + label(field, units) + "\" NumberOfComponents=\"" +
+                    std::to_string(n_written) + "\"",
+                  values);
+    }
+
     void write(std::ostream &out, const Drawing &drawing, const Units &units)
     {
       const unsigned int n_vertices = drawing.points_per_cell;
-      const std::size_t n_points = drawing.cells.size(), n_cells = n_points / n_vertices;
+      const std::size_t n_points = drawing.points.size(), n_cells = drawing.cells.size() / n_vertices;
       const std::uint16_t one = 1;
       unsigned char first     = 0;
       std::memcpy(&first, &one, 1);
@@ -56,15 +69,12 @@ namespace deltaform
           << n_points << "\" NumberOfCells=\"" << n_cells << "\">\n<Points>\n";
       std::vector<float> values;
       values.reserve(3 * n_points);
-      for (const unsigned int point : drawing.cells)
-        values.insert(
-          values.end(),
-          {static_cast<float>(drawing.points[point][0]), static_cast<float>(drawing.points[point][1]), 0.f});
+      for (const Point2 &point : drawing.points)
+        values.insert(values.end(), {static_cast<float>(point[0]), static_cast<float>(point[1]), 0.f});
       write_array(out, R"(type="Float32" NumberOfComponents="3")", values);
 
-      std::vector<std::int32_t> connectivity(n_points), offsets(n_cells);
-      for (std::size_t i = 0; i < n_points; ++i)
-        connectivity[i] = static_cast<std::int32_t>(i);
+      const std::vector<std::int32_t> connectivity(drawing.cells.begin(), drawing.cells.end());
+      std::vector<std::int32_t> offsets(n_cells);
       for (std::size_t c = 0; c < n_cells; ++c)
         offsets[c] = static_cast<std::int32_t>(n_vertices * (c + 1));
       constexpr std::uint8_t line = 3, quadrilateral = 9; // VTK_LINE, VTK_QUAD
@@ -74,23 +84,21 @@ namespace deltaform
       write_array(out, R"(type="Int32" Name="offsets")", offsets);
       write_array(out, R"(type="UInt8" Name="types")", types);
 
-      out << "</Cells>\n<PointData>\n";
-      for (const auto &field : drawing.fields)
+      out << "</Cells>\n";
+      for (const bool per_point : {true, false})
       {
-        const unsigned int n = field.n_components, n_written = n == 1 ? 1 : 3;
-        Assert(field.values.size() == n * (field.per_point ? drawing.points.size() : n_cells),
-               dealii::ExcMessage("Field '" + field.name + "' does not fit the drawing."));
-        values.assign(n_written * n_points, 0.f);
-        for (std::size_t i = 0; i < n_points; ++i)
-          for (unsigned int k = 0; k < n; ++k)
-            values[n_written * i + k] =
-              static_cast<float>(field.values[(field.per_point ? drawing.cells[i] : i / n_vertices) * n + k]);
-        write_array(out,
-                    "type=\"Float32\" Name=\"" + label(field, units) + "\" NumberOfComponents=\"" +
-                      std::to_string(n_written) + "\"",
-                    values);
+        const char *const where = per_point ? "PointData" : "CellData";
+        out << '<' << where << ">\n";
+        for (const auto &field : drawing.fields)
+          if (field.per_point == per_point)
+          {
+            Assert(field.values.size() == field.n_components * (per_point ? n_points : n_cells),
+                   dealii::ExcMessage("Field '" + field.name + "' does not fit the drawing."));
+            write_field(out, field, units);
+          }
+        out << "</" << where << ">\n";
       }
-      out << "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+      out << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
     }
   } // namespace
 

@@ -39,12 +39,15 @@ public:
     for (const auto &[name, element] : piece.get_child("PointData"))
       if (name == "DataArray")
         fields[element.get<std::string>("<xmlattr>.Name")] = array(element);
+    for (const auto &[name, element] : piece.get_child("CellData"))
+      if (name == "DataArray")
+        cell_fields[element.get<std::string>("<xmlattr>.Name")] = array(element);
   }
 
   unsigned int n_points, n_cells;
   Array points;
-  std::map<std::string, Array> cells;  ///< connectivity, offsets, types
-  std::map<std::string, Array> fields; ///< on points
+  std::map<std::string, Array> cells; ///< connectivity, offsets, types
+  std::map<std::string, Array> fields, cell_fields;
 
 private:
   static std::string decode(const std::string &text)
