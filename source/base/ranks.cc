@@ -1,6 +1,7 @@
 #include <deltaform/base/ranks.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <iostream>
 #include <numeric>
@@ -44,10 +45,15 @@ namespace deltaform::ranks
 
   unsigned int mine()
   {
-    int rank = 0;
-    if (started())
+    // Asked for once: a thread that writes files must not call MPI.
+    static std::atomic<int> known{-1};
+    int rank = known;
+    if (rank < 0 && started())
+    {
       MPI_Comm_rank(communicator(), &rank);
-    return static_cast<unsigned int>(rank);
+      known = rank;
+    }
+    return static_cast<unsigned int>(std::max(rank, 0));
   }
 
 

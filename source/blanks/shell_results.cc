@@ -113,6 +113,7 @@ namespace deltaform
       {
         const unsigned int place = c * n_points_per_cell_ + p;
         const ShellPoint &point  = points_[place];
+        const double sine        = axisymmetric_ ? std::sin(point.angle) : 0.;
         double thickness         = 0.;
         for (unsigned int l = 0; l < n_layers_; ++l, ++i)
         {
@@ -120,7 +121,7 @@ namespace deltaform
           if (!energy_)
             continue;
           const double a1_zero = point.lambda - layer_position_[l] * point.angle_prime;
-          const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * std::sin(point.angle) : 1.;
+          const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * sine : 1.;
           const double volume  = point.weight * layer_weight_[l] * a1_zero * a2_zero;
           const Mandel before  = material_->plastic_strain(history_.committed(i));
           const Mandel after   = material_->plastic_strain(history_.trial(i));

@@ -66,6 +66,16 @@ namespace deltaform
     n_points_per_cell_ = n;
     quadrature_        = quadrature.get_points();
 
+    // The same on every cell: values and gradients of the shapes on the unit square.
+    std::vector<std::array<double, 9>> values(n);
+    std::vector<std::array<Tensor1, 9>> gradients(n);
+    for (unsigned int p = 0; p < n; ++p)
+      for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
+      {
+        values[p][a]    = shapes.shape_value(a, quadrature.point(p));
+        gradients[p][a] = shapes.shape_grad(a, quadrature.point(p));
+      }
+
     points_.clear();
     projection_.clear();
     constant_matrices_.clear();
@@ -78,13 +88,12 @@ namespace deltaform
         double radius = 0;
         for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
         {
-          const Point2 &X     = nodes_[cell[a]];
-          const auto gradient = shapes.shape_grad(a, quadrature.point(p));
-          point.shape[a]      = shapes.shape_value(a, quadrature.point(p));
+          const Point2 &X = nodes_[cell[a]];
+          point.shape[a]  = values[p][a];
           radius += point.shape[a] * X[0];
           for (unsigned int i = 0; i < 2; ++i)
             for (unsigned int j = 0; j < 2; ++j)
-              jacobian[i][j] += X[i] * gradient[j];
+              jacobian[i][j] += X[i] * gradients[p][a][j];
         }
         const double determinant = dealii::determinant(jacobian);
         point.radius             = axisymmetric_ ? radius : 1.;
@@ -94,7 +103,7 @@ namespace deltaform
           const Tensor2 inverse = dealii::invert(jacobian);
           for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
           {
-            const Tensor1 gradient = shapes.shape_grad(a, quadrature.point(p)) * inverse;
+            const Tensor1 gradient = gradients[p][a] * inverse;
             point.gradient_r[a]    = gradient[0];
             point.gradient_z[a]    = gradient[1];
           }

@@ -60,9 +60,9 @@ namespace deltaform
   double ContactPair::expected_growth(const unsigned int i) const
   {
     const PairState &state = committed_[i];
-    if (!(last_step_ > 0) || !(state.previous_force > 0))
+    if (!(last_step_ > 0))
       return 0.;
-    return std::clamp((state.force - state.previous_force) * (time_ - last_time_) / last_step_, 0., .5 * state.force);
+    return std::clamp((state.force - state.previous_force) * (time_ - last_time_) / last_step_, 0., state.force);
   }
 
 

@@ -117,6 +117,7 @@ namespace deltaform
   {
     time_                   = time;
     softening_              = 1.;
+    at_start_               = true;
     slack_                  = 0.;
     slip_limit_             = settings_.allowed_slip(time);
     trial_                  = committed_;
@@ -209,15 +210,7 @@ namespace deltaform
       const double compliance = node.squeeze;
       const double share      = spring_share(state, compliance);
       const double left       = share * (gap + compliance * state.shift);
-      NormalResponse normal;
-      if (std::isfinite(gap))
-        normal = settings_.enforcement->respond(state, own_unknown ? gap : left, state.multiplier);
-      if (slack_ > 0 && normal.touching != state.touching && !own_unknown && is_idle(state, left))
-      {
-        normal = NormalResponse();
-        if (state.touching)
-          normal = {true, state.shift - state.epsilon * left, -state.epsilon, false};
-      }
+      NormalResponse normal   = respond(i, own_unknown ? gap : left);
       normal.derivative *= share;
       if (own_unknown)
         normal.compliance = compliance;

@@ -14,8 +14,28 @@ namespace deltaform
   }
 
 
+  NormalResponse ContactPair::respond(const unsigned int i, const double gap) const
+  {
+    const PairState &state   = trial_[i];
+    const bool is_multiplier = settings_.enforcement->has_multiplier();
+    if (!std::isfinite(gap))
+      return {};
+    // The gap at the start is wrong by what extrapolation leaves out, and an equilibrium that hangs on a few nodes is
+    // lost if one of them lets go for that: the step then goes where nothing holds the blank.
+    if (at_start_ && committed_[i].touching && state.multiplier > 0)
+      return is_multiplier ? settings_.enforcement->respond(state, std::min(gap, 0.), state.multiplier)
+                           : settings_.enforcement->respond(state, gap, std::numeric_limits<double>::infinity());
+    const NormalResponse normal = settings_.enforcement->respond(state, gap, state.multiplier);
+    if (slack_ > 0 && normal.touching != state.touching && !is_multiplier && is_idle(state, gap))
+      return state.touching ? NormalResponse{true, state.shift - state.epsilon * gap, -state.epsilon, false}
+                            : NormalResponse();
+    return normal;
+  }
+
+
   void ContactPair::prepare_step(const Vector &d)
   {
+    at_start_ = false;
     if (settings_.enforcement->has_multiplier())
       return;
     const Tensor1 tool_step = tool_.force_driven() ? d[travel_dof_] * tool_.direction() : Tensor1();

@@ -135,6 +135,7 @@ namespace deltaform
         files.write_tables(problem, files.main_travel(problem, files.last.time), files.last.stage);
         files.write_picture(problem, files.last.time);
       }
+      files.behind.wait();
     }
     JsonObject summary;
     summary.add("title", files.scene.title);

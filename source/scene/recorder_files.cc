@@ -162,6 +162,7 @@ namespace deltaform
 
   void Recorder::Files::write_picture(const FormingProblem &problem, const double time)
   {
+    behind.wait(); // the last picture has its number when it is in the series
     const auto &blank = *scene.actors.blank;
     std::vector<DrawnField> fields;
     if (!scene.actors.tools.empty())
@@ -190,7 +191,7 @@ namespace deltaform
     char number[16];
     std::snprintf(number, sizeof number, "_%04u.vtu", pictures.size());
     std::vector<std::string> parts{std::string("blank") + number};
-    write_vtu(folder + "/" + parts[0], blank.draw(problem.committed(), fields), units);
+    Drawing deformed = blank.draw(problem.committed(), fields);
 
     double reach = 0.;
     for (const auto &x : blank.positions(problem.committed()))
@@ -218,9 +219,15 @@ namespace deltaform
     {
       tools.fields.push_back(index);
       parts.push_back(std::string("tools") + number);
-      write_vtu(folder + "/" + parts[1], tools, units);
     }
-    pictures.add(time, parts);
     last_picture = time;
+    behind.run(
+      [this, time, parts, deformed = std::move(deformed), tools = std::move(tools)]()
+      {
+        write_vtu(folder + "/" + parts[0], deformed, units);
+        if (parts.size() > 1)
+          write_vtu(folder + "/" + parts[1], tools, units);
+        pictures.add(time, parts);
+      });
   }
 } // namespace deltaform

@@ -1,5 +1,6 @@
 #pragma once
 // The open files of a recorder, and what they need; private to the two files that implement it.
+#include <deltaform/base/write_behind.h>
 #include <deltaform/results/history.h>
 #include <deltaform/results/picture_series.h>
 #include <deltaform/results/units.h>
@@ -83,5 +84,6 @@ namespace deltaform
     }
 
     double last_picture = -1; ///< its time
+    WriteBehind behind;       ///< last member: its task uses the others
   };
 } // namespace deltaform

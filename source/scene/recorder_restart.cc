@@ -47,7 +47,15 @@ namespace deltaform
   void Recorder::save(const Checkpoint &state)
   {
     Timers::Scope scope(files_->timers, files_->timer);
-    state.write(files_->folder);
+    // After the pictures that it counts on.
+    files_->behind.run([state, folder = files_->folder]() { state.write(folder); });
     files_->saved_at = files_->timers.total();
+  }
+
+
+  void Recorder::complete()
+  {
+    Timers::Scope scope(files_->timers, files_->timer);
+    files_->behind.wait();
   }
 } // namespace deltaform

@@ -51,6 +51,7 @@ namespace deltaform
     // Not before the files are complete: until then, going on from the state before gives the same.
     if (before_giving_up_)
       recorder_.save(*before_giving_up_);
+    recorder_.complete();
     return status;
   }
 

@@ -96,8 +96,9 @@ namespace deltaform
       result.outcome = NewtonResult::Outcome::inadmissible;
       return result;
     }
-    double residual  = measure(is_prescribed, force_floor, result);
-    double last_step = std::numeric_limits<double>::infinity();
+    double residual         = measure(is_prescribed, force_floor, result);
+    double last_step        = std::numeric_limits<double>::infinity();
+    unsigned int n_creeping = 0;
     result.residuals.push_back(residual);
 
     for (unsigned int iteration = 0;; ++iteration)
@@ -254,6 +255,14 @@ namespace deltaform
       for (unsigned int i = 0; i < n; ++i)
         last_step = std::max(last_step, factor * std::abs(d[i]) * scale_[i]);
       result.residuals.push_back(residual);
+      // Steps that are all but taken back, far from equilibrium, lead nowhere: damping and shorter increments do. Of
+      // 1211 solves of a U-bend 82 made three such steps, and 78 of them failed in the end.
+      if (damped == Damping::none && residual > far_from_equilibrium && factor < creeping &&
+          ++n_creeping == most_creeping_steps)
+      {
+        result.outcome = NewtonResult::Outcome::diverged;
+        return result;
+      }
     }
   }
 } // namespace deltaform

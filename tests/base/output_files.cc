@@ -2,12 +2,17 @@
 #include <deltaform/base/csv_writer.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/base/timers.h>
+#include <deltaform/base/write_behind.h>
 
 #include "messages.h"
 
 #include <deal.II/base/exceptions.h>
 
 #include <boost/property_tree/json_parser.hpp>
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
 
 using namespace deltaform;
 
@@ -49,6 +54,44 @@ BOOST_AUTO_TEST_CASE(whole_files_are_replaced_or_kept)
                                           }),
                     std::runtime_error);
   BOOST_TEST(content_of(path) == "new");
+}
+
+BOOST_AUTO_TEST_CASE(files_are_written_behind)
+{
+  // The caller goes on while the first task waits for what the caller says; tasks keep their order.
+  std::mutex mutex;
+  std::condition_variable said;
+  bool go = false;
+  std::string order;
+  std::thread::id writer;
+  WriteBehind behind;
+  behind.wait(); // nothing to wait for
+  behind.run(
+    [&]()
+    {
+      std::unique_lock<std::mutex> lock(mutex);
+      said.wait(lock, [&]() { return go; });
+      writer = std::this_thread::get_id();
+      order += "a";
+    });
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    BOOST_TEST(order.empty());
+    go = true;
+  }
+  said.notify_one();
+  behind.run([&]() { order += "b"; });
+  behind.wait();
+  BOOST_TEST(order == "ab");
+  BOOST_TEST((writer != std::this_thread::get_id()));
+
+  // What goes wrong is heard of at the next occasion, once.
+  behind.run([]() { throw SceneError("the disk is full"); });
+  check_contains(message_of<SceneError>([&]() { behind.run([&]() { order += "c"; }); }), {"the disk is full"});
+  behind.wait();
+  BOOST_TEST(order == "ab");
+  behind.run([]() { throw SceneError("the disk is full"); });
+  BOOST_CHECK_THROW(behind.wait(), SceneError);
 }
 
 BOOST_AUTO_TEST_CASE(timers_count_calls_and_seconds)

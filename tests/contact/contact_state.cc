@@ -177,7 +177,8 @@ BOOST_AUTO_TEST_CASE(the_next_factor_comes_from_the_reaction)
   BOOST_TEST(fixture.pair.governed_by_floor(0));
   const double force = fixture.pair.committed()[0].force;
   fixture.begin_increment(q, 2., 10.); // a softer blank: the floor is far below
-  BOOST_TEST(std::abs(fixture.pair.trial()[0].epsilon - force / .8e-3) < 1e-12);
+  // From nothing to this force in the last increment: in one as long it is expected to grow as much again.
+  BOOST_TEST(std::abs(fixture.pair.trial()[0].epsilon - 2 * force / .8e-3) < 1e-12);
   fixture.settle(q);
   fixture.pair.commit(q);
   BOOST_TEST(!fixture.pair.governed_by_floor(0));
@@ -193,6 +194,37 @@ BOOST_AUTO_TEST_CASE(the_next_factor_comes_from_the_reaction)
   fixture.assemble(q);
   BOOST_TEST(fixture.pair.trial()[0].epsilon ==
              std::max(fixture.pair.trial()[1].epsilon, fixture.pair.committed()[1].epsilon));
+}
+
+BOOST_AUTO_TEST_CASE(who_touched_is_held_at_the_start)
+{
+  // Extrapolation opens the gap by more than the estimate of the force allows: the pair acts as a spring both ways
+  // until the first step has been made, and lets go if it still says so then. Resting on a tool without force is not
+  // being held.
+  for (const std::string enforcement : {"penalty", "active set"})
+  {
+    const bool is_multiplier  = enforcement == "active set";
+    const FakeSurface surface = row(2);
+    PairFixture fixture(surface, {"Enforcement=" + enforcement, "Allowed penetration=1e-3"}, flat);
+    Vector q = place(fixture, 0., is_multiplier ? 0. : -1e-4);
+    if (is_multiplier)
+      for (unsigned int i = 0; i < 2; ++i)
+        q[fixture.n_blank + i] = .1;
+    fixture.pair.begin_stage(q, 0.);
+    fixture.begin_increment(q, 1., stiffness);
+    fixture.settle(q);
+    fixture.pair.commit(q);
+    BOOST_TEST(fixture.pair.committed()[0].force > 0.);
+    fixture.pair.begin_increment(2.);
+    q[1] = .1;
+    fixture.assemble(q);
+    BOOST_TEST(fixture.pair.trial()[0].touching);
+    BOOST_TEST((is_multiplier || fixture.pair.trial()[0].force < 0.));
+    fixture.pair.prepare_step(Vector(fixture.n));
+    fixture.assemble(q);
+    BOOST_TEST(!fixture.pair.trial()[0].touching);
+    BOOST_TEST(fixture.pair.trial()[1].touching);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_estimate_of_the_force)

@@ -236,6 +236,23 @@ BOOST_AUTO_TEST_CASE(failures_are_told_apart)
   BOOST_TEST(!wrong.solve(0.).converged());
 }
 
+BOOST_AUTO_TEST_CASE(creeping_is_given_up)
+{
+  // Steps of which not a hundredth is admissible, far from equilibrium: not the twenty that are allowed are made.
+  Scalar problem       = stiffening(10.);
+  problem.largest_step = .005;
+  const auto creeping  = problem.solve(0.);
+  BOOST_TEST((creeping.outcome == Outcome::diverged));
+  BOOST_TEST(creeping.iterations == 3u);
+  BOOST_TEST(creeping.residuals.size() == 4u);
+  BOOST_TEST(problem.solve(0., {}, 0., Damping::damped).iterations > 3u); // the last resort goes on
+  problem.largest_step = .3;                                              // .03, .06, ...
+  BOOST_TEST(problem.solve(0.).converged());
+  // At the solution's door short steps are no failure.
+  problem.largest_step = 1e-6;
+  BOOST_TEST(problem.solve(2. - 5e-6).converged());
+}
+
 BOOST_AUTO_TEST_CASE(rounds_of_corrections)
 {
   Scalar problem          = stiffening(10.);

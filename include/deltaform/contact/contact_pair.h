@@ -234,6 +234,9 @@ namespace deltaform
     /// K_nn (or K_tt) = (J^T n)^T K (J^T n) with the nodal block of the blank's tangent.
     double nodal_stiffness(unsigned int i, const ContactNode &node, const Tensor1 &direction) const;
 
+    /// Status and normal force of pair @p i at the gap that decides (of a penalty spring: its share of it).
+    NormalResponse respond(unsigned int i, double gap) const;
+
     /// Is the force of the pair, estimated and now, within the slack?
     bool is_idle(const PairState &state, double gap) const;
 
@@ -244,8 +247,8 @@ namespace deltaform
 
     PenaltyInput input(unsigned int i, const PairState &state, double coupling) const;
 
-    /// By how much the reaction is expected to grow in this increment: as in the last one, at most by half. A factor
-    /// for the force of the last increment alone is too soft for a growing one and costs a correction.
+    /// By how much the reaction is expected to grow in this increment: as in the last one, at most to twice itself. A
+    /// factor for the force of the last increment alone is too soft for a growing one and costs a correction.
     double expected_growth(unsigned int i) const;
 
     /// Tangential factor from the allowed elastic slip.
@@ -309,7 +312,8 @@ namespace deltaform
     std::vector<double> noise_;                    ///< round-off of the gap, which is a difference of large numbers
     std::vector<unsigned int> hint_;               ///< segment of the last projection
     bool status_changed_  = false;
-    double slack_         = 0; ///< see allow_slack()
+    bool at_start_        = false; ///< no step has been made in this increment: only the last one knows who touches
+    double slack_         = 0;     ///< see allow_slack()
     double median_factor_ = 0;
     double softening_     = 1;                              ///< share of the factor of first touches, see soften()
     double slip_limit_    = 0;                              ///< allowed elastic slip at the end of the increment

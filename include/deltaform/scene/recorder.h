@@ -38,8 +38,11 @@ namespace deltaform
     /// What a Recorder goes on from.
     std::string state() const;
 
-    /// Save a state in the folder.
+    /// Save a state in the folder, like pictures while the run goes on.
     void save(const Checkpoint &state);
+
+    /// Until every file is written. @throws SceneError if one of them cannot be
+    void complete();
 
     /// The run has ended.
     void finish(int exit_status, const FormingProblem &problem, unsigned int increments, unsigned int iterations);

@@ -151,6 +151,10 @@ namespace deltaform
     static constexpr unsigned int damped_iterations = 200; ///< instead of the maximal number of iterations
     static constexpr unsigned int slack_iterations  = 4;   ///< before slack is allowed; three times as many: more
 
+    static constexpr double creeping                  = 1e-2; ///< share of a step below which it is a creeping one
+    static constexpr double far_from_equilibrium      = 1e-2; ///< relative residual above which such steps are counted
+    static constexpr unsigned int most_creeping_steps = 3;    ///< then an undamped attempt is given up
+
     NonlinearProblem &problem_;
     System &system_;
     const NewtonSettings &settings_;
