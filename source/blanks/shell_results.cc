@@ -54,7 +54,7 @@ namespace deltaform
     const auto &nodes = mesh_.cells()[cell].nodes;
     std::array<DofIndex, 9> dofs{};
     for (unsigned int a = 0; a <= degree_; ++a)
-      std::copy(node_dofs_[nodes[a]].begin(), node_dofs_[nodes[a]].end(), dofs.begin() + 3 * a);
+      std::copy(node_dofs_[nodes[a]].begin(), node_dofs_[nodes[a]].end(), dofs.begin() + 3ul * a);
     const auto evaluate = [&](auto n_nodes, auto membrane)
     {
       return shell_strain<n_nodes, membrane>(

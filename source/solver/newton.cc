@@ -138,7 +138,9 @@ namespace deltaform
         result.status = problem_.assemble(q, true);
         residual      = measure(is_prescribed, force_floor, result);
       }
-      const bool close = residual < 1e2 * settings_.relaxed_tolerance && iteration < 2 * max_iterations;
+      const bool close = damped == Damping::none
+                           ? residual < 1e2 * settings_.relaxed_tolerance && iteration < 2 * max_iterations
+                           : residual < on_its_way && iteration < most_extensions * max_iterations;
       if ((iteration >= max_iterations && !close) || !std::isfinite(residual))
       {
         result.outcome = NewtonResult::Outcome::diverged;
@@ -203,7 +205,7 @@ namespace deltaform
       // Less damping where it goes well: Newton's step again once the blank has come to rest.
       if (now <= residual)
         damping_ *= .25;
-      if (damping_ < 1e-14 * system_.largest_diagonal())
+      if (damping_ > 0. && damping_ < 1e-14 * system_.largest_diagonal())
         damping_ = 0.;
       if (settings_.line_search && pending == 0. && now > residual &&
           (!problem_.status_changed() || iteration >= problem_.patience()))

@@ -149,6 +149,8 @@ namespace deltaform
     bool descend(const Vector &q, const std::vector<bool> &is_prescribed, const Vector &increments, Vector &d);
 
     static constexpr unsigned int damped_iterations = 200; ///< instead of the maximal number of iterations
+    static constexpr double on_its_way              = .5;  ///< relative residual below which damped steps may go on,
+    static constexpr unsigned int most_extensions   = 4;   ///< up to so many times that number
     static constexpr unsigned int slack_iterations  = 4;   ///< before slack is allowed; three times as many: more
 
     static constexpr double creeping                  = 1e-2; ///< share of a step below which it is a creeping one
