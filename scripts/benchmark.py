@@ -24,7 +24,7 @@ import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BY_HAND = "## Found on the way"  # of the page: from here on it is kept as it is
-LONG_RUNS = [("prm/cup.prm", ["Blank/Elements=400"]), ("prm/cup.prm", ["Blank/Elements=1600", "Steps/form/End time=0.4"]),
+LONG_RUNS = [("prm/cup.prm", ["Blank/Elements=800"]), ("prm/cup.prm", ["Blank/Elements=1600", "Steps/form/End time=0.4"]),
              ("prm/u_bend.prm", []), ("prm/cup_solid.prm", []),
              ("prm/upsetting.prm", ["Blank/Elements=40", "Blank/Elements through thickness=60"]),
              ("prm/osu_stretching_solid.prm", ["Blank/Elements=400", "Blank/Elements through thickness=4", "Blank/Degree=1"])]
@@ -152,14 +152,15 @@ def solid(program, loops, folder, repetitions):
 
 def shares(program, empty, folder):
     """Lines of a table: of whole processes, all default outputs, what is not steps 3 to 11 of an iteration."""
-    lines = ["Whole processes with all default outputs [s]. Bookkeeping is what remains: accepting increments (step 12), Newton's vectors, step",
-             "control, reading the scene. The empty program stands for loading the libraries and MPI, which no code here can shorten.", "",
+    lines = ["Whole processes with all default outputs, the fastest of 3 each [s]. Output is what the run waits for: pictures and saved states are written by a",
+             "second thread. Bookkeeping is what remains: accepting increments (step 12), Newton's vectors, step control, reading the scene. The empty",
+             "program stands for loading the libraries and MPI, which no code here can shorten.", "",
              "| scene | whole process | steps 3 to 11 | output (13) | bookkeeping | empty program | share of output and bookkeeping | and of start-up "
              "(asked: at most 10 %) |", "|---|---|---|---|---|---|---|---|"]
     for scene, entries in LONG_RUNS:
-        start_up = min(call([empty])[0] for _ in range(3))
-        wall, _ = call([program, scene, "--quiet", "--output", folder, *(word for entry in entries for word in ("--set", entry))])
-        sections = load(folder, "timing.json")["sections"]
+        command = [program, scene, "--quiet", "--output", folder, *(word for entry in entries for word in ("--set", entry))]
+        start_up = min(call([empty])[0] for _ in range(5))
+        wall, sections = min(((call(command)[0], load(folder, "timing.json")["sections"]) for _ in range(3)), key=lambda run: run[0])
         output = sum(s["seconds"] for s in sections if s["name"].startswith("13"))
         steps = sum(s["seconds"] for s in sections if not s["name"].startswith(("12", "13")))
         rest = wall - start_up - output - steps
