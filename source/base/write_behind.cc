@@ -9,7 +9,8 @@ namespace deltaform
   {
     wait();
     if (ranks::first())
-      task_ = std::async(std::launch::async, std::move(task));
+      task_ = std::async(std::launch::async | std::launch::deferred,
+                         std::move(task)); // where no thread is to be had: in wait()
   }
 
 

@@ -113,7 +113,7 @@ namespace deltaform
       {
         const unsigned int place = c * n_points_per_cell_ + p;
         const ShellPoint &point  = points_[place];
-        const double sine        = axisymmetric_ ? std::sin(point.angle) : 0.;
+        const double sine        = energy_ && axisymmetric_ ? std::sin(point.angle) : 0.;
         double thickness         = 0.;
         for (unsigned int l = 0; l < n_layers_; ++l, ++i)
         {

@@ -7,6 +7,7 @@
 #include <boost/serialization/string.hpp>
 
 #include <sstream>
+#include <utility>
 
 namespace deltaform
 {
@@ -44,11 +45,11 @@ namespace deltaform
   }
 
 
-  void Recorder::save(const Checkpoint &state)
+  void Recorder::save(Checkpoint state)
   {
     Timers::Scope scope(files_->timers, files_->timer);
     // After the pictures that it counts on.
-    files_->behind.run([state, folder = files_->folder]() { state.write(folder); });
+    files_->behind.run([state = std::move(state), folder = files_->folder]() { state.write(folder); });
     files_->saved_at = files_->timers.total();
   }
 

@@ -4,6 +4,7 @@
 #include <deltaform/scene/simulation.h>
 
 #include <cmath>
+#include <utility>
 
 namespace deltaform
 {
@@ -50,7 +51,7 @@ namespace deltaform
     recorder_.finish(status, problem_, increment_, total_iterations_);
     // Not before the files are complete: until then, going on from the state before gives the same.
     if (before_giving_up_)
-      recorder_.save(*before_giving_up_);
+      recorder_.save(std::move(*before_giving_up_));
     recorder_.complete();
     return status;
   }

@@ -253,6 +253,26 @@ BOOST_AUTO_TEST_CASE(creeping_is_given_up)
   BOOST_TEST(problem.solve(2. - 5e-6).converged());
 }
 
+BOOST_AUTO_TEST_CASE(damped_steps_go_on_while_they_lead_down)
+{
+  // From 0 to 2 in steps of .008: after 200 of them the residual is a quarter of the forces.
+  Scalar problem       = stiffening(10.);
+  problem.largest_step = .008;
+  const auto slow      = problem.solve(0., {}, 0., Damping::damped);
+  BOOST_TEST(slow.converged());
+  BOOST_TEST(slow.iterations > 200u);
+  // Steps of .005 have got to two thirds by then: not on their way.
+  problem.largest_step = .005;
+  const auto far       = problem.solve(0., {}, 0., Damping::damped);
+  BOOST_TEST((far.outcome == Outcome::diverged));
+  BOOST_TEST(far.iterations == 200u);
+  // And not for ever.
+  problem.largest_step = 1e-4;
+  const auto endless   = problem.solve(1.6, {}, 0., Damping::damped);
+  BOOST_TEST((endless.outcome == Outcome::diverged));
+  BOOST_TEST(endless.iterations == 800u);
+}
+
 BOOST_AUTO_TEST_CASE(rounds_of_corrections)
 {
   Scalar problem          = stiffening(10.);

@@ -39,7 +39,7 @@ namespace deltaform
     std::string state() const;
 
     /// Save a state in the folder, like pictures while the run goes on.
-    void save(const Checkpoint &state);
+    void save(Checkpoint state);
 
     /// Until every file is written. @throws SceneError if one of them cannot be
     void complete();
