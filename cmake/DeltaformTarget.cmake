@@ -4,7 +4,7 @@ function(deltaform_link target)
   set_property(TARGET ${target} APPEND PROPERTY LINK_LIBRARIES ${ARGN})
 endfunction()
 
-# deltaform_setup(<target>): deal.II, Boost, Eigen, warnings as errors, sanitizers.
+# deltaform_setup(<target>): deal.II, Boost, Eigen, zlib, warnings as errors, sanitizers.
 function(deltaform_setup target)
   deal_ii_setup_target(${target})
   # deal.II's and Trilinos' headers are not ours to warn about.
@@ -22,7 +22,7 @@ function(deltaform_setup target)
   # Debian's deal.II hands down -g also for Release. Symbols make a program thirty times as large, and a build took 8 GB of
   # disk. A Debug build has them.
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-g0>)
-  deltaform_link(${target} Boost::program_options Boost::serialization Eigen3::Eigen)
+  deltaform_link(${target} Boost::program_options Boost::serialization Eigen3::Eigen ZLIB::ZLIB)
   if(DELTAFORM_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)

@@ -91,7 +91,7 @@ def whole_process(program, empty, folder, runs, elements, allowed):
 def per_iteration(program, folder, repetitions):
     """Lines of a table: milliseconds per Newton iteration, the least of some runs, and the fitted exponent."""
     lines = [
-        "A Newton iteration of the cup to a travel of 0.1 in (the named steps 3 to 11 of `timing.json`, failed iterations and",
+        "A Newton iteration of the cup to a travel of 0.1 in (the named steps 3 to 9 and 11 of `timing.json`, failed iterations and",
         f"line searches included; the least of {repetitions} runs, because other work on the machine only ever adds):",
         "",
         "| elements | Newton iterations | assemblies per iteration | time per iteration [ms] | blank | contact | linear solve | "
@@ -151,21 +151,22 @@ def solid(program, loops, folder, repetitions):
 
 
 def shares(program, empty, folder):
-    """Lines of a table: of whole processes, all default outputs, what is not steps 3 to 11 of an iteration."""
-    lines = ["Whole processes with all default outputs, the fastest of 3 each [s]. Output is what the run waits for: pictures and saved states are written by a",
-             "second thread. Bookkeeping is what remains: accepting increments (step 12), Newton's vectors, step control, reading the scene. The empty",
-             "program stands for loading the libraries and MPI, which no code here can shorten.", "",
-             "| scene | whole process | steps 3 to 11 | output (13) | bookkeeping | empty program | share of output and bookkeeping | and of start-up "
-             "(asked: at most 10 %) |", "|---|---|---|---|---|---|---|---|"]
+    """Lines of a table: of whole processes, all default outputs, what is not an iteration."""
+    lines = ["Whole processes with all default outputs, the fastest of 3 each [s]; the numbers are those of the named steps of `timing.json`. Start-up (1) is",
+             "reading and checking the scene and making the mesh, until the first increment; output (13) is what the run waits for, as pictures, tables and saved",
+             "states are written by a second thread; bookkeeping is accepting increments (12) and what bears no name: step control, the end. The empty program stands for",
+             "loading the libraries and MPI, which no code here can shorten.", "",
+             "| scene | whole process | iterations (2 to 11) | start-up (1) | output (13) | bookkeeping (12, rest) | empty program | share of 1, 12, 13 and rest | and of the "
+             "empty program (asked: at most 10 %) |", "|---|---|---|---|---|---|---|---|---|"]
     for scene, entries in LONG_RUNS:
         command = [program, scene, "--quiet", "--output", folder, *(word for entry in entries for word in ("--set", entry))]
-        start_up = min(call([empty])[0] for _ in range(5))
+        loading = min(call([empty])[0] for _ in range(5))
         wall, sections = min(((call(command)[0], load(folder, "timing.json")["sections"]) for _ in range(3)), key=lambda run: run[0])
-        output = sum(s["seconds"] for s in sections if s["name"].startswith("13"))
-        steps = sum(s["seconds"] for s in sections if not s["name"].startswith(("12", "13")))
-        rest = wall - start_up - output - steps
-        lines.append(f"| `{scene}`{', ' if entries else ''}{', '.join(entries)} | {wall:.2f} | {steps:.2f} | {output:.3f} | {rest:.3f} | {start_up:.3f} | "
-                     f"{100 * (output + rest) / wall:.1f} % | {100 * (1 - steps / wall):.1f} % |")
+        start_up, output, steps = (sum(s["seconds"] for s in sections if test(s["name"].split()[0])) for test in (
+            lambda step: step == "1", lambda step: step == "13", lambda step: step not in ("1", "12", "13")))
+        rest = wall - loading - start_up - output - steps
+        lines.append(f"| `{scene}`{', ' if entries else ''}{', '.join(entries)} | {wall:.2f} | {steps:.2f} | {start_up:.3f} | {output:.3f} | {rest:.3f} | "
+                     f"{loading:.3f} | {100 * (start_up + output + rest) / wall:.1f} % | {100 * (1 - steps / wall):.1f} % |")
     return lines
 
 

@@ -102,7 +102,8 @@ class Cost:
         for _ in range(runs):
             subprocess.run(launcher + command(program, feature, entries, feature.ends[1], folder), check=True,
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            seconds.append(sum(section["seconds"] for section in load(folder, "timing.json")["sections"]))
+            seconds.append(sum(section["seconds"] for section in load(folder, "timing.json")["sections"]
+                               if not section["name"].startswith("1 ")))  # of increments: without start-up
             shutil.rmtree(folder)
         increments = summaries[1]["increments"] - summaries[0]["increments"]
         iterations = summaries[1]["newton_iterations"] - summaries[0]["newton_iterations"]

@@ -5,7 +5,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <cerrno>
-#include <cstdio>
+#include <charconv>
 #include <cstring>
 
 namespace deltaform
@@ -14,9 +14,8 @@ namespace deltaform
   {
     std::string number(const double value)
     {
-      char buffer[32];
-      std::snprintf(buffer, sizeof buffer, "%.10g", value);
-      return buffer;
+      char buffer[32]; // as by printf("%.10g")
+      return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 10).ptr};
     }
 
     std::string word(const std::string &text)
@@ -32,8 +31,9 @@ namespace deltaform
 
   CsvWriter::CsvWriter(const std::string &path,
                        const std::vector<std::string> &comments,
-                       const std::vector<Column> &columns)
-    : path_(path), n_columns_(columns.size()), file_(ranks::first() ? path : "/dev/null")
+                       const std::vector<Column> &columns,
+                       const Flush flush)
+    : path_(path), flush_(flush), n_columns_(columns.size()), file_(ranks::first() ? path : "/dev/null")
   {
     if (!file_)
       throw SceneError("Cannot write '" + path_ + "': " + std::strerror(errno) + ".");
@@ -76,6 +76,12 @@ namespace deltaform
                 dealii::ExcMessage("A row of '" + path_ + "' has " + std::to_string(n_values) + " values for " +
                                    std::to_string(n_columns_) + " columns."));
     file_ << '\n';
+    if (flush_ == Flush::every_row)
+      flush();
+  }
+
+  void CsvWriter::flush()
+  {
     file_.flush();
     if (!file_)
       throw SceneError("Cannot write '" + path_ + "' any further: " + std::strerror(errno) + ".");

@@ -1,6 +1,7 @@
 // Accepting an increment of the shell, its energies, its fields.
 #include "shell_point.h"
 
+#include <deltaform/base/archive.h>
 #include <deltaform/blanks/shell.h>
 #include <deltaform/materials/flow_error.h>
 
@@ -77,23 +78,27 @@ namespace deltaform
   }
 
 
-  double Shell::thickness_strain_work(const Vector &q,
-                                      const unsigned int cell,
-                                      const unsigned int p,
-                                      const double new_ratio) const
+  double Shell::layer_volume(const ShellPoint &point, const double sine, const unsigned int layer) const
+  {
+    const double along  = point.lambda - layer_position_[layer] * point.angle_prime;
+    const double around = axisymmetric_ ? point.radius - layer_position_[layer] * sine : 1.;
+    return point.weight * layer_weight_[layer] * along * around;
+  }
+
+
+  double Shell::thickness_strain_work(const unsigned int place, const ShellStrain &strain, const double new_ratio) const
   {
     // Moving the layers of a curved shell to the new thickness strains them at fixed displacements.
-    const unsigned int place = cell * n_points_per_cell_ + p;
-    const ShellPoint &point  = points_[place];
-    const ShellStrain strain = strain_at(q, cell, place);
-    double work              = 0.;
+    const ShellPoint &point = points_[place];
+    const double sine       = std::sin(point.angle);
+    double work             = 0.;
     for (unsigned int l = 0; l < n_layers_; ++l)
     {
-      const double a1_zero = point.lambda - layer_position_[l] * point.angle_prime;
-      const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * std::sin(point.angle) : 1.;
-      const double volume  = point.weight * layer_weight_[l] * a1_zero * a2_zero;
+      const double volume = layer_volume(point, sine, l);
       const double before = thickness_ratio_[place] * layer_position_[l], after = new_ratio * layer_position_[l];
       const auto &tau = stress_[place * n_layers_ + l];
+      if (before == after)
+        continue;
       work += volume * tau[0] *
               std::log((strain.lambda - after * strain.theta_prime) / (strain.lambda - before * strain.theta_prime));
       if (axisymmetric_)
@@ -120,11 +125,9 @@ namespace deltaform
           thickness += layer_weight_[l] * std::exp(strain_[i][2]);
           if (!energy_)
             continue;
-          const double a1_zero = point.lambda - layer_position_[l] * point.angle_prime;
-          const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * sine : 1.;
-          const double volume  = point.weight * layer_weight_[l] * a1_zero * a2_zero;
-          const Mandel before  = material_->plastic_strain(history_.committed(i));
-          const Mandel after   = material_->plastic_strain(history_.trial(i));
+          const double volume = layer_volume(point, sine, l);
+          const Mandel before = material_->plastic_strain(history_.committed(i));
+          const Mandel after  = material_->plastic_strain(history_.trial(i));
           for (unsigned int k = 0; k < 4; ++k)
             energy_->plastic += .5 * volume * (stress_[i][k] + committed_stress_[i][k]) * (after[k] - before[k]);
           energy_->normal +=
@@ -132,13 +135,13 @@ namespace deltaform
           energy_->elastic += volume * material_->elastic_energy(stress_[i]);
         }
         if (energy_)
-          energy_->normal += thickness_strain_work(q, c, p, thickness / thickness_);
-        thickness_ratio_[place] = thickness / thickness_;
-        if (energy_ && !membrane_)
         {
-          const double gamma = strain_at(q, c, place).gamma - point.gamma;
+          const ShellStrain strain = strain_at(q, c, place);
+          const double gamma       = strain.gamma - point.gamma;
+          energy_->normal += thickness_strain_work(place, strain, thickness / thickness_);
           energy_->elastic += .5 * shear * point.weight * point.radius * gamma * gamma;
         }
+        thickness_ratio_[place] = thickness / thickness_;
       }
     carried_.keep(history_);
     history_.commit();
@@ -257,9 +260,10 @@ namespace deltaform
   {
     const BlankEnergy total = energy();
     boost::archive::binary_oarchive archive(stream);
-    archive << history_ << carried_ << committed_strain_ << committed_stress_ << thickness_ratio_ << node_thickness_
-            << node_relief_ << node_area_ << contact_pressure_ << third_stress_ << total.elastic << total.plastic
-            << total.normal;
+    archive_plain(archive, committed_strain_);
+    archive_plain(archive, committed_stress_);
+    archive << history_ << carried_ << thickness_ratio_ << node_thickness_ << node_relief_ << node_area_
+            << contact_pressure_ << third_stress_ << total.elastic << total.plastic << total.normal;
   }
 
 
@@ -267,9 +271,10 @@ namespace deltaform
   {
     BlankEnergy total;
     boost::archive::binary_iarchive archive(stream);
-    archive >> history_ >> carried_ >> committed_strain_ >> committed_stress_ >> thickness_ratio_ >> node_thickness_ >>
-      node_relief_ >> node_area_ >> contact_pressure_ >> third_stress_ >> total.elastic >> total.plastic >>
-      total.normal;
+    archive_plain(archive, committed_strain_);
+    archive_plain(archive, committed_stress_);
+    archive >> history_ >> carried_ >> thickness_ratio_ >> node_thickness_ >> node_relief_ >> node_area_ >>
+      contact_pressure_ >> third_stress_ >> total.elastic >> total.plastic >> total.normal;
     if (energy_)
       energy_ = total;
     strain_ = committed_strain_;

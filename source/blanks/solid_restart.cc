@@ -1,4 +1,5 @@
 // The state of a solid, for a run that goes on.
+#include <deltaform/base/archive.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/blanks/solid.h>
@@ -16,18 +17,14 @@ namespace deltaform
 {
   void Solid::save(std::ostream &stream) const
   {
-    std::vector<double> gradients;
-    for (const auto &F : committed_deformation_)
-    {
-      gradients.insert(gradients.end(), F.f.begin(), F.f.end());
-      gradients.push_back(F.hoop);
-    }
     const BlankEnergy total = energy();
     std::ostringstream own;
     boost::archive::binary_oarchive archive(own);
-    archive << passes_ << estimated_error_ << history_ << carried_ << spin_ << committed_stress_ << gradients
-            << plastic_metric_ << faces_[0].area << faces_[1].area << smallest_thickness_ << total.elastic
-            << total.plastic;
+    archive << passes_ << estimated_error_ << history_ << carried_ << spin_ << faces_[0].area << faces_[1].area
+            << smallest_thickness_ << total.elastic << total.plastic;
+    archive_plain(archive, committed_stress_);
+    archive_plain(archive, committed_deformation_);
+    archive_plain(archive, plastic_metric_);
     const std::vector<std::string> all = ranks::gather(own.str());
     boost::archive::binary_oarchive(stream) << all;
   }
@@ -35,7 +32,6 @@ namespace deltaform
 
   void Solid::load(std::istream &stream)
   {
-    std::vector<double> gradients;
     std::vector<std::string> all;
     boost::archive::binary_iarchive(stream) >> all;
     if (all.size() != ranks::count())
@@ -53,15 +49,13 @@ namespace deltaform
       mesh_.triangulation().load_refine_flags(passes[pass]);
       refine(none);
     }
-    archive >> estimated_error_ >> history_ >> carried_ >> spin_ >> committed_stress_ >> gradients >> plastic_metric_ >>
-      faces_[0].area >> faces_[1].area >> smallest_thickness_ >> total.elastic >> total.plastic;
+    archive >> estimated_error_ >> history_ >> carried_ >> spin_ >> faces_[0].area >> faces_[1].area >>
+      smallest_thickness_ >> total.elastic >> total.plastic;
     if (energy_)
       energy_ = total;
-    for (unsigned int i = 0; i < committed_deformation_.size(); ++i)
-    {
-      std::copy_n(gradients.begin() + 5 * i, 4, committed_deformation_[i].f.begin());
-      committed_deformation_[i].hoop = gradients[5 * i + 4];
-    }
+    archive_plain(archive, committed_stress_);
+    archive_plain(archive, committed_deformation_);
+    archive_plain(archive, plastic_metric_);
     stress_      = committed_stress_;
     deformation_ = committed_deformation_;
   }

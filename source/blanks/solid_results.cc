@@ -74,34 +74,33 @@ namespace deltaform
 
   double Solid::largest_strain_increment() const
   {
-    double largest = 0.;
+    double largest = 0., most = 1.; // of small strains; of squared stretches and their inverses
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
-      Mandel e;
       if (finite_)
       {
         const Deformation d = increment(i);
         const auto &f       = d.f;
-        e                   = LogarithmicStrain::strain(
-          {f[0] * f[0] + f[1] * f[1], f[2] * f[2] + f[3] * f[3], d.hoop * d.hoop, f[0] * f[2] + f[1] * f[3]});
+        const double xx = f[0] * f[0] + f[1] * f[1], yy = f[2] * f[2] + f[3] * f[3], xy = f[0] * f[2] + f[1] * f[3];
+        const double j = f[0] * f[3] - f[1] * f[2], hoop = d.hoop * d.hoop;
+        const double longest = .5 * (xx + yy) + std::sqrt(.25 * (xx - yy) * (xx - yy) + xy * xy);
+        most                 = std::max({most, longest, longest / (j * j), hoop, 1. / hoop});
+        continue;
       }
-      else
-      {
-        const Deformation &now = deformation_[i], &before = committed_deformation_[i];
-        const auto &a = now.f, &b = before.f;
-        e = {{a[0] - b[0], a[3] - b[3], now.hoop - before.hoop, (a[1] - b[1] + a[2] - b[2]) / root_2}};
-      }
+      const Deformation &now = deformation_[i], &before = committed_deformation_[i];
+      const auto &a = now.f, &b = before.f;
+      const Mandel e{{a[0] - b[0], a[3] - b[3], now.hoop - before.hoop, (a[1] - b[1] + a[2] - b[2]) / root_2}};
       const double radius = std::hypot(.5 * (e[0] - e[1]), e[3] / root_2);
       largest             = std::max({largest, .5 * std::abs(e[0] + e[1]) + radius, std::abs(e[2])});
     }
-    return ranks::max(largest);
+    return ranks::max(finite_ ? .5 * std::log(most) : largest);
   }
 
 
   double Solid::largest_rotation(const Vector &dq) const
   {
     // The spin of the displacement increment on the undeformed body would count stretch: take the committed one.
-    double largest = 0.;
+    double sine = 0., cosine = 1.; // of the largest angle so far, times a length
     Vector storage;
     const Vector &du = with_hanging(dq, storage);
     for (unsigned int c = 0, i = 0; c < cells_.size(); ++c)
@@ -114,9 +113,14 @@ namespace deltaform
                                        inverse * (d[1] * b[0] - (d[0] - 1.) * b[1]),
                                        inverse * (d[2] * b[3] - (d[3] - 1.) * b[2]),
                                        1. + inverse * ((d[3] - 1.) * b[0] - d[2] * b[1])}};
-        largest = std::max(largest, std::abs(angle(f)));
+        const double own_sine = std::abs(f[2] - f[1]), own_cosine = f[0] + f[3];
+        if (own_sine * cosine > sine * own_cosine)
+        {
+          sine   = own_sine;
+          cosine = own_cosine;
+        }
       }
-    return ranks::max(largest);
+    return ranks::max(std::atan2(sine, cosine));
   }
 
 
@@ -132,7 +136,8 @@ namespace deltaform
       const Mandel before = material_->plastic_strain(history_.committed(i));
       const Mandel after  = material_->plastic_strain(history_.trial(i));
       // The flow takes place in the axes of now: the last stress is turned along.
-      const Mandel start = finite_ ? turned(committed_stress_[i], angle(increment(i).f)) : committed_stress_[i];
+      const double spin  = !finite_ ? 0. : spin_.empty() ? angle(increment(i).f) : spin_[i];
+      const Mandel start = finite_ ? turned(committed_stress_[i], spin) : committed_stress_[i];
       for (unsigned int k = 0; k < 4; ++k)
         plastic += .5 * volume * (stress_[i][k] + start[k]) * (after[k] - before[k]);
     }
@@ -151,6 +156,8 @@ namespace deltaform
   {
     if (linear_)
       update_stress(q);
+    for (unsigned int i = 0; finite_ && i < spin_.size(); ++i)
+      spin_[i] = angle(increment(i).f);
     if (energy_)
       add_energy();
     // Without history there is no plastic flow.
@@ -183,9 +190,6 @@ namespace deltaform
       cp[3]             = g[0] * g[2] * b.xx + (g[0] * g[3] + g[1] * g[2]) * b.xy + g[1] * g[3] * b.yy;
     }
     carried_.keep(history_);
-    if (finite_)
-      for (unsigned int i = 0; i < spin_.size(); ++i)
-        spin_[i] = angle(increment(i).f);
     history_.commit();
     committed_stress_      = stress_;
     committed_deformation_ = deformation_;

@@ -77,7 +77,9 @@ namespace deltaform
       }
 
     points_.clear();
+    points_.reserve(cells_.size() * n);
     projection_.clear();
+    projection_.reserve(points_.capacity() * n);
     constant_matrices_.clear();
     for (const auto &cell : cells_)
     {

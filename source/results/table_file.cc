@@ -24,8 +24,9 @@ namespace deltaform
         column.unit = units.of(column.unit);
       const std::string draft = path + ".part";
       {
-        CsvWriter file(draft, comments, columns);
+        CsvWriter file(draft, comments, columns, CsvWriter::Flush::when_told);
         write_rows(file);
+        file.flush();
       }
       if (std::rename(draft.c_str(), path.c_str()) != 0)
         throw SceneError("Cannot write '" + path + "': " + std::strerror(errno) + ".");

@@ -4,9 +4,10 @@
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
-#include <boost/crc.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
+
+#include <zlib.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -36,10 +37,9 @@ namespace deltaform
     /// The first line of the file: who wrote it, and how to tell whether it is whole.
     std::string head(const std::string &content)
     {
-      boost::crc_32_type sum;
-      sum.process_bytes(content.data(), content.size());
+      const auto sum = crc32_z(0, reinterpret_cast<const Bytef *>(content.data()), content.size());
       return "deltaform " DELTAFORM_VERSION " checkpoint " + std::to_string(content.size()) + " bytes, CRC-32 " +
-             std::to_string(sum.checksum());
+             std::to_string(sum);
     }
 
     /// "1e-3" and "0.001" are the same number.
@@ -50,6 +50,26 @@ namespace deltaform
       char *end_a = nullptr, *end_b = nullptr;
       const double x = std::strtod(a.c_str(), &end_a), y = std::strtod(b.c_str(), &end_b);
       return !a.empty() && !b.empty() && *end_a == '\0' && *end_b == '\0' && x == y;
+    }
+
+    /// An entry, its old value and its new one, if any.
+    std::string change(const std::string &entry, const std::string &was, const char *const verb, const std::string &now)
+    {
+      return entry + " was " + was + ", is " + verb + now;
+    }
+
+    std::string must_stay(const std::string &was)
+    {
+      return "was " + was +
+             " when the run was saved, so that it cannot be resumed. Entries of Solver, Steps, Contact (not "
+             "Enforcement), "
+             "Output and allowed penetrations of tools may change; with any other change, start again without --resume";
+    }
+
+    std::string is_missing(const std::string &entry, const std::string &was)
+    {
+      return "Cannot resume: the run was saved with " + entry + " = " + was +
+             ", which the scene does not have any more. Start again without --resume.";
     }
 
     bool may_change(const SectionPath &path, const std::string &name)
@@ -122,22 +142,16 @@ namespace deltaform
       if (equal)
         continue;
       if (!may_change(path, name))
-        tree.fail(path,
-                  name,
-                  "was " + was +
-                    " when the run was saved, so that it cannot be resumed. Entries of Solver, Steps, "
-                    "Contact (not Enforcement), Output and allowed penetrations of tools may change; with any other "
-                    "change, start again without --resume");
-      result.push_back(full + " was " + was + ", is now " + (text.empty() ? "empty" : text));
+        tree.fail(path, name, must_stay(was));
+      result.push_back(change(full, was, "now ", text.empty() ? "empty" : text));
     }
     for (const auto &[name, value] : before)
     {
       const auto last = name.rfind('/');
       const SectionPath path{name.substr(0, name.find('/'))};
       if (!may_change(last == std::string::npos ? SectionPath() : path, name.substr(last + 1)))
-        throw SceneError("Cannot resume: the run was saved with " + name + " = " + value +
-                         ", which the scene does not have any more. Start again without --resume.");
-      result.push_back(name + " was " + value + ", is gone");
+        throw SceneError(is_missing(name, value));
+      result.push_back(change(name, value, "gone", ""));
     }
     return result;
   }

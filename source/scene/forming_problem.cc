@@ -67,7 +67,10 @@ namespace deltaform
   Status FormingProblem::assemble(const Vector &q, const bool tangent)
   {
     const bool predict = factors_due_;
-    system_->clear(tangent || predict);
+    {
+      Timers::Scope timer(timers_, timer_clear_);
+      system_->clear(tangent || predict);
+    }
     Status status;
     {
       Timers::Scope timer(timers_, timer_blank_);

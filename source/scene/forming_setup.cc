@@ -10,6 +10,7 @@ namespace deltaform
 {
   FormingProblem::FormingProblem(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers)
     : actors_(actors), linear_solver_(linear_solver), timers_(timers),
+      timer_clear_(timers.section("2 clear matrix and residual")),
       timer_blank_(timers.section("3-6 blank: strains, material, residual, tangent")),
       timer_sum_(timers.section("6 sum over processes")),
       timer_contact_(timers.section("7-9 contact: projection, forces, tangent")),

@@ -103,39 +103,51 @@ namespace deltaform
       labels.insert(label += "_" + stage);
     auto head = comments;
     head.push_back("stage " + stage + ", travel of the main tool (or time): " + text::format(travel));
-    write_table(folder + "/profile_" + label + ".csv", head, scene.actors.blank->profile(problem.committed()), units);
+    behind.run([path    = folder + "/profile_" + label + ".csv",
+                profile = scene.actors.blank->profile(problem.committed()),
+                head,
+                this]() { write_table(path, head, profile, units); });
     if (scene.actors.tools.empty())
       return;
-    write_contact(problem, label, head);
 
     double reach = 0.;
     for (const auto &x : scene.actors.blank->positions(problem.committed()))
       reach = std::max(reach, x.norm());
-    CsvWriter tools(
-      folder + "/tools_" + label + ".csv", head, {{"tool", "1"}, {"r", units.of("length")}, {"z", units.of("length")}});
+    Rows tools;
     for (const auto *pair : problem.active_pairs())
       for (const auto &x : pair->tool().polyline(pair->travel(problem.committed()), reach))
-        tools.row_of_cells({pair->tool().name(), x[0], x[1]});
+        tools.push_back({pair->tool().name(), x[0], x[1]});
+    behind.run(
+      [contact_path = folder + "/contact_" + label + ".csv",
+       contact      = contact_rows(problem),
+       tools_path   = folder + "/tools_" + label + ".csv",
+       tools        = std::move(tools),
+       head,
+       this]()
+      {
+        write_table(contact_path,
+                    head,
+                    {{"tool", "1"},
+                     {"R0", "length"},
+                     {"penetration", "length"},
+                     {"delta", "length"},
+                     {"epsilon", "force/length"},
+                     {"normal_force", "force"},
+                     {"pressure", "stress"},
+                     {"slip", "length"},
+                     {"tangential_force", "force"},
+                     {"status", "1"},
+                     {"S0", "length"}},
+                    contact,
+                    units);
+        write_table(tools_path, head, {{"tool", "1"}, {"r", "length"}, {"z", "length"}}, tools, units);
+      });
   }
 
 
-  void Recorder::Files::write_contact(const FormingProblem &problem,
-                                      const std::string &label,
-                                      const std::vector<std::string> &head) const
+  Recorder::Files::Rows Recorder::Files::contact_rows(const FormingProblem &problem)
   {
-    CsvWriter file(folder + "/contact_" + label + ".csv",
-                   head,
-                   {{"tool", "1"},
-                    {"R0", units.of("length")},
-                    {"penetration", units.of("length")},
-                    {"delta", units.of("length")},
-                    {"epsilon", units.of("force/length")},
-                    {"normal_force", units.of("force")},
-                    {"pressure", units.of("stress")},
-                    {"slip", units.of("length")},
-                    {"tangential_force", units.of("force")},
-                    {"status", "1"},
-                    {"S0", units.of("length")}});
+    Rows rows;
     for (const auto *pair : problem.active_pairs())
       for (unsigned int i = 0; i < pair->n_nodes(); ++i)
       {
@@ -143,26 +155,26 @@ namespace deltaform
         if (!state.touching)
           continue;
         const ContactNode node = pair->node(problem.committed(), i);
-        file.row_of_cells({pair->tool().name(),
-                           node.reference_coordinate,
-                           state.penetration(),
-                           state.delta,
-                           state.epsilon,
-                           state.force,
-                           node.area > 0 ? state.force / node.area : 0.,
-                           state.slip,
-                           state.tangential_force,
-                           std::string(pair->tool().friction_coefficient() == 0 ? "frictionless"
-                                       : state.sticking                         ? "stick"
-                                                                                : "slip"),
-                           node.arc_coordinate});
+        rows.push_back({pair->tool().name(),
+                        node.reference_coordinate,
+                        state.penetration(),
+                        state.delta,
+                        state.epsilon,
+                        state.force,
+                        node.area > 0 ? state.force / node.area : 0.,
+                        state.slip,
+                        state.tangential_force,
+                        std::string(pair->tool().friction_coefficient() == 0 ? "frictionless"
+                                    : state.sticking                         ? "stick"
+                                                                             : "slip"),
+                        node.arc_coordinate});
       }
+    return rows;
   }
 
 
   void Recorder::Files::write_picture(const FormingProblem &problem, const double time)
   {
-    behind.wait(); // the last picture has its number when it is in the series
     const auto &blank = *scene.actors.blank;
     std::vector<DrawnField> fields;
     if (!scene.actors.tools.empty())
@@ -189,7 +201,7 @@ namespace deltaform
       }
     }
     char number[16];
-    std::snprintf(number, sizeof number, "_%04u.vtu", pictures.size());
+    std::snprintf(number, sizeof number, "_%04u.vtu", n_pictures++);
     std::vector<std::string> parts{std::string("blank") + number};
     Drawing deformed = blank.draw(problem.committed(), fields);
 

@@ -49,8 +49,11 @@ namespace deltaform
                    const IncrementCost &cost) const;
 
     void write_tables(const FormingProblem &problem, double travel, const std::string &stage);
-    void
-    write_contact(const FormingProblem &problem, const std::string &label, const std::vector<std::string> &head) const;
+
+    /// Of contact_<travel>.csv: the active pairs.
+    using Rows = std::vector<std::vector<CsvWriter::Cell>>;
+    static Rows contact_rows(const FormingProblem &problem);
+
     void write_picture(const FormingProblem &problem, double time);
     void show_progress(const HistoryRow &row) const;
 
@@ -68,7 +71,8 @@ namespace deltaform
     Units units;
     std::vector<std::string> comments;
     std::unique_ptr<History> history;
-    PictureSeries pictures;
+    PictureSeries pictures; ///< written by the tasks behind
+    unsigned int n_pictures = 0;
     unsigned int next_frame = 0, iterations = 0, cutbacks = 0, rounds = 0, correction_iterations = 0;
     HistoryRow last;
     double worst_promise = 0, largest_force = 0, worst_between = 0;

@@ -22,6 +22,7 @@ namespace deltaform
     while (files_->next_frame < frames.size() && start.time >= frames[files_->next_frame] * (1 - 1e-12))
       ++files_->next_frame;
     files_->pictures.resume(files_->last_picture);
+    files_->n_pictures = files_->pictures.size();
     if (start.increment > 0)
       files_->last =
         files_->row(problem, files_->scene.actors.stages[start.stage], start.time, start.increment, IncrementCost());

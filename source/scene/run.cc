@@ -19,6 +19,7 @@ namespace deltaform
     int run_scene(const CommandLine &command)
     {
       Timers timers;
+      const auto timer_start = timers.section("1 start-up: reading, checking, mesh");
       Journal journal(!ranks::first() ? Journal::Console::silent
                       : command.quiet ? Journal::Console::quiet
                                       : Journal::Console::automatic);
@@ -47,6 +48,7 @@ namespace deltaform
         journal.note("resumed after increment " + std::to_string(start->increment) + ", time " +
                      text::format(start->time));
       }
+      timers.add(timer_start, timers.total());
       return simulation.run();
     }
 

@@ -10,7 +10,7 @@ namespace deltaform
 {
   Simulation::Simulation(Scene &scene, Recorder &recorder, Journal &journal, Timers &timers)
     : scene_(scene), recorder_(recorder), journal_(journal), timers_(timers),
-      problem_(scene.actors, *scene.linear_solver, timers),
+      timer_output_(timers.section("13 output")), problem_(scene.actors, *scene.linear_solver, timers),
       newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size(), timers)
   {
     if (!scene.output->energies)

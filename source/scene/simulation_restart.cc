@@ -12,6 +12,7 @@ namespace deltaform
 {
   Checkpoint Simulation::checkpoint() const
   {
+    const Timers::Scope timer(timers_, timer_output_);
     Checkpoint result;
     result.scene     = Checkpoint::entries(scene_.tree);
     result.increment = increment_;

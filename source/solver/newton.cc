@@ -45,13 +45,14 @@ namespace deltaform
     : problem_(problem), system_(system), settings_(settings), scale_(scale), size_(size),
       smallest_motion_(.01 * problem.typical_length()), timers_(timers),
       timer_solve_(timers.section("11 factorization and solve")),
-      timer_limits_(timers.section("10 longest admissible step"))
+      timer_limits_(timers.section("10 residual, longest admissible step"))
   {
   }
 
 
   double Newton::measure(const std::vector<bool> &is_prescribed, const double force_floor, NewtonResult &result) const
   {
+    const Timers::Scope timer(timers_, timer_limits_);
     constexpr double epsilon = 8 * std::numeric_limits<double>::epsilon();
     double square = 0., magnitude = 0., noise = 0., worst = -1.;
     for (unsigned int i = 0; i < scale_.size(); ++i)

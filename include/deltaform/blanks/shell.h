@@ -113,7 +113,10 @@ namespace deltaform
     ShellStrain strain_at(const Vector &q, unsigned int cell, unsigned int point) const;
 
     /// Work of the layers when the thickness is updated to @p new_ratio: no virtual work belongs to it.
-    double thickness_strain_work(const Vector &q, unsigned int cell, unsigned int p, double new_ratio) const;
+    double thickness_strain_work(unsigned int place, const ShellStrain &strain, double new_ratio) const;
+
+    /// Reference volume that a layer of a point stands for. @param sine of the angle of the undeformed meridian
+    double layer_volume(const ShellPoint &point, double sine, unsigned int layer) const;
 
     /// Tributary areas of the nodes at @p q.
     void update_areas(const Vector &q) const;

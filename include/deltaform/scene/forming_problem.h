@@ -203,7 +203,7 @@ namespace deltaform
     Actors &actors_;
     LinearSolverSettings linear_solver_;
     Timers &timers_;
-    Timers::Index timer_blank_, timer_sum_, timer_contact_, timer_commit_;
+    Timers::Index timer_clear_, timer_blank_, timer_sum_, timer_contact_, timer_commit_;
     std::unique_ptr<System> system_;
     std::vector<double> scale_, size_;
     std::vector<bool> is_fixed_, is_prescribed_;
