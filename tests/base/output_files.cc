@@ -105,18 +105,25 @@ BOOST_AUTO_TEST_CASE(a_slow_disk_holds_up_nothing_until_four_tasks_wait)
   const auto ready = disk.get_future().share();
   std::string order;
   WriteBehind behind;
-  for (const char *const name : {"a", "b", "c", "d"})
-    behind.run(
-      [&order, ready, name]()
-      {
-        ready.wait();
-        order += name;
-      });
-  // All four were taken while nothing could be written; a fifth has to wait for the first.
-  auto fifth = std::async(std::launch::async, [&]() { behind.run([&order]() { order += "e"; }); });
-  BOOST_TEST((fifth.wait_for(std::chrono::milliseconds(50)) == std::future_status::timeout));
+  std::promise<void> four;
+  auto caller = std::async(std::launch::async,
+                           [&]()
+                           {
+                             for (const char *const name : {"a", "b", "c", "d"})
+                               behind.run(
+                                 [&order, ready, name]()
+                                 {
+                                   ready.wait();
+                                   order += name;
+                                 });
+                             four.set_value();
+                             behind.run([&order]() { order += "e"; });
+                           });
+  // Four were taken while nothing could be written; a fifth has to wait for the first.
+  BOOST_TEST((four.get_future().wait_for(std::chrono::seconds(20)) == std::future_status::ready));
+  BOOST_TEST((caller.wait_for(std::chrono::milliseconds(50)) == std::future_status::timeout));
   disk.set_value();
-  fifth.get();
+  caller.get();
   behind.wait();
   BOOST_TEST(order == "abcde");
 }
