@@ -147,7 +147,7 @@ def upsetting(n, across, kind, largest=.05, travel=9., friction=0.):
     if friction:
         slaves += [(cells[n - 1, c], "S2") for c in range(across // 2, across)]
     boundary += ["TOOL, 1, 1, 0.", "TOOL, 2, 2, %g" % -travel]
-    table = [(.01 * k, 700. + 3. * k) for k in range(300)]
+    table = [(0., 700.), (3., 1600.)]  # linear; CalculiX takes five times as long with 300 points as with 2
     # p = 1e3: a penetration of 1e-4
     return "\n".join(job.header() + material("M", 200e3, .3, table) + material("T", 200e3, .3) +
                      surface("SLAVE", slaves) + surface("MASTER", faces) +
