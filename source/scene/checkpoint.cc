@@ -62,8 +62,8 @@ namespace deltaform
     {
       return "was " + was +
              " when the run was saved, so that it cannot be resumed. Entries of Solver, Steps, Contact (not "
-             "Enforcement), "
-             "Output and allowed penetrations of tools may change; with any other change, start again without --resume";
+             "Enforcement), Output and allowed penetrations of tools may change; with any other change, start again "
+             "without --resume";
     }
 
     std::string is_missing(const std::string &entry, const std::string &was)

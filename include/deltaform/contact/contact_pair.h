@@ -220,8 +220,8 @@ namespace deltaform
       archive_plain(archive, committed_x_);
       archive_plain(archive, projected_x_);
       ContactEnergy total = energy();
-      archive &area_ &thickness_of_ &projected_gap_ &noise_ &hint_ &time_ &last_time_ &last_step_ &total.stored &total
-        .friction &total.epsilon &total.thickness;
+      archive &area_ &thickness_of_ &projected_gap_ &noise_ &hint_ &time_ &last_time_ &last_step_;
+      archive &total.stored &total.friction &total.epsilon &total.thickness;
       if (energy_)
         energy_ = total;
     }
