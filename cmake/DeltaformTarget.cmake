@@ -22,7 +22,9 @@ function(deltaform_setup target)
   # Debian's deal.II hands down -g also for Release. Symbols make a program thirty times as large, and a build took 8 GB of
   # disk. A Debug build has them.
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-g0>)
-  deltaform_link(${target} Boost::program_options Boost::serialization Eigen3::Eigen ZLIB::ZLIB)
+  # Compilers differ in whether they record libraries that nothing refers to; each would be loaded.
+  target_link_options(${target} PRIVATE -Wl,--as-needed)
+  deltaform_link(${target} ${DELTAFORM_PLACEHOLDER_LINKS} Boost::program_options Boost::serialization Eigen3::Eigen ZLIB::ZLIB)
   if(DELTAFORM_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
