@@ -131,47 +131,56 @@ namespace deltaform
 
     Drawing drawing;
     const unsigned int n_nodes = node_dofs_.size(), n_levels = level.size();
+    drawing.points.reserve(n_nodes * n_levels);
     for (unsigned int i = 0; i < n_nodes; ++i)
     {
       const double theta = membrane_ ? membrane_angle(q, i) : node_angle_[i] + rotation(q, i);
       const Tensor1 d({-std::sin(theta), std::cos(theta)});
+      const Point2 x = position(q, i);
       for (const double s : level)
-        drawing.points.push_back(position(q, i) + s * node_thickness_[i] * d);
+        drawing.points.push_back(x + s * node_thickness_[i] * d);
     }
+    // Cells of degree 2 are drawn in two halves, each with the values of the nearer quadrature point.
+    const std::size_t n_points = drawing.points.size(), n_cells = mesh_.cells().size() * degree_ * n_layers_;
+    drawing.fields.reserve(16 + nodal.size());
     const auto add_field = [&](const std::string &name,
                                const std::string &unit,
                                const bool per_point,
-                               const unsigned int components) -> std::vector<double> &
+                               const unsigned int components) -> double *
     {
       drawing.fields.push_back({name, unit, per_point, components, {}});
-      return drawing.fields.back().values;
+      auto &values = drawing.fields.back().values;
+      values.resize((per_point ? n_points : n_cells) * components);
+      return values.data();
     };
-    drawing.fields.reserve(16 + nodal.size());
-    auto &displacement = add_field("displacement", "length", true, 2);
-    auto &thickness    = add_field("thickness", "length", true, 1);
-    auto &thinning     = add_field("thickness_strain", "1", true, 1);
+    double *displacement = add_field("displacement", "length", true, 2);
+    double *thickness    = add_field("thickness", "length", true, 1);
+    double *thinning     = add_field("thickness_strain", "1", true, 1);
     for (unsigned int i = 0; i < n_nodes; ++i)
+    {
+      const double strain = std::log(node_thickness_[i] / thickness_);
       for (unsigned int l = 0; l < n_levels; ++l)
       {
-        displacement.push_back(q[node_dofs_[i][0]]);
-        displacement.push_back(q[node_dofs_[i][1]]);
-        thickness.push_back(node_thickness_[i]);
-        thinning.push_back(std::log(node_thickness_[i] / thickness_));
+        *displacement++ = q[node_dofs_[i][0]];
+        *displacement++ = q[node_dofs_[i][1]];
+        *thickness++    = node_thickness_[i];
+        *thinning++     = strain;
       }
+    }
     for (const auto &field : nodal)
     {
-      auto &values = add_field(field.name, field.unit, true, 1);
+      double *values = add_field(field.name, field.unit, true, 1);
       for (const double value : field.values)
-        values.insert(values.end(), n_levels, value);
+        values = std::fill_n(values, n_levels, value);
     }
-    auto &strain_1 = add_field("strain_meridional", "1", false, 1);
-    auto &strain_2 = add_field("strain_hoop", "1", false, 1);
-    auto &plastic  = add_field("equivalent_plastic_strain", "1", false, 1);
-    auto &stress_1 = add_field("stress_meridional", "stress", false, 1);
-    auto &stress_2 = add_field("stress_hoop", "stress", false, 1);
-    auto &mises    = add_field("stress_von_mises", "stress", false, 1);
+    double *strain_1 = add_field("strain_meridional", "1", false, 1);
+    double *strain_2 = add_field("strain_hoop", "1", false, 1);
+    double *plastic  = add_field("equivalent_plastic_strain", "1", false, 1);
+    double *stress_1 = add_field("stress_meridional", "stress", false, 1);
+    double *stress_2 = add_field("stress_hoop", "stress", false, 1);
+    double *mises    = add_field("stress_von_mises", "stress", false, 1);
 
-    // A cell of degree 2 is drawn in two halves, each with the values of the nearer quadrature point.
+    drawing.cells.reserve(4 * n_cells);
     for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
       for (unsigned int part = 0; part < degree_; ++part)
       {
@@ -185,14 +194,14 @@ namespace deltaform
             drawing.cells.push_back(corner);
           const unsigned int i = (c * n_points_per_cell_ + part) * n_layers_ + l;
           const Mandel &tau    = committed_stress_[i];
-          strain_1.push_back(committed_strain_[i][0]);
-          strain_2.push_back(committed_strain_[i][1]);
-          plastic.push_back(material_->equivalent_plastic_strain(history_.committed(i)));
-          stress_1.push_back(tau[0]);
-          stress_2.push_back(tau[1]);
-          mises.push_back(std::sqrt(.5 * (dealii::Utilities::fixed_power<2>(tau[0] - tau[1]) +
-                                          dealii::Utilities::fixed_power<2>(tau[1] - tau[2]) +
-                                          dealii::Utilities::fixed_power<2>(tau[2] - tau[0]))));
+          *strain_1++          = committed_strain_[i][0];
+          *strain_2++          = committed_strain_[i][1];
+          *plastic++           = material_->equivalent_plastic_strain(history_.committed(i));
+          *stress_1++          = tau[0];
+          *stress_2++          = tau[1];
+          *mises++             = std::sqrt(.5 * (dealii::Utilities::fixed_power<2>(tau[0] - tau[1]) +
+                                     dealii::Utilities::fixed_power<2>(tau[1] - tau[2]) +
+                                     dealii::Utilities::fixed_power<2>(tau[2] - tau[0])));
         }
       }
     return drawing;

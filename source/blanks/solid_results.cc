@@ -19,9 +19,27 @@ namespace deltaform
       return std::atan2(f[2] - f[1], f[0] + f[3]);
     }
 
-    Mandel turned(const Mandel &t, const double by)
+    /// A rotation, by cosine and sine of twice its angle.
+    struct Turn
     {
-      const double c = std::cos(2 * by), s = std::sin(2 * by);
+      double cosine, sine;
+    };
+
+    Turn turn(const double angle)
+    {
+      return {std::cos(2 * angle), std::sin(2 * angle)};
+    }
+
+    /// By angle(), which it does without.
+    Turn turn(const std::array<double, 4> &f)
+    {
+      const double c = f[0] + f[3], s = f[2] - f[1], square = c * c + s * s;
+      return {(c * c - s * s) / square, 2 * c * s / square};
+    }
+
+    Mandel turned(const Mandel &t, const Turn &by)
+    {
+      const auto [c, s] = by;
       const double mean = .5 * (t[0] + t[1]), half = .5 * (t[0] - t[1]), shear = t[3] / root_2;
       return {{mean + half * c - shear * s, mean - half * c + shear * s, t[2], root_2 * (half * s + shear * c)}};
     }
@@ -50,7 +68,7 @@ namespace deltaform
     for (unsigned int i = 0; i < spin_.size(); ++i)
     {
       double *const flow = carried_.at(i);
-      const Mandel now   = turned({{flow[0], flow[1], flow[2], flow[3]}}, ratio * spin_[i]);
+      const Mandel now   = turned({{flow[0], flow[1], flow[2], flow[3]}}, turn(ratio * spin_[i]));
       std::copy(now.begin(), now.end(), flow);
     }
   }
@@ -63,8 +81,9 @@ namespace deltaform
     {
       const double flow = material_->equivalent_plastic_strain(history_.trial(i)) -
                           material_->equivalent_plastic_strain(history_.committed(i));
-      const double spin = finite_ && flow > 0. ? angle(increment(i).f) : 0.;
-      error.add(points_[i].weight * flow, turned(committed_stress_[i], spin), stress_[i]);
+      const Mandel start =
+        finite_ && flow > 0. ? turned(committed_stress_[i], turn(increment(i).f)) : committed_stress_[i];
+      error.add(points_[i].weight * flow, start, stress_[i]);
     }
     error.astray = ranks::sum(error.astray);
     error.flow   = ranks::sum(error.flow);
@@ -135,9 +154,10 @@ namespace deltaform
         continue;
       const Mandel before = material_->plastic_strain(history_.committed(i));
       const Mandel after  = material_->plastic_strain(history_.trial(i));
+      if (before == after)
+        continue;
       // The flow takes place in the axes of now: the last stress is turned along.
-      const double spin  = !finite_ ? 0. : spin_.empty() ? angle(increment(i).f) : spin_[i];
-      const Mandel start = finite_ ? turned(committed_stress_[i], spin) : committed_stress_[i];
+      const Mandel start = finite_ ? turned(committed_stress_[i], turn(increment(i).f)) : committed_stress_[i];
       for (unsigned int k = 0; k < 4; ++k)
         plastic += .5 * volume * (stress_[i][k] + start[k]) * (after[k] - before[k]);
     }
@@ -165,29 +185,25 @@ namespace deltaform
     {
       const Mandel before = material_->plastic_strain(history_.committed(i));
       const Mandel after  = material_->plastic_strain(history_.trial(i));
-      const Mandel flow{{after[0] - before[0], after[1] - before[1], after[2] - before[2], after[3] - before[3]}};
-      if (flow[0] == 0 && flow[1] == 0 && flow[2] == 0 && flow[3] == 0)
+      if (before == after)
         continue;
 
-      // C_p^-1 = F^-1 exp(2 (e_trial - flow)) F^-T
+      // C_p^-1 = F^-1 exp(2 e) F^-T with the elastic strain e: its deviator is known from the stress; its trace is ln
+      // J, as plastic flow preserves the volume, and not that of the stress, which the volume of the cell has a part
+      // in.
       auto &cp          = plastic_metric_[i];
       const auto &f     = deformation_[i].f;
-      const double hoop = deformation_[i].hoop;
-      AxialTensor b;
-      b.xx     = f[0] * f[0] * cp[0] + 2 * f[0] * f[1] * cp[3] + f[1] * f[1] * cp[1];
-      b.yy     = f[2] * f[2] * cp[0] + 2 * f[2] * f[3] * cp[3] + f[3] * f[3] * cp[1];
-      b.xy     = f[0] * f[2] * cp[0] + (f[0] * f[3] + f[1] * f[2]) * cp[3] + f[1] * f[3] * cp[1];
-      b.zz     = hoop * hoop * cp[2];
-      Mandel e = LogarithmicStrain::strain(b);
-      for (unsigned int k = 0; k < 4; ++k)
-        e[k] -= flow[k];
-      b                 = LogarithmicStrain::inverse(e);
-      const double in_j = f[0] * f[3] - f[1] * f[2];
-      const double g[4] = {f[3] / in_j, -f[1] / in_j, -f[2] / in_j, f[0] / in_j};
-      cp[0]             = g[0] * g[0] * b.xx + 2 * g[0] * g[1] * b.xy + g[1] * g[1] * b.yy;
-      cp[1]             = g[2] * g[2] * b.xx + 2 * g[2] * g[3] * b.xy + g[3] * g[3] * b.yy;
-      cp[2]             = b.zz / (hoop * hoop);
-      cp[3]             = g[0] * g[2] * b.xx + (g[0] * g[3] + g[1] * g[2]) * b.xy + g[1] * g[3] * b.yy;
+      const double hoop = deformation_[i].hoop, in_j = f[0] * f[3] - f[1] * f[2];
+      Mandel e          = material_->elastic_strain(stress_[i]);
+      const double mean = (std::log(in_j * hoop) - e[0] - e[1] - e[2]) / 3.;
+      for (unsigned int k = 0; k < 3; ++k)
+        e[k] += mean;
+      const AxialTensor b = LogarithmicStrain::inverse(e);
+      const double g[4]   = {f[3] / in_j, -f[1] / in_j, -f[2] / in_j, f[0] / in_j};
+      cp[0]               = g[0] * g[0] * b.xx + 2 * g[0] * g[1] * b.xy + g[1] * g[1] * b.yy;
+      cp[1]               = g[2] * g[2] * b.xx + 2 * g[2] * g[3] * b.xy + g[3] * g[3] * b.yy;
+      cp[2]               = b.zz / (hoop * hoop);
+      cp[3]               = g[0] * g[2] * b.xx + (g[0] * g[3] + g[1] * g[2]) * b.xy + g[1] * g[3] * b.yy;
     }
     carried_.keep(history_);
     history_.commit();

@@ -59,6 +59,7 @@ namespace deltaform
     thickness_of_.assign(n, 0.);
     stiffness_.assign(n, {});
     committed_x_.assign(n, Point2());
+    x_.assign(n, Point2());
     projected_x_.assign(n, Point2());
     projected_gap_.assign(n, -1.);
     noise_.assign(n, 0.);

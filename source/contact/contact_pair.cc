@@ -170,6 +170,7 @@ namespace deltaform
       describe(q, i, node);
       PairState &state      = trial_[i];
       const Point2 relative = node.x - shift;
+      x_[i]                 = relative;
       area_[i]              = node.area;
       thickness_of_[i]      = node.thickness;
       if (!(node.area > 0) ||

@@ -8,15 +8,16 @@
 
 namespace deltaform
 {
-  void ContactPair::commit(const Vector &q)
+  void ContactPair::commit([[maybe_unused]] const Vector &q)
   {
-    const Tensor1 shift = travel(q) * tool_.direction();
     for (unsigned int i = 0; i < trial_.size(); ++i)
     {
+      // The trial states are those of the last assembly.
+      Assert(x_[i].distance(node(q, i).x - travel(q) * tool_.direction()) <= 1e-12 * (1. + x_[i].norm()),
+             dealii::ExcInternalError());
       PairState &state        = trial_[i];
       const PairState &before = committed_[i];
       state.previous_force    = before.touching ? before.force : 0.;
-      committed_x_[i]         = node(q, i).x - shift;
       if (!state.touching)
         state.epsilon = state.epsilon_tangential = state.stiffness = state.shift = state.last_penetration = 0.;
 
@@ -46,6 +47,7 @@ namespace deltaform
     last_step_ = time_ - last_time_;
     last_time_ = time_;
     committed_ = trial_;
+    committed_x_.swap(x_);
     if (energy_)
       update_stored_energy();
   }

@@ -85,9 +85,26 @@ namespace deltaform
   AxialTensor LogarithmicStrain::inverse(const Mandel &e)
   {
     // exp(2 m 1 + S) = exp(2 m) (cosh(d) 1 + sinh(d)/d S)
-    const double s_1 = e[0] - e[1], s_2 = root_2 * e[3], d = std::sqrt(s_1 * s_1 + s_2 * s_2);
-    const double size = std::exp(e[0] + e[1]), even = size * std::cosh(d);
-    const double odd = size * (d < 1e-4 ? 1. + d * d / 6. : std::sinh(d) / d);
+    const double s_1 = e[0] - e[1], s_2 = root_2 * e[3], d2 = s_1 * s_1 + s_2 * s_2;
+    double cosh = 0., sinh_over_d = 0.;
+    if (d2 < 1e-2)
+    {
+      // Elastic strains of metals: sum d^2k/(2k)! and sum d^2k/(2k+1)!, six terms leave 1e-21.
+      for (int k = 5; k > 0; --k)
+      {
+        cosh        = (cosh + 1.) * d2 / ((2 * k - 1) * (2 * k));
+        sinh_over_d = (sinh_over_d + 1.) * d2 / ((2 * k) * (2 * k + 1));
+      }
+      cosh += 1.;
+      sinh_over_d += 1.;
+    }
+    else
+    {
+      const double d = std::sqrt(d2);
+      cosh           = std::cosh(d);
+      sinh_over_d    = std::sinh(d) / d;
+    }
+    const double size = std::exp(e[0] + e[1]), even = size * cosh, odd = size * sinh_over_d;
     return {even + odd * s_1, even - odd * s_1, std::exp(2. * e[2]), odd * s_2};
   }
 } // namespace deltaform

@@ -59,6 +59,13 @@ namespace deltaform
       return {{common + 2. * shear * e[0], common + 2. * shear * e[1], common + 2. * shear * e[2], 2. * shear * e[3]}};
     }
 
+    /// The elastic strain of a state of stress.
+    Mandel strain(const Mandel &tau) const
+    {
+      const double direct = (1. + poisson) / young, common = -poisson / young * (tau[0] + tau[1] + tau[2]);
+      return {{direct * tau[0] + common, direct * tau[1] + common, direct * tau[2] + common, direct * tau[3]}};
+    }
+
     /// The elastic strain along direction 3 of a state of stress.
     double third_strain(const Mandel &tau) const
     {

@@ -44,6 +44,11 @@ namespace deltaform
         return {};
       }
 
+      Mandel elastic_strain(const Mandel &stress) const override
+      {
+        return elastic_.strain(stress);
+      }
+
       double elastic_energy(const Mandel &stress) const override
       {
         return elastic_.energy(stress);

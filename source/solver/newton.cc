@@ -45,14 +45,13 @@ namespace deltaform
     : problem_(problem), system_(system), settings_(settings), scale_(scale), size_(size),
       smallest_motion_(.01 * problem.typical_length()), timers_(timers),
       timer_solve_(timers.section("11 factorization and solve")),
-      timer_limits_(timers.section("10 residual, longest admissible step"))
+      timer_rest_(timers.section("10 residual, length of the step, convergence"))
   {
   }
 
 
   double Newton::measure(const std::vector<bool> &is_prescribed, const double force_floor, NewtonResult &result) const
   {
-    const Timers::Scope timer(timers_, timer_limits_);
     constexpr double epsilon = 8 * std::numeric_limits<double>::epsilon();
     double square = 0., magnitude = 0., noise = 0., worst = -1.;
     for (unsigned int i = 0; i < scale_.size(); ++i)
@@ -83,6 +82,7 @@ namespace deltaform
                              const double force_floor,
                              const Damping damped)
   {
+    const Timers::Remainder rest(timers_, timer_rest_);
     NewtonResult result;
     const unsigned int n = q.size(), max_iterations = damped != Damping::none
                                                         ? std::max(damped_iterations, settings_.max_iterations)
@@ -174,11 +174,7 @@ namespace deltaform
         return result;
       }
       problem_.prepare_step(d);
-      double factor = 1.;
-      {
-        Timers::Scope timer(timers_, timer_limits_);
-        factor = problem_.limit_step(q, d);
-      }
+      double factor = problem_.limit_step(q, d);
       start                   = q;
       const double work_start = work_along(d, is_prescribed);
 

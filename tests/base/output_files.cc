@@ -153,4 +153,34 @@ BOOST_AUTO_TEST_CASE(timers_count_calls_and_seconds)
   BOOST_TEST(sections.front().second.get<int>("calls") == 3);
 }
 
+BOOST_AUTO_TEST_CASE(a_remainder_is_what_no_part_has_measured)
+{
+  using namespace std::chrono;
+  Timers timers;
+  const auto part = timers.section("part"), rest = timers.section("rest");
+  const auto wait = [](const int milli)
+  {
+    for (const auto start = steady_clock::now(); steady_clock::now() - start < milliseconds(milli);)
+      ;
+  };
+  const auto start = steady_clock::now();
+  for (int i = 0; i < 2; ++i)
+  {
+    const Timers::Remainder remainder(timers, rest);
+    for (int k = 0; k < 2; ++k)
+    {
+      wait(1);
+      const Timers::Scope scope(timers, part);
+      wait(5);
+    }
+  }
+  const double elapsed = duration<double>(steady_clock::now() - start).count();
+  BOOST_TEST(timers.calls(rest) == 2u);
+  BOOST_TEST(timers.seconds(part) >= .020);
+  BOOST_TEST(timers.seconds(rest) >= .0039);
+  // The clock may stand still for other work, but not count twice.
+  BOOST_TEST(timers.seconds(part) + timers.seconds(rest) <= elapsed);
+  BOOST_TEST(timers.seconds(part) + timers.seconds(rest) >= .9 * elapsed);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

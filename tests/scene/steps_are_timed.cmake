@@ -45,9 +45,8 @@ foreach(step 1 2 3-6 7-9 10 11 12 13)
     message(FATAL_ERROR "no step ${step} among ${steps}")
   endif()
 endforeach()
-math(EXPR measures "${calls_10} - ${calls_11}") # one residual per assembly, of which searches may need more
 if(NOT calls_1 EQUAL 1 OR NOT calls_2 EQUAL calls_3-6 OR NOT calls_12 EQUAL increments OR calls_13 LESS increments
-   OR calls_11 LESS iterations OR measures LESS iterations)
+   OR calls_11 LESS iterations OR calls_10 LESS increments OR calls_10 GREATER calls_11)
   message(FATAL_ERROR "calls do not fit ${increments} increments and ${iterations} iterations: ${timing}")
 endif()
 math(EXPR named "100 * ${sum} / ${total}")

@@ -41,10 +41,36 @@ namespace deltaform
       std::chrono::steady_clock::time_point start_;
     };
 
+    /// Measures what lies between its construction and its end and in none of the scopes between them, which must not
+    /// nest: what a step does apart from its named parts.
+    class Remainder
+    {
+    public:
+      Remainder(Timers &timers, const Index index)
+        : scope_(timers, index), timers_(timers), index_(index), named_(timers.named_)
+      {
+      }
+      ~Remainder()
+      {
+        const double parts = timers_.named_ - named_;
+        timers_.sections_[index_].seconds -= parts;
+        timers_.named_ -= parts;
+      }
+      Remainder(const Remainder &)            = delete;
+      Remainder &operator=(const Remainder &) = delete;
+
+    private:
+      Scope scope_; // ends last, and adds what the parts were taken from
+      Timers &timers_;
+      Index index_;
+      double named_;
+    };
+
     void add(const Index index, const double seconds)
     {
       sections_[index].seconds += seconds;
       ++sections_[index].calls;
+      named_ += seconds;
     }
 
     /// Seconds since this object was made.
@@ -68,5 +94,6 @@ namespace deltaform
 
     Clock::time_point start_;
     std::vector<Section> sections_;
+    double named_ = 0.; ///< sum of all seconds
   };
 } // namespace deltaform

@@ -309,6 +309,7 @@ namespace deltaform
     std::vector<double> area_, thickness_of_;      ///< of the last assembled configuration
     std::vector<std::array<double, 9>> stiffness_; ///< nodal blocks of the blank's tangent
     std::vector<Point2> committed_x_;              ///< contact point relative to the tool at the last commit
+    std::vector<Point2> x_;                        ///< the same at the last assembly
     std::vector<Point2> projected_x_;              ///< the same at the last projection
     std::vector<double> projected_gap_;            ///< distance then; -1: none known
     std::vector<double> noise_;                    ///< round-off of the gap, which is a difference of large numbers

@@ -66,6 +66,9 @@ namespace deltaform
     /// Stress, tangent and trial history of all points.
     virtual Status update(const MaterialBatch &batch) const = 0;
 
+    /// Elastic part of the logarithmic strain (1) of a state with Kirchhoff stress @p stress.
+    virtual Mandel elastic_strain(const Mandel &stress) const = 0;
+
     /// Elastic energy per reference volume of a state with Kirchhoff stress @p stress.
     virtual double elastic_energy(const Mandel &stress) const = 0;
 
