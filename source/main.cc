@@ -23,7 +23,7 @@ namespace
     // Its folder in /tmp is shared by all runs of a user: one that ends may remove it while another starts.
     setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
     // MPI wants to know the hardware, and asks ten display servers for graphics cards. No such devices are used here.
-    setenv("HWLOC_COMPONENTS", "-gl,-opencl,-pci", 0);
+    setenv("HWLOC_PLUGINS_PATH", "/dev/null", 0);
   }
 } // namespace
 

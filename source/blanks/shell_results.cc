@@ -42,21 +42,14 @@ namespace deltaform
   }
 
 
-  double Shell::largest_strain_increment() const
+  IncrementSize Shell::increment_size(const Vector &dq) const
   {
-    double largest = 0.;
+    IncrementSize largest;
     for (unsigned int i = 0; i < strain_.size(); ++i)
       for (unsigned int k = 0; k < 2; ++k)
-        largest = std::max(largest, std::abs(strain_[i][k] - committed_strain_[i][k]));
-    return largest;
-  }
-
-
-  double Shell::largest_rotation(const Vector &dq) const
-  {
-    double largest = 0.;
+        largest.strain = std::max(largest.strain, std::abs(strain_[i][k] - committed_strain_[i][k]));
     for (const auto &dofs : node_dofs_)
-      largest = std::max(largest, std::abs(dq[dofs[2]]));
+      largest.rotation = std::max(largest.rotation, std::abs(dq[dofs[2]]));
     return largest;
   }
 

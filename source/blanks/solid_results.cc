@@ -91,15 +91,22 @@ namespace deltaform
   }
 
 
-  double Solid::largest_strain_increment() const
+  IncrementSize Solid::increment_size(const Vector &) const
   {
-    double largest = 0., most = 1.; // of small strains; of squared stretches and their inverses
+    double strain = 0., most = 1.; // of small strains; of squared stretches and their inverses
+    double sine = 0., cosine = 1.; // of the largest angle so far, times a length
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
+      const Deformation d   = increment(i);
+      const auto &f         = d.f;
+      const double own_sine = std::abs(f[2] - f[1]), own_cosine = f[0] + f[3];
+      if (own_sine * cosine > sine * own_cosine)
+      {
+        sine   = own_sine;
+        cosine = own_cosine;
+      }
       if (finite_)
       {
-        const Deformation d = increment(i);
-        const auto &f       = d.f;
         const double xx = f[0] * f[0] + f[1] * f[1], yy = f[2] * f[2] + f[3] * f[3], xy = f[0] * f[2] + f[1] * f[3];
         const double j = f[0] * f[3] - f[1] * f[2], hoop = d.hoop * d.hoop;
         const double longest = .5 * (xx + yy) + std::sqrt(.25 * (xx - yy) * (xx - yy) + xy * xy);
@@ -110,59 +117,9 @@ namespace deltaform
       const auto &a = now.f, &b = before.f;
       const Mandel e{{a[0] - b[0], a[3] - b[3], now.hoop - before.hoop, (a[1] - b[1] + a[2] - b[2]) / root_2}};
       const double radius = std::hypot(.5 * (e[0] - e[1]), e[3] / root_2);
-      largest             = std::max({largest, .5 * std::abs(e[0] + e[1]) + radius, std::abs(e[2])});
+      strain              = std::max({strain, .5 * std::abs(e[0] + e[1]) + radius, std::abs(e[2])});
     }
-    return ranks::max(finite_ ? .5 * std::log(most) : largest);
-  }
-
-
-  double Solid::largest_rotation(const Vector &dq) const
-  {
-    // The spin of the displacement increment on the undeformed body would count stretch: take the committed one.
-    double sine = 0., cosine = 1.; // of the largest angle so far, times a length
-    Vector storage;
-    const Vector &du = with_hanging(dq, storage);
-    for (unsigned int c = 0, i = 0; c < cells_.size(); ++c)
-      for (unsigned int p = 0; p < n_points_per_cell_; ++p, ++i)
-      {
-        const auto d         = deformation(du, c, p).f;
-        const auto &b        = committed_deformation_[i].f;
-        const double inverse = 1. / (b[0] * b[3] - b[1] * b[2]);
-        const std::array<double, 4> f{{1. + inverse * ((d[0] - 1.) * b[3] - d[1] * b[2]),
-                                       inverse * (d[1] * b[0] - (d[0] - 1.) * b[1]),
-                                       inverse * (d[2] * b[3] - (d[3] - 1.) * b[2]),
-                                       1. + inverse * ((d[3] - 1.) * b[0] - d[2] * b[1])}};
-        const double own_sine = std::abs(f[2] - f[1]), own_cosine = f[0] + f[3];
-        if (own_sine * cosine > sine * own_cosine)
-        {
-          sine   = own_sine;
-          cosine = own_cosine;
-        }
-      }
-    return ranks::max(std::atan2(sine, cosine));
-  }
-
-
-  void Solid::add_energy()
-  {
-    double elastic = 0., plastic = 0.;
-    for (unsigned int i = 0; i < points_.size(); ++i)
-    {
-      const double volume = points_[i].weight;
-      elastic += volume * material_->elastic_energy(stress_[i]);
-      if (material_->history_size() == 0)
-        continue;
-      const Mandel before = material_->plastic_strain(history_.committed(i));
-      const Mandel after  = material_->plastic_strain(history_.trial(i));
-      if (before == after)
-        continue;
-      // The flow takes place in the axes of now: the last stress is turned along.
-      const Mandel start = finite_ ? turned(committed_stress_[i], turn(increment(i).f)) : committed_stress_[i];
-      for (unsigned int k = 0; k < 4; ++k)
-        plastic += .5 * volume * (stress_[i][k] + start[k]) * (after[k] - before[k]);
-    }
-    energy_->elastic = ranks::sum(elastic);
-    energy_->plastic += ranks::sum(plastic);
+    return {ranks::max(finite_ ? .5 * std::log(most) : strain), ranks::max(std::atan2(sine, cosine))};
   }
 
 
@@ -172,38 +129,58 @@ namespace deltaform
   }
 
 
+  void Solid::update_plastic_metric(const unsigned int point)
+  {
+    // C_p^-1 = F^-1 exp(2 e) F^-T with the elastic strain e: its deviator is known from the stress; its trace is ln J,
+    // as plastic flow preserves the volume, and not that of the stress, which the volume of the cell has a part in.
+    const auto &f     = deformation_[point].f;
+    const double hoop = deformation_[point].hoop, in_j = f[0] * f[3] - f[1] * f[2];
+    Mandel e          = material_->elastic_strain(stress_[point]);
+    const double mean = (std::log(in_j * hoop) - e[0] - e[1] - e[2]) / 3.;
+    for (unsigned int k = 0; k < 3; ++k)
+      e[k] += mean;
+    const AxialTensor b    = LogarithmicStrain::inverse(e);
+    const double g[4]      = {f[3] / in_j, -f[1] / in_j, -f[2] / in_j, f[0] / in_j};
+    plastic_metric_[point] = {{g[0] * g[0] * b.xx + 2 * g[0] * g[1] * b.xy + g[1] * g[1] * b.yy,
+                               g[2] * g[2] * b.xx + 2 * g[2] * g[3] * b.xy + g[3] * g[3] * b.yy,
+                               b.zz / (hoop * hoop),
+                               g[0] * g[2] * b.xx + (g[0] * g[3] + g[1] * g[2]) * b.xy + g[1] * g[3] * b.yy}};
+  }
+
+
   void Solid::commit(const Vector &q)
   {
     if (linear_)
       update_stress(q);
-    for (unsigned int i = 0; finite_ && i < spin_.size(); ++i)
-      spin_[i] = angle(increment(i).f);
-    if (energy_)
-      add_energy();
-    // Without history there is no plastic flow.
-    for (unsigned int i = 0; finite_ && material_->history_size() > 0 && i < points_.size(); ++i)
+    const bool may_flow = material_->history_size() > 0;
+    double elastic = 0., plastic = 0.;
+    for (unsigned int i = 0; i < points_.size(); ++i)
     {
+      if (energy_)
+        elastic += points_[i].weight * material_->elastic_energy(stress_[i]);
+      if (!may_flow)
+        continue;
+      const Deformation turning = finite_ ? increment(i) : Deformation();
+      if (finite_ && !spin_.empty())
+        spin_[i] = angle(turning.f);
       const Mandel before = material_->plastic_strain(history_.committed(i));
       const Mandel after  = material_->plastic_strain(history_.trial(i));
       if (before == after)
         continue;
-
-      // C_p^-1 = F^-1 exp(2 e) F^-T with the elastic strain e: its deviator is known from the stress; its trace is ln
-      // J, as plastic flow preserves the volume, and not that of the stress, which the volume of the cell has a part
-      // in.
-      auto &cp          = plastic_metric_[i];
-      const auto &f     = deformation_[i].f;
-      const double hoop = deformation_[i].hoop, in_j = f[0] * f[3] - f[1] * f[2];
-      Mandel e          = material_->elastic_strain(stress_[i]);
-      const double mean = (std::log(in_j * hoop) - e[0] - e[1] - e[2]) / 3.;
-      for (unsigned int k = 0; k < 3; ++k)
-        e[k] += mean;
-      const AxialTensor b = LogarithmicStrain::inverse(e);
-      const double g[4]   = {f[3] / in_j, -f[1] / in_j, -f[2] / in_j, f[0] / in_j};
-      cp[0]               = g[0] * g[0] * b.xx + 2 * g[0] * g[1] * b.xy + g[1] * g[1] * b.yy;
-      cp[1]               = g[2] * g[2] * b.xx + 2 * g[2] * g[3] * b.xy + g[3] * g[3] * b.yy;
-      cp[2]               = b.zz / (hoop * hoop);
-      cp[3]               = g[0] * g[2] * b.xx + (g[0] * g[3] + g[1] * g[2]) * b.xy + g[1] * g[3] * b.yy;
+      if (energy_)
+      {
+        // The flow takes place in the axes of now: the last stress is turned along.
+        const Mandel start = finite_ ? turned(committed_stress_[i], turn(turning.f)) : committed_stress_[i];
+        for (unsigned int k = 0; k < 4; ++k)
+          plastic += .5 * points_[i].weight * (stress_[i][k] + start[k]) * (after[k] - before[k]);
+      }
+      if (finite_)
+        update_plastic_metric(i);
+    }
+    if (energy_)
+    {
+      energy_->elastic = ranks::sum(elastic);
+      energy_->plastic += ranks::sum(plastic);
     }
     carried_.keep(history_);
     history_.commit();

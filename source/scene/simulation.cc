@@ -213,13 +213,12 @@ namespace deltaform
     // snaps through, a shorter increment does not make the way shorter.
     if (time <= time_ || (snapped && effort == Effort::all))
       return "";
-    const double strain = scene_.actors.blank->largest_strain_increment();
+    Vector dq = q;
+    dq -= problem_.committed();
+    const auto [strain, rotation] = scene_.actors.blank->increment_size(dq);
     if (strain > scene_.steps->largest_strain)
       return "the largest strain increment is " + text::format(strain) + ", allowed are " +
              text::format(scene_.steps->largest_strain) + " (Solver/Largest strain increment)";
-    Vector dq = q;
-    dq -= problem_.committed();
-    const double rotation = scene_.actors.blank->largest_rotation(dq);
     if (rotation > scene_.steps->largest_rotation)
       return "the largest rotation increment is " + text::format(rotation) + ", allowed are " +
              text::format(scene_.steps->largest_rotation) + " (Solver/Largest rotation increment)";

@@ -31,6 +31,13 @@ namespace deltaform
     rotation
   };
 
+  /// How far an increment goes.
+  struct IncrementSize
+  {
+    double strain   = 0; ///< largest change of logarithmic strain of any point
+    double rotation = 0; ///< largest angle that a point turns by
+  };
+
   /**
    * The body that is formed: sets up its unknowns, assembles its internal forces and their tangent, hands out contact
    * nodes, commits an accepted increment and describes its fields. It owns its material and the history of its points.
@@ -140,11 +147,8 @@ namespace deltaform
       return 0.;
     }
 
-    /// Largest change of logarithmic strain of any point since the last commit.
-    virtual double largest_strain_increment() const = 0;
-
-    /// Largest change of rotation in a displacement increment.
-    virtual double largest_rotation(const Vector &dq) const = 0;
+    /// How far the trial state, which the displacement increment @p dq led to, is from the committed one.
+    virtual IncrementSize increment_size(const Vector &dq) const = 0;
 
     /// Accept the trial state that belongs to @p q: history, thickness, energies.
     virtual void commit(const Vector &q) = 0;

@@ -75,8 +75,7 @@ namespace deltaform
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
     void begin_increment(double ratio) override;
     double flow_error() const override;
-    double largest_strain_increment() const override;
-    double largest_rotation(const Vector &dq) const override;
+    IncrementSize increment_size(const Vector &dq) const override;
     void commit(const Vector &q) override;
     void set_contact_pressure(Side side, const std::vector<double> &pressure) override;
     BlankEnergy energy() const override;

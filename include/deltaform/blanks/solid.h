@@ -66,8 +66,7 @@ namespace deltaform
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
     void begin_increment(double ratio) override;
     double flow_error() const override;
-    double largest_strain_increment() const override;
-    double largest_rotation(const Vector &dq) const override;
+    IncrementSize increment_size(const Vector &dq) const override;
     void commit(const Vector &q) override;
     void set_contact_pressure(Side side, const std::vector<double> &pressure) override;
     BlankEnergy energy() const override;
@@ -182,8 +181,8 @@ namespace deltaform
     Status assemble_constant(const Vector &q, AssemblyTarget &target);
     void update_stress(const Vector &q);
 
-    /// Of the increment that is about to be committed.
-    void add_energy();
+    /// C_p^-1 of a point after the plastic flow of the increment that is about to be committed.
+    void update_plastic_metric(unsigned int point);
 
     Point2 position(const Vector &q, unsigned int node) const;
 
