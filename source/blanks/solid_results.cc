@@ -91,13 +91,16 @@ namespace deltaform
   }
 
 
-  IncrementSize Solid::increment_size(const Vector &) const
+  IncrementSize Solid::increment_size(const Vector &dq) const
   {
+    Vector storage;
+    const Vector &du = linear_ ? with_hanging(dq, storage) : dq;
     double strain = 0., most = 1.; // of small strains; of squared stretches and their inverses
     double sine = 0., cosine = 1.; // of the largest angle so far, times a length
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
-      const Deformation d   = increment(i);
+      // Where the law is linear points are visited at the commit only, and no strain is too large.
+      const Deformation d   = linear_ ? deformation(du, i / n_points_per_cell_, i % n_points_per_cell_) : increment(i);
       const auto &f         = d.f;
       const double own_sine = std::abs(f[2] - f[1]), own_cosine = f[0] + f[3];
       if (own_sine * cosine > sine * own_cosine)
@@ -113,6 +116,8 @@ namespace deltaform
         most                 = std::max({most, longest, longest / (j * j), hoop, 1. / hoop});
         continue;
       }
+      if (linear_)
+        continue;
       const Deformation &now = deformation_[i], &before = committed_deformation_[i];
       const auto &a = now.f, &b = before.f;
       const Mandel e{{a[0] - b[0], a[3] - b[3], now.hoop - before.hoop, (a[1] - b[1] + a[2] - b[2]) / root_2}};
@@ -184,8 +189,9 @@ namespace deltaform
     }
     carried_.keep(history_);
     history_.commit();
-    committed_stress_      = stress_;
-    committed_deformation_ = deformation_;
+    // What becomes trial is overwritten before it is read, as in the history.
+    committed_stress_.swap(stress_);
+    committed_deformation_.swap(deformation_);
     update_areas(q);
     update_thickness(q);
   }

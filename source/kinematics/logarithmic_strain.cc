@@ -89,14 +89,15 @@ namespace deltaform
     double cosh = 0., sinh_over_d = 0.;
     if (d2 < 1e-2)
     {
-      // Elastic strains of metals: sum d^2k/(2k)! and sum d^2k/(2k+1)!, six terms leave 1e-21.
-      for (int k = 5; k > 0; --k)
+      // Elastic strains of metals: sum d^2k/(2k)! and sum d^2k/(2k+1)!, six terms leave 1e-20.
+      constexpr double even_terms[] = {1. / 90, 1. / 56, 1. / 30, 1. / 12, 1. / 2};
+      constexpr double odd_terms[]  = {1. / 110, 1. / 72, 1. / 42, 1. / 20, 1. / 6};
+      cosh = sinh_over_d = 1.;
+      for (unsigned int k = 0; k < 5; ++k)
       {
-        cosh        = (cosh + 1.) * d2 / ((2 * k - 1) * (2 * k));
-        sinh_over_d = (sinh_over_d + 1.) * d2 / ((2 * k) * (2 * k + 1));
+        cosh        = 1. + cosh * even_terms[k] * d2;
+        sinh_over_d = 1. + sinh_over_d * odd_terms[k] * d2;
       }
-      cosh += 1.;
-      sinh_over_d += 1.;
     }
     else
     {

@@ -27,6 +27,33 @@ namespace
     blank.commit(q);
   }
 
+  /// Displacements that turn the blank by @p angle and stretch it by exp(@p stretch) in its plane.
+  Vector placed(const Blank &blank, const double angle, const double stretch)
+  {
+    const auto role = roles(blank);
+    const auto X    = blank.positions(Vector(blank.n_dofs()));
+    const double c = std::exp(stretch) * std::cos(angle), s = std::exp(stretch) * std::sin(angle);
+    Vector q(blank.n_dofs());
+    for (unsigned int i = 0; i < q.size(); ++i)
+      if (role[i].node == invalid_index)
+        q[i] = angle;
+      else
+      {
+        const auto &x = X[role[i].node];
+        q[i]          = role[i].axis == 0 ? c * x[0] - s * x[1] - x[0] : s * x[0] + c * x[1] - x[1];
+      }
+    return q;
+  }
+
+  IncrementSize increment_size(Blank &blank, const Vector &from, const Vector &to)
+  {
+    reach(blank, from);
+    residual(blank, to);
+    Vector dq = to;
+    dq -= from;
+    return blank.increment_size(dq);
+  }
+
   /// What can be seen of the committed state.
   std::vector<double> visible(const Blank &blank, const Vector &q)
   {
@@ -186,37 +213,35 @@ BOOST_AUTO_TEST_CASE(the_size_of_an_increment_is_counted_from_the_last_commit)
     {
       if (blank.axisymmetric())
         return; // does not turn without strain
-      const auto role  = roles(blank);
-      const auto X     = blank.positions(Vector(blank.n_dofs()));
-      const auto place = [&](const double angle, const double stretch)
-      {
-        Vector q(blank.n_dofs());
-        const double c = std::exp(stretch) * std::cos(angle), s = std::exp(stretch) * std::sin(angle);
-        for (unsigned int i = 0; i < q.size(); ++i)
-          if (role[i].node == invalid_index)
-            q[i] = angle;
-          else
-          {
-            const auto &x = X[role[i].node];
-            q[i]          = role[i].axis == 0 ? c * x[0] - s * x[1] - x[0] : s * x[0] + c * x[1] - x[1];
-          }
-        return q;
-      };
-      const auto size = [&](const Vector &from, const Vector &to)
-      {
-        reach(blank, from);
-        residual(blank, to);
-        Vector dq = to;
-        dq -= from;
-        return blank.increment_size(dq);
-      };
-      const IncrementSize turned = size(place(.2, .05), place(.3, .05));
+      const IncrementSize turned = increment_size(blank, placed(blank, .2, .05), placed(blank, .3, .05));
       BOOST_TEST(std::abs(turned.rotation - .1) < 1e-12);
       BOOST_TEST(turned.strain < 1e-10);
-      const IncrementSize stretched = size(place(.3, .05), place(.3, .07));
-      BOOST_TEST(stretched.rotation < 1e-12);
-      BOOST_TEST(std::abs(stretched.strain - .02) < 1e-10);
+      const IncrementSize longer = increment_size(blank, placed(blank, .3, .05), placed(blank, .3, .07));
+      BOOST_TEST(longer.rotation < 1e-12);
+      BOOST_TEST(std::abs(longer.strain - .02) < 1e-10);
     });
+}
+
+BOOST_AUTO_TEST_CASE(the_size_of_an_increment_with_small_strain)
+{
+  // A linear law does not visit its points; a plastic one does. No strain is too large for the linear one.
+  for (const std::string model : {"linear elastic", "elastoplastic"})
+    BOOST_TEST_CONTEXT(model)
+    {
+      const auto blank = make_blank("solid",
+                                    {"Blank/Points=.3 0; 1.1 0",
+                                     "Blank/Thickness=.01",
+                                     "Blank/Elements=4",
+                                     "Blank/Symmetry=plane strain",
+                                     "Blank/Kinematics=small",
+                                     "Material/Model=" + model});
+      const Vector start(blank->n_dofs());
+      const IncrementSize turned = increment_size(*blank, start, placed(*blank, 1e-3, 0.));
+      BOOST_TEST(std::abs(turned.rotation - 1e-3) < 1e-9);
+      const IncrementSize longer = increment_size(*blank, start, placed(*blank, 0., 1e-6));
+      BOOST_TEST(longer.rotation < 1e-12);
+      BOOST_TEST(std::abs(longer.strain - (model == "elastoplastic" ? 1e-6 : 0.)) < 1e-11);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(restart_goes_on_where_it_stopped)
