@@ -98,10 +98,14 @@ namespace deltaform::ranks
   }
 
 
-  std::vector<std::string> gather(const std::string &own)
+  std::vector<std::string> gather(std::string own)
   {
     if (count() == 1)
-      return {own};
+    {
+      std::vector<std::string> result(1);
+      result.front() = std::move(own);
+      return result;
+    }
     const int n = static_cast<int>(own.size());
     std::vector<int> sizes(count()), starts(count(), 0);
     MPI_Allgather(&n, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator());

@@ -1,5 +1,6 @@
 // The state of a solid, for a run that goes on.
 #include <deltaform/base/archive.h>
+#include <deltaform/base/byte_stream.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/blanks/solid.h>
@@ -18,14 +19,14 @@ namespace deltaform
   void Solid::save(std::ostream &stream) const
   {
     const BlankEnergy total = energy();
-    std::ostringstream own;
-    boost::archive::binary_oarchive archive(own);
+    ByteStream own;
+    boost::archive::binary_oarchive archive(own.stream());
     archive << passes_ << estimated_error_ << history_ << carried_ << spin_ << faces_[0].area << faces_[1].area
             << smallest_thickness_ << total.elastic << total.plastic;
     archive_plain(archive, committed_stress_);
     archive_plain(archive, committed_deformation_);
     archive_plain(archive, plastic_metric_);
-    const std::vector<std::string> all = ranks::gather(own.str());
+    const std::vector<std::string> all = ranks::gather(own.take());
     boost::archive::binary_oarchive(stream) << all;
   }
 

@@ -1,4 +1,5 @@
 #include <deltaform/base/atomic_file.h>
+#include <deltaform/base/byte_stream.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/scene/checkpoint.h>
 
@@ -93,9 +94,9 @@ namespace deltaform
 
   void Checkpoint::write(const std::string &folder) const
   {
-    std::ostringstream content;
-    boost::archive::binary_oarchive(content) << *this;
-    const std::string bytes = content.str();
+    ByteStream content;
+    boost::archive::binary_oarchive(content.stream()) << *this;
+    const std::string bytes = content.take();
     write_file_atomically(path(folder), [&](std::ostream &out) { out << head(bytes) << '\n' << bytes; });
   }
 

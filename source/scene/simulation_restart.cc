@@ -1,4 +1,5 @@
 // The state of a simulation, and going on from it.
+#include <deltaform/base/byte_stream.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/base/text.h>
 #include <deltaform/scene/simulation.h>
@@ -19,16 +20,16 @@ namespace deltaform
     result.time      = time_;
     result.stage     = stage_;
     result.recorder  = recorder_.state();
-    std::ostringstream stream;
+    ByteStream bytes;
     {
       const bool go_on = step_.has_value();
       const auto step  = step_.value_or(StepControl::State());
-      boost::archive::binary_oarchive archive(stream);
+      boost::archive::binary_oarchive archive(bytes.stream());
       archive << last_increment_ << since_refinement_ << accepted_iterations_ << failed_iterations_ << before_ << go_on
               << step.increment << step.quiet << step.shortened << step.error;
     }
-    problem_.save(stream);
-    result.simulation = stream.str();
+    problem_.save(bytes.stream());
+    result.simulation = bytes.take();
     return result;
   }
 

@@ -44,7 +44,7 @@ namespace deltaform
     Status worst(const Status &own);
 
     /// Bytes of all processes, one string per process.
-    std::vector<std::string> gather(const std::string &own);
+    std::vector<std::string> gather(std::string own);
 
     /// The entries of all processes behind one another.
     template <typename T>

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <boost/iostreams/device/back_inserter.hpp>
+#include <boost/iostreams/stream.hpp>
+
+#include <string>
+
+namespace deltaform
+{
+  /// Bytes written through a stream, handed out without a copy; that of a std::ostringstream is one of megabytes.
+  class ByteStream
+  {
+  public:
+    ByteStream() : stream_(bytes_)
+    {
+      bytes_.reserve(room);
+    }
+
+    std::ostream &stream()
+    {
+      return stream_;
+    }
+
+    /// All that was written. The stream is closed.
+    std::string take()
+    {
+      stream_.close();
+      return std::move(bytes_);
+    }
+
+  private:
+    /// Up to so many bytes nothing is moved while they come in. What is not written to is no memory.
+    static constexpr std::size_t room = 1u << 24;
+
+    std::string bytes_;
+    boost::iostreams::stream<boost::iostreams::back_insert_device<std::string>> stream_;
+  };
+} // namespace deltaform
