@@ -145,7 +145,8 @@ namespace deltaform
     for (unsigned int k = 0; k < 3; ++k)
       e[k] += mean;
     const AxialTensor b    = LogarithmicStrain::inverse(e);
-    const double g[4]      = {f[3] / in_j, -f[1] / in_j, -f[2] / in_j, f[0] / in_j};
+    const double inverse   = 1. / in_j;
+    const double g[4]      = {inverse * f[3], -inverse * f[1], -inverse * f[2], inverse * f[0]};
     plastic_metric_[point] = {{g[0] * g[0] * b.xx + 2 * g[0] * g[1] * b.xy + g[1] * g[1] * b.yy,
                                g[2] * g[2] * b.xx + 2 * g[2] * g[3] * b.xy + g[3] * g[3] * b.yy,
                                b.zz / (hoop * hoop),

@@ -87,17 +87,12 @@ namespace deltaform
     // exp(2 m 1 + S) = exp(2 m) (cosh(d) 1 + sinh(d)/d S)
     const double s_1 = e[0] - e[1], s_2 = root_2 * e[3], d2 = s_1 * s_1 + s_2 * s_2;
     double cosh = 0., sinh_over_d = 0.;
-    if (d2 < 1e-2)
+    if (d2 < 1e-4)
     {
-      // Elastic strains of metals: sum d^2k/(2k)! and sum d^2k/(2k+1)!, six terms leave 1e-20.
-      constexpr double even_terms[] = {1. / 90, 1. / 56, 1. / 30, 1. / 12, 1. / 2};
-      constexpr double odd_terms[]  = {1. / 110, 1. / 72, 1. / 42, 1. / 20, 1. / 6};
-      cosh = sinh_over_d = 1.;
-      for (unsigned int k = 0; k < 5; ++k)
-      {
-        cosh        = 1. + cosh * even_terms[k] * d2;
-        sinh_over_d = 1. + sinh_over_d * odd_terms[k] * d2;
-      }
+      // Elastic strains of metals: sum d^2k/(2k)! and sum d^2k/(2k+1)!, four terms leave 1e-20.
+      const double d4 = d2 * d2;
+      cosh            = 1. + d2 * (1. / 2) + d4 * (1. / 24 + d2 * (1. / 720));
+      sinh_over_d     = 1. + d2 * (1. / 6) + d4 * (1. / 120 + d2 * (1. / 5040));
     }
     else
     {

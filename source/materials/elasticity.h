@@ -25,6 +25,8 @@ namespace deltaform
     double plane_stress;            ///< E / (1 - nu^2)
     double biaxial;                 ///< E / (1 - nu): in-plane stress of an equal in-plane strain at third stress 0
     double shift;                   ///< (1 - 2 nu) / E: strain of a unit pressure
+    double compliance;              ///< 1 / (2 G)
+    double contraction;             ///< nu / E
     std::array<double, 16> tangent; ///< d stress / d strain, 4 x 4, row-major
     std::array<double, 16> condensed_tangent; ///< the same at given third stress: row and column [2] are zero
 
@@ -36,7 +38,8 @@ namespace deltaform
 
     Elasticity(const double E, const double nu)
       : young(E), poisson(nu), shear(E / (2. * (1. + nu))), bulk(E / (3. * (1. - 2. * nu))),
-        plane_stress(E / ((1. - nu) * (1. + nu))), biaxial(E / (1. - nu)), shift((1. - 2. * nu) / E)
+        plane_stress(E / ((1. - nu) * (1. + nu))), biaxial(E / (1. - nu)), shift((1. - 2. * nu) / E),
+        compliance((1. + nu) / E), contraction(nu / E)
     {
       const double common = bulk - 2. / 3. * shear, direct = common + 2. * shear, mixed = nu * plane_stress;
       // clang-format off
@@ -62,8 +65,11 @@ namespace deltaform
     /// The elastic strain of a state of stress.
     Mandel strain(const Mandel &tau) const
     {
-      const double direct = (1. + poisson) / young, common = -poisson / young * (tau[0] + tau[1] + tau[2]);
-      return {{direct * tau[0] + common, direct * tau[1] + common, direct * tau[2] + common, direct * tau[3]}};
+      const double common = -contraction * (tau[0] + tau[1] + tau[2]);
+      return {{compliance * tau[0] + common,
+               compliance * tau[1] + common,
+               compliance * tau[2] + common,
+               compliance * tau[3]}};
     }
 
     /// The elastic strain along direction 3 of a state of stress.
