@@ -10,6 +10,7 @@ namespace deltaform
 {
   Simulation::Simulation(Scene &scene, Recorder &recorder, Journal &journal, Timers &timers)
     : scene_(scene), recorder_(recorder), journal_(journal), timers_(timers),
+      timer_attempt_(timers.section("10 start of an increment, residual, length of steps, checks")),
       timer_output_(timers.section("13 output")), problem_(scene.actors, *scene.linear_solver, timers),
       newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size(), timers)
   {
@@ -155,6 +156,7 @@ namespace deltaform
 
   std::string Simulation::attempt(const double time, const Effort effort, Vector &q, NewtonResult &result)
   {
+    const Timers::Remainder rest(timers_, timer_attempt_);
     promise_failed_  = false;
     const auto begin = [&]()
     {

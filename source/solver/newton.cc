@@ -44,8 +44,7 @@ namespace deltaform
                  Timers &timers)
     : problem_(problem), system_(system), settings_(settings), scale_(scale), size_(size),
       smallest_motion_(.01 * problem.typical_length()), timers_(timers),
-      timer_solve_(timers.section("11 factorization and solve")),
-      timer_rest_(timers.section("10 residual, length of the step, convergence"))
+      timer_solve_(timers.section("11 factorization and solve"))
   {
   }
 
@@ -82,7 +81,6 @@ namespace deltaform
                              const double force_floor,
                              const Damping damped)
   {
-    const Timers::Remainder rest(timers_, timer_rest_);
     NewtonResult result;
     const unsigned int n = q.size(), max_iterations = damped != Damping::none
                                                         ? std::max(damped_iterations, settings_.max_iterations)
@@ -174,7 +172,7 @@ namespace deltaform
         return result;
       }
       problem_.prepare_step(d);
-      double factor = problem_.limit_step(q, d);
+      double factor           = problem_.limit_step(q, d);
       start                   = q;
       const double work_start = work_along(d, is_prescribed);
 

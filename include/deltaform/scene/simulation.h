@@ -66,7 +66,7 @@ namespace deltaform
     Recorder &recorder_;
     Journal &journal_;
     Timers &timers_;
-    Timers::Index timer_output_;
+    Timers::Index timer_attempt_, timer_output_;
     FormingProblem problem_;
     Newton newton_;
     std::unique_ptr<ConditionReport> condition_; ///< none if not asked for

@@ -165,6 +165,6 @@ namespace deltaform
     mutable double last_magnitude_ = 0; ///< the scale of the last measured residual
     double damping_                = 0; ///< of the next iteration, force over length
     Timers &timers_;
-    Timers::Index timer_solve_, timer_rest_;
+    Timers::Index timer_solve_;
   };
 } // namespace deltaform
