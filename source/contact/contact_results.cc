@@ -8,6 +8,31 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    /**
+     * How deep the straight line between two points that project on the same convex arc is at its deepest point. The
+     * offset d grows linearly from @p d_a to @p d_b. With the center of the arc as origin the points are a and b, e =
+     * b - a, and the depth at a + xi e is d_a - D_a + xi (d_b - d_a) - (rho - rho_a), rho^2 = h^2 + u^2 with the
+     * distance h of the center from the line and u along it: largest where u/rho = k = (d_b - d_a)/|e|, u = h k/sqrt(1
+     * - k^2).
+     */
+    double depth_over_arc(const Projection &a, const Projection &b, const double d_a, const double d_b)
+    {
+      const Tensor1 from = a.normal / a.turning, e = b.normal / b.turning - from;
+      const double length = e.norm(), slope = length > 0. ? (d_b - d_a) / length : 1.;
+      if (!(std::abs(slope) < 1.))
+        return 0.;
+      const double u_a = from * e / length, rho_a = 1. / a.turning;
+      const double h = std::abs(from[0] * e[1] - from[1] * e[0]) / length;
+      const double u = h * slope / std::sqrt((1. - slope) * (1. + slope));
+      if (!(u > u_a) || !(u < u_a + length))
+        return 0.;
+      return d_a - a.distance + slope * (u - u_a) - (std::hypot(h, u) - rho_a);
+    }
+  } // namespace
+
+
   void ContactPair::commit([[maybe_unused]] const Vector &q)
   {
     for (unsigned int i = 0; i < trial_.size(); ++i)
@@ -128,8 +153,10 @@ namespace deltaform
 
   double ContactPair::penetration_between_nodes(const Vector &q) const
   {
-    const Tensor1 shift = travel(q) * tool_.direction();
-    double deepest      = 0.;
+    const Tensor1 shift    = travel(q) * tool_.direction();
+    double deepest         = 0.;
+    unsigned int last_node = invalid_index; // whose projection is
+    Projection last{};
     for (const auto &edge : surface_.contact_edges(tool_.side()))
     {
       const unsigned int a = edge[0], b = edge[1], m = edge[2];
@@ -149,12 +176,17 @@ namespace deltaform
         x += N[1] * (end.x - start.x) + N[2] * (middle.x - start.x);
         return tool_.project(x, 0., hint_[a]).distance - offset;
       };
-      const Projection first = tool_.project(start.x - shift, 0., hint_[a]),
-                       last  = tool_.project(end.x - shift, 0., hint_[a]);
+      const Projection first = last_node == a ? last : tool_.project(start.x - shift, 0., hint_[a]);
+      last                   = tool_.project(end.x - shift, 0., hint_[a]);
+      last_node              = b;
       deepest                = std::max({deepest, a_face - first.distance, b_face - last.distance});
-      // A straight edge over one straight part of the tool is deepest at one of its ends.
-      if (m == invalid_index && first.segment == last.segment && first.turning == 0. && last.turning == 0.)
+      // A straight edge over one part of the tool that is straight or hollow is deepest at one of its ends.
+      if (m == invalid_index && first.segment == last.segment && (start.x[0] < 0) == (end.x[0] < 0))
+      {
+        if (first.turning > 0. && last.turning > 0.)
+          deepest = std::max(deepest, depth_over_arc(first, last, a_face, b_face));
         continue;
+      }
       // Two humps are possible where a line meets an arc inside the element: search both halves.
       for (const double low : {0., .5})
         deepest = std::max(deepest, -boost::math::tools::brent_find_minima(gap, low, low + .5, 20).second);

@@ -382,6 +382,52 @@ BOOST_AUTO_TEST_CASE(a_thicker_blank_pushes)
   BOOST_TEST(std::abs(fixture.pair.committed()[0].force - .5) < 1e-14);
 }
 
+BOOST_AUTO_TEST_CASE(the_deepest_point_of_an_edge_over_an_arc)
+{
+  // A chord with ends of different depth, also with faces that give way with the force, outside and inside of a circle,
+  // on both sides of the axis: against a search of the chord in small steps.
+  for (const std::string concave : {"false", "true"})
+    for (const std::string squeeze : {"off", "on"})
+      for (const double side : {1., -1.})
+        for (const double depth : {2e-3, 9e-3, 6e-2})
+          BOOST_TEST_CONTEXT("concave " << concave << ", squeeze " << squeeze << ", side of the axis " << side
+                                        << ", depth " << depth)
+          {
+            FakeSurface surface(2);
+            surface.area    = 4.;
+            surface.squeeze = 8e-3;
+            const auto at   = [&](const double angle, const double p)
+            {
+              const double rho = concave == "true" ? 1. + p : 1. - p;
+              return Point2(side * rho * std::sin(angle), (concave == "true" ? -1. : 1.) * rho * std::cos(angle));
+            };
+            surface.X = {at(.1, 1e-3), at(.3, depth)};
+            PairFixture fixture(
+              surface,
+              constant,
+              {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0", "Concave=" + concave, "Squeeze=" + squeeze});
+            const Vector q(fixture.n);
+            fixture.pair.begin_stage(q, 0.);
+            fixture.begin_increment(q, 1., stiffness);
+            fixture.settle(q);
+            fixture.pair.commit(q);
+            BOOST_TEST(fixture.pair.n_touching() == 2u);
+
+            double deepest = 0.;
+            for (unsigned int k = 0; k <= 20000; ++k)
+            {
+              const double xi   = k / 20000.;
+              const Point2 x    = surface.X[0] + xi * (surface.X[1] - surface.X[0]);
+              const double face = squeeze == "off" ? 0.
+                                                   : -surface.squeeze * ((1. - xi) * fixture.pair.committed()[0].force +
+                                                                         xi * fixture.pair.committed()[1].force);
+              deepest           = std::max(deepest, face - fixture.pair.tool().project(x, 0., 0).distance);
+            }
+            BOOST_TEST(deepest > 0.);
+            BOOST_TEST(std::abs(fixture.pair.penetration_between_nodes(q) - deepest) < 1e-10);
+          }
+}
+
 BOOST_AUTO_TEST_CASE(results_of_a_pair)
 {
   // Two nodes on a circle and the chord between them, which cuts it by the sagitta.
