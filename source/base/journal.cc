@@ -59,10 +59,18 @@ namespace deltaform
     log_.flush();
   }
 
+  bool Journal::wants_progress() const
+  {
+    if (console_ == Console::terminal && progress_shown_)
+      return std::chrono::steady_clock::now() - last_progress_ > std::chrono::milliseconds(50);
+    return console_ != Console::quiet && console_ != Console::silent;
+  }
+
   void Journal::progress(const std::string &line)
   {
     if (console_ == Console::terminal)
     {
+      last_progress_ = std::chrono::steady_clock::now();
       out_ << "\r\033[K" << fit_to_terminal(line) << std::flush;
       progress_shown_ = true;
     }

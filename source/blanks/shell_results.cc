@@ -82,31 +82,23 @@ namespace deltaform
   }
 
 
-  double Shell::layer_volume(const ShellPoint &point, const double sine, const unsigned int layer) const
-  {
-    const double along  = point.lambda - layer_position_[layer] * point.angle_prime;
-    const double around = axisymmetric_ ? point.radius - layer_position_[layer] * sine : 1.;
-    return point.weight * layer_weight_[layer] * along * around;
-  }
-
-
-  double Shell::thickness_strain_work(const unsigned int place, const ShellStrain &strain, const double new_ratio) const
+  double Shell::thickness_strain_work(const unsigned int place,
+                                      const ShellStrain &strain,
+                                      const double new_ratio,
+                                      const double *volume) const
   {
     // Moving the layers of a curved shell to the new thickness strains them at fixed displacements.
-    const ShellPoint &point = points_[place];
-    const double sine       = std::sin(point.angle);
-    double work             = 0.;
+    if (new_ratio == thickness_ratio_[place])
+      return 0.;
+    double work = 0.;
     for (unsigned int l = 0; l < n_layers_; ++l)
     {
-      const double volume = layer_volume(point, sine, l);
       const double before = thickness_ratio_[place] * layer_position_[l], after = new_ratio * layer_position_[l];
       const auto &tau = stress_[place * n_layers_ + l];
-      if (before == after)
-        continue;
-      work += volume * tau[0] *
+      work += volume[l] * tau[0] *
               log_of_ratio(strain.lambda - after * strain.theta_prime, strain.lambda - before * strain.theta_prime);
       if (axisymmetric_)
-        work += volume * tau[1] * log_of_ratio(strain.r + after * strain.d_r(), strain.r + before * strain.d_r());
+        work += volume[l] * tau[1] * log_of_ratio(strain.r + after * strain.d_r(), strain.r + before * strain.d_r());
     }
     return work;
   }
@@ -115,8 +107,8 @@ namespace deltaform
   void Shell::commit(const Vector &q)
   {
     const double shear = membrane_ ? 0. : shear_factor_ * material_->shear_modulus() * thickness_;
-    if (energy_)
-      energy_->elastic = 0.;
+    double elastic = 0., plastic = 0., normal = 0.;
+    std::vector<double> volumes(n_layers_);
     for (unsigned int c = 0, i = 0; c < mesh_.cells().size(); ++c)
       for (unsigned int p = 0; p < n_points_per_cell_; ++p)
       {
@@ -129,24 +121,32 @@ namespace deltaform
           thickness += layer_weight_[l] * std::exp(strain_[i][2]);
           if (!energy_)
             continue;
-          const double volume = layer_volume(point, sine, l);
-          const Mandel before = material_->plastic_strain(history_.committed(i));
-          const Mandel after  = material_->plastic_strain(history_.trial(i));
+          const double volume = volumes[l] = layer_volume(point, sine, l);
+          const Mandel before              = material_->plastic_strain(history_.committed(i));
+          const Mandel after               = material_->plastic_strain(history_.trial(i));
+          const Mandel &start = committed_stress_[i], &end = stress_[i];
+          double work = 0.;
           for (unsigned int k = 0; k < 4; ++k)
-            energy_->plastic += .5 * volume * (stress_[i][k] + committed_stress_[i][k]) * (after[k] - before[k]);
-          energy_->normal +=
-            .5 * volume * (stress_[i][2] + committed_stress_[i][2]) * (strain_[i][2] - committed_strain_[i][2]);
-          energy_->elastic += volume * material_->elastic_energy(stress_[i]);
+            work += (end[k] + start[k]) * (after[k] - before[k]);
+          plastic += .5 * volume * work;
+          normal += .5 * volume * (end[2] + start[2]) * (strain_[i][2] - committed_strain_[i][2]);
+          elastic += volume * material_->elastic_energy(end);
         }
         if (energy_)
         {
           const ShellStrain strain = strain_at(q, c, place);
           const double gamma       = strain.gamma - point.gamma;
-          energy_->normal += thickness_strain_work(place, strain, thickness / thickness_);
-          energy_->elastic += .5 * shear * point.weight * point.radius * gamma * gamma;
+          normal += thickness_strain_work(place, strain, thickness / thickness_, volumes.data());
+          elastic += .5 * shear * point.weight * point.radius * gamma * gamma;
         }
         thickness_ratio_[place] = thickness / thickness_;
       }
+    if (energy_)
+    {
+      energy_->elastic = elastic;
+      energy_->plastic += plastic;
+      energy_->normal += normal;
+    }
     carried_.keep(history_);
     history_.commit();
     // What becomes trial is overwritten before it is read, as in the history.

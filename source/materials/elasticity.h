@@ -83,7 +83,7 @@ namespace deltaform
     {
       const double trace  = tau[0] + tau[1] + tau[2];
       const double square = tau[0] * tau[0] + tau[1] * tau[1] + tau[2] * tau[2] + tau[3] * tau[3];
-      return ((1. + poisson) * square - poisson * trace * trace) / (2. * young);
+      return .5 * (compliance * square - contraction * trace * trace);
     }
   };
 } // namespace deltaform

@@ -86,7 +86,8 @@ namespace deltaform
     files_->worst_promise = std::max(files_->worst_promise, files_->last.max_penetration_over_delta);
     files_->worst_between = std::max(files_->worst_between, files_->last.max_penetration_between_nodes);
 
-    files_->show_progress(files_->last);
+    if (files_->journal.wants_progress())
+      files_->show_progress(files_->last);
     if (!tables)
       return;
     const auto &output = *files_->scene.output;

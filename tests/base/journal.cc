@@ -3,6 +3,9 @@
 
 #include "messages.h"
 
+#include <chrono>
+#include <thread>
+
 using namespace deltaform;
 
 BOOST_AUTO_TEST_SUITE(journal)
@@ -37,6 +40,29 @@ BOOST_AUTO_TEST_CASE(terminal_rewrites_one_line)
     journal.progress("30 %");
   }
   BOOST_TEST(out.str() == "\r\033[K10 %\r\033[K20 %\r\033[Knote\n\r\033[K30 %\n");
+}
+
+BOOST_AUTO_TEST_CASE(progress_is_wanted_where_somebody_can_read_it)
+{
+  std::ostringstream out;
+  Journal terminal(Journal::Console::terminal, out, out);
+  BOOST_TEST(terminal.wants_progress());
+  const auto start = std::chrono::steady_clock::now();
+  terminal.progress("10 %");
+  const bool again = terminal.wants_progress();
+  if (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(50))
+    BOOST_TEST(!again);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  BOOST_TEST(terminal.wants_progress());
+  terminal.progress("20 %");
+  terminal.note("erased it");
+  BOOST_TEST(terminal.wants_progress());
+
+  Journal plain(Journal::Console::plain, out, out);
+  plain.progress("10 %");
+  BOOST_TEST(plain.wants_progress()); // every line
+  BOOST_TEST(!Journal(Journal::Console::quiet, out, out).wants_progress());
+  BOOST_TEST(!Journal(Journal::Console::silent, out, out).wants_progress());
 }
 
 BOOST_AUTO_TEST_CASE(quiet_and_silent)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <fstream>
 #include <iosfwd>
 #include <string>
@@ -38,6 +39,9 @@ namespace deltaform
     /// it cannot be written.
     void open_log(const std::string &path, bool append = false);
 
+    /// Is anybody to see where the run is? On a terminal not more often than can be read.
+    bool wants_progress() const;
+
     /// Where the run is: replaces the previous progress on a terminal. Not in the log.
     void progress(const std::string &line);
 
@@ -63,6 +67,7 @@ namespace deltaform
     std::ostream &out_;
     std::ostream &warnings_;
     bool progress_shown_ = false;
+    std::chrono::steady_clock::time_point last_progress_;
     std::ofstream log_;
     std::vector<std::string> before_log_;
     unsigned int n_warnings_ = 0;

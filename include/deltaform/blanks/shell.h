@@ -111,11 +111,18 @@ namespace deltaform
     /// Generalized strain at a quadrature point.
     ShellStrain strain_at(const Vector &q, unsigned int cell, unsigned int point) const;
 
-    /// Work of the layers when the thickness is updated to @p new_ratio: no virtual work belongs to it.
-    double thickness_strain_work(unsigned int place, const ShellStrain &strain, double new_ratio) const;
+    /// Work of the layers, which stand for @p volume each, when the thickness is updated to @p new_ratio: no virtual
+    /// work belongs to it.
+    double
+    thickness_strain_work(unsigned int place, const ShellStrain &strain, double new_ratio, const double *volume) const;
 
     /// Reference volume that a layer of a point stands for. @param sine of the angle of the undeformed meridian
-    double layer_volume(const ShellPoint &point, double sine, unsigned int layer) const;
+    double layer_volume(const ShellPoint &point, const double sine, const unsigned int layer) const
+    {
+      const double along  = point.lambda - layer_position_[layer] * point.angle_prime;
+      const double around = axisymmetric_ ? point.radius - layer_position_[layer] * sine : 1.;
+      return point.weight * layer_weight_[layer] * along * around;
+    }
 
     /// Tributary areas of the nodes at @p q.
     void update_areas(const Vector &q) const;
