@@ -20,12 +20,14 @@ namespace deltaform
   {
     const BlankEnergy total = energy();
     ByteStream own;
-    boost::archive::binary_oarchive archive(own.stream());
-    archive << passes_ << estimated_error_ << history_ << carried_ << spin_ << faces_[0].area << faces_[1].area
-            << smallest_thickness_ << total.elastic << total.plastic;
-    archive_plain(archive, committed_stress_);
-    archive_plain(archive, committed_deformation_);
-    archive_plain(archive, plastic_metric_);
+    {
+      boost::archive::binary_oarchive archive(own.stream());
+      archive << passes_ << estimated_error_ << history_ << carried_ << spin_ << faces_[0].area << faces_[1].area
+              << smallest_thickness_ << total.elastic << total.plastic;
+      archive_plain(archive, committed_stress_);
+      archive_plain(archive, committed_deformation_);
+      archive_plain(archive, plastic_metric_);
+    }
     const std::vector<std::string> all = ranks::gather(own.take());
     boost::archive::binary_oarchive(stream) << all;
   }

@@ -21,10 +21,10 @@ namespace deltaform
       return stream_;
     }
 
-    /// All that was written. The stream is closed.
+    /// All that was written. An archive on the stream must have ended before: it writes its last bytes then.
     std::string take()
     {
-      stream_.close();
+      stream_.flush();
       return std::move(bytes_);
     }
 
