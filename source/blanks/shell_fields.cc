@@ -131,7 +131,7 @@ namespace deltaform
 
     Drawing drawing;
     const unsigned int n_nodes = node_dofs_.size(), n_levels = level.size();
-    drawing.points.reserve(n_nodes * n_levels);
+    drawing.points.reserve(static_cast<std::size_t>(n_nodes) * n_levels);
     for (unsigned int i = 0; i < n_nodes; ++i)
     {
       const double theta = membrane_ ? membrane_angle(q, i) : node_angle_[i] + rotation(q, i);

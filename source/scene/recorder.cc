@@ -41,10 +41,7 @@ namespace deltaform
                        ". Choose another with --output or Output/Folder.");
     // State and results of an earlier run must not be taken for those of this run.
     if (!start && ranks::first())
-    {
       std::filesystem::remove(Checkpoint::path(folder), error);
-      remove_earlier_results(folder);
-    }
     if (ranks::first())
       std::filesystem::remove(folder + "/summary.json", error);
     write_file_atomically(folder + "/scene.prm",
@@ -56,6 +53,9 @@ namespace deltaform
                           });
     journal.open_log(folder + "/run.log", start != nullptr);
     files_ = std::make_unique<Files>(scene, folder, journal, timers, start);
+    // Before the first file of the same kind is written.
+    if (!start)
+      files_->behind.run([folder]() { remove_earlier_results(folder); });
     journal.detail("deltaform " + std::string(DELTAFORM_VERSION) + ", deal.II " + DEAL_II_PACKAGE_VERSION + ", scene " +
                    scene.tree.file_name());
   }
