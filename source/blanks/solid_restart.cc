@@ -22,8 +22,9 @@ namespace deltaform
     ByteStream own;
     {
       boost::archive::binary_oarchive archive(own.stream());
-      archive << passes_ << estimated_error_ << history_ << carried_ << spin_ << faces_[0].area << faces_[1].area
+      archive << passes_ << estimated_error_ << history_ << carried_ << faces_[0].area << faces_[1].area
               << smallest_thickness_ << total.elastic << total.plastic;
+      archive_plain(archive, spin_);
       archive_plain(archive, committed_stress_);
       archive_plain(archive, committed_deformation_);
       archive_plain(archive, plastic_metric_);
@@ -52,10 +53,11 @@ namespace deltaform
       mesh_.triangulation().load_refine_flags(passes[pass]);
       refine(none);
     }
-    archive >> estimated_error_ >> history_ >> carried_ >> spin_ >> faces_[0].area >> faces_[1].area >>
-      smallest_thickness_ >> total.elastic >> total.plastic;
+    archive >> estimated_error_ >> history_ >> carried_ >> faces_[0].area >> faces_[1].area >> smallest_thickness_ >>
+      total.elastic >> total.plastic;
     if (energy_)
       energy_ = total;
+    archive_plain(archive, spin_);
     archive_plain(archive, committed_stress_);
     archive_plain(archive, committed_deformation_);
     archive_plain(archive, plastic_metric_);

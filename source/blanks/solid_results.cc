@@ -13,28 +13,22 @@ namespace deltaform
   {
     constexpr double root_2 = 1.41421356237309504880;
 
-    /// The in-plane rotation of a deformation gradient (polar decomposition).
-    double angle(const std::array<double, 4> &f)
-    {
-      return std::atan2(f[2] - f[1], f[0] + f[3]);
-    }
+    using Turn = Solid::Turn;
 
-    /// A rotation, by cosine and sine of twice its angle.
-    struct Turn
-    {
-      double cosine, sine;
-    };
-
-    Turn turn(const double angle)
-    {
-      return {std::cos(2 * angle), std::sin(2 * angle)};
-    }
-
-    /// By angle(), which it does without.
+    /// The in-plane rotation of a deformation gradient: polar decomposition, tan(angle) = s/c.
     Turn turn(const std::array<double, 4> &f)
     {
-      const double c = f[0] + f[3], s = f[2] - f[1], square = c * c + s * s;
-      return {(c * c - s * s) / square, 2 * c * s / square};
+      const double c = f[0] + f[3], s = f[2] - f[1], inverse = 1. / (c * c + s * s);
+      return {inverse * (c * c - s * s), inverse * 2 * c * s};
+    }
+
+    /// @p ratio times as far. Increments are mostly as long as the last one.
+    Turn turn(const Turn &by, const double ratio)
+    {
+      if (std::abs(ratio - 1.) < 1e-12)
+        return by;
+      const double twice = ratio * std::atan2(by.sine, by.cosine);
+      return {std::cos(twice), std::sin(twice)};
     }
 
     Mandel turned(const Mandel &t, const Turn &by)
@@ -68,7 +62,7 @@ namespace deltaform
     for (unsigned int i = 0; i < spin_.size(); ++i)
     {
       double *const flow = carried_.at(i);
-      const Mandel now   = turned({{flow[0], flow[1], flow[2], flow[3]}}, turn(ratio * spin_[i]));
+      const Mandel now   = turned({{flow[0], flow[1], flow[2], flow[3]}}, turn(spin_[i], ratio));
       std::copy(now.begin(), now.end(), flow);
     }
   }
@@ -166,9 +160,9 @@ namespace deltaform
         elastic += points_[i].weight * material_->elastic_energy(stress_[i]);
       if (!may_flow)
         continue;
-      const Deformation turning = finite_ ? increment(i) : Deformation();
-      if (finite_ && !spin_.empty())
-        spin_[i] = angle(turning.f);
+      const Turn by = finite_ ? turn(increment(i).f) : Turn();
+      if (!spin_.empty())
+        spin_[i] = by;
       const Mandel before = material_->plastic_strain(history_.committed(i));
       const Mandel after  = material_->plastic_strain(history_.trial(i));
       if (before == after)
@@ -176,7 +170,7 @@ namespace deltaform
       if (energy_)
       {
         // The flow takes place in the axes of now: the last stress is turned along.
-        const Mandel start = finite_ ? turned(committed_stress_[i], turn(turning.f)) : committed_stress_[i];
+        const Mandel start = finite_ ? turned(committed_stress_[i], by) : committed_stress_[i];
         for (unsigned int k = 0; k < 4; ++k)
           plastic += .5 * points_[i].weight * (stress_[i][k] + start[k]) * (after[k] - before[k]);
       }

@@ -132,7 +132,7 @@ namespace deltaform
     if (material_->two_steps())
     {
       carried_ = CarriedFlow(points_.size(), material_->history_size());
-      spin_.assign(points_.size(), 0.);
+      spin_.assign(points_.size(), Turn());
     }
     strain_.assign(points_.size(), Mandel{});
     stress_           = strain_;

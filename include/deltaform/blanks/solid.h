@@ -30,6 +30,12 @@ namespace deltaform
   class Solid : public Blank
   {
   public:
+    /// A rotation in the plane, by cosine and sine of twice its angle, as it turns a stress.
+    struct Turn
+    {
+      double cosine = 1, sine = 0;
+    };
+
     explicit Solid(Section &section);
 
     unsigned int n_dofs() const override;
@@ -249,8 +255,8 @@ namespace deltaform
 
     // State: committed and, where it differs, trial
     PointHistory history_;
-    CarriedFlow carried_;      ///< of no points if the material does not want it
-    std::vector<double> spin_; ///< angle by which the last increment turned each point; with carried_ only
+    CarriedFlow carried_;    ///< of no points if the material does not want it
+    std::vector<Turn> spin_; ///< how far the last increment turned each point; with carried_ only
     std::vector<Mandel> strain_, stress_, committed_stress_;
     std::vector<Deformation> deformation_, committed_deformation_;
     std::vector<std::array<double, 4>> plastic_metric_; ///< committed C_p^-1: rr, zz, hoop, rz
