@@ -164,7 +164,7 @@ def solid(program, loops, folder, repetitions):
 
 def shares(program, empty, folder):
     """Lines of a table: of whole processes, all default outputs, what is not an iteration."""
-    lines = ["Whole processes with all default outputs, the fastest of 3 each [s]; the numbers are those of the named steps of `timing.json`. Start-up (1) is",
+    lines = ["Whole processes with all default outputs, the fastest of 5 each [s]; the numbers are those of the named steps of `timing.json`. Start-up (1) is",
              "reading and checking the scene and making the mesh, until the first increment; output (13) is what the run waits for, as pictures, tables and saved",
              "states are written by a second thread; bookkeeping is accepting increments (12) and what bears no name: step control, the end. Iterations include the",
              "start of an increment (tools, predictor) and its checks. The empty program stands for loading the libraries and MPI.", "",
@@ -172,8 +172,8 @@ def shares(program, empty, folder):
              "empty program (asked: at most 10 %) |", "|---|---|---|---|---|---|---|---|---|"]
     for scene, entries in LONG_RUNS:
         command = [program, scene, "--quiet", "--output", folder, *(word for entry in entries for word in ("--set", entry))]
-        loading = min(call([empty])[0] for _ in range(5))
-        wall, sections = min(((call(command)[0], load(folder, "timing.json")["sections"]) for _ in range(3)), key=lambda run: run[0])
+        loading = min(call([empty])[0] for _ in range(9))
+        wall, sections = min(((call(command)[0], load(folder, "timing.json")["sections"]) for _ in range(5)), key=lambda run: run[0])
         start_up, output, steps = (sum(s["seconds"] for s in sections if test(s["name"].split()[0])) for test in (
             lambda step: step == "1", lambda step: step == "13", lambda step: step not in ("1", "12", "13")))
         rest = wall - loading - start_up - output - steps
