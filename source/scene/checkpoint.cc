@@ -35,12 +35,14 @@ namespace deltaform
 {
   namespace
   {
+    /// How the first line begins. The layout counts what changes in the bytes between two releases.
+    constexpr const char *writer = "deltaform " DELTAFORM_VERSION " checkpoint, layout 2, ";
+
     /// The first line of the file: who wrote it, and how to tell whether it is whole.
     std::string head(const std::string &content)
     {
       const auto sum = crc32_z(0, reinterpret_cast<const Bytef *>(content.data()), content.size());
-      return "deltaform " DELTAFORM_VERSION " checkpoint " + std::to_string(content.size()) + " bytes, CRC-32 " +
-             std::to_string(sum);
+      return std::string(writer) + std::to_string(content.size()) + " bytes, CRC-32 " + std::to_string(sum);
     }
 
     /// "1e-3" and "0.001" are the same number.
@@ -112,11 +114,13 @@ namespace deltaform
     std::ostringstream rest;
     rest << file.rdbuf();
     const std::string bytes = rest.str();
-    const std::string own   = "deltaform " DELTAFORM_VERSION " ";
-    if (first.rfind("deltaform ", 0) == 0 && first.rfind(own, 0) != 0)
+    if (first.rfind("deltaform ", 0) == 0 && first.rfind(writer, 0) != 0)
+    {
+      const std::string other = first.substr(0, first.find(" checkpoint")), own = "deltaform " DELTAFORM_VERSION;
       throw SceneError("Cannot resume: '" + name + "' was written by another version (" +
-                       first.substr(0, first.find(" checkpoint")) +
+                       (other == own ? "an earlier " : "") + other +
                        ", this is " DELTAFORM_VERSION "). Start again without --resume.");
+    }
     if (first != head(bytes))
       throw SceneError("Cannot resume: '" + name + "' is damaged. Start again without --resume.");
     Checkpoint result;

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What may change when a run is resumed, what may not, and what is said: resume_rules.py PROGRAM CUP_SCENE FOLDER."""
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -68,5 +69,7 @@ run(1, "is damaged", *few, "--resume")
 state.write_bytes(state.read_bytes()[:100])
 run(1, "is damaged", *few, "--resume")
 state.write_bytes(bytes(content).replace(b"deltaform ", b"deltaform 9.", 1))
-run(1, "written by another version", *few, "--resume")
+run(1, "written by another version (deltaform 9.", *few, "--resume")
+state.write_bytes(re.sub(rb"checkpoint, layout [0-9]+,", b"checkpoint", bytes(content), count=1))
+run(1, "written by another version (an earlier deltaform ", *few, "--resume")
 sys.exit(1 if failures else 0)
