@@ -33,7 +33,7 @@ function(deltaform_placeholders)
   endforeach()
   if(_outdated)
     file(REMOVE_RECURSE ${_folder})
-    execute_process(COMMAND ${DELTAFORM_PYTHON} ${_script} --library ${_library} --names ${_names} --folder ${_folder}
+    execute_process(COMMAND ${DELTAFORM_PYTHON} ${_script} --root ${_library} --names ${_names} --folder ${_folder}
                             --compiler ${CMAKE_CXX_COMPILER} --nm ${CMAKE_NM} --readelf ${CMAKE_READELF}
                     ERROR_VARIABLE _error RESULT_VARIABLE _status)
     if(_status)

@@ -2,7 +2,7 @@
 """Placeholders for shared libraries that deal.II needs and deltaform does not: empty libraries of the same name, so that
 the loader does not load and relocate the real ones.
 
-  placeholders.py --library LIBDEAL_II --names REGEX --folder FOLDER --compiler C++ --nm NM --readelf READELF
+  placeholders.py --root LIBDEAL_II --names REGEX --folder FOLDER --compiler C++ --nm NM --readelf READELF
 
 Of the libraries that LIBDEAL_II asks for, those whose file name matches REGEX and that no other library asks for get a
 placeholder in FOLDER. It defines the symbols that LIBDEAL_II takes from the real one and that nothing else defines: a
@@ -96,13 +96,13 @@ def source_of(library, wanted):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for option in ("library", "names", "folder", "compiler", "nm", "readelf"):
+    for option in ("root", "names", "folder", "compiler", "nm", "readelf"):
         parser.add_argument("--" + option, required=True)
     wish = parser.parse_args()
 
-    libraries = Libraries(wish.library, wish.nm, wish.readelf)
+    libraries = Libraries(wish.root, wish.nm, wish.readelf)
     left_out, kept = libraries.to_leave_out(re.compile(wish.names))
-    missing = {name for name, (kind, _) in libraries.symbols(wish.library, "--undefined-only").items() if kind == "U"}
+    missing = {name for name, (kind, _) in libraries.symbols(wish.root, "--undefined-only").items() if kind == "U"}
     for name in kept:
         missing -= libraries.symbols(libraries.path[name], "--defined-only").keys()
 

@@ -69,7 +69,7 @@ def make_small(folder, compiler):
 def small(script, folder, compiler, nm, readelf):
     make_small(folder, compiler)
     root, made = os.path.join(folder, "libroot.so.1"), os.path.join(folder, "placeholders")
-    arguments = ["--library", root, "--names", "lib(unneeded|shared|versioned|deep|absent)[.]so.*", "--folder", made,
+    arguments = ["--root", root, "--names", "lib(unneeded|shared|versioned|deep|absent)[.]so.*", "--folder", made,
                  "--compiler", compiler, "--nm", nm, "--readelf", readelf]
     outcome = run(sys.executable, script, *arguments)
     expect(outcome.returncode == 0, outcome.stderr)
