@@ -266,6 +266,9 @@ BOOST_AUTO_TEST_CASE(elastic_energy_is_the_work_of_elastic_loading)
         const double work   = scalar_product(stress, e) / 2.;
         BOOST_TEST(std::abs(material.elastic_energy(stress) - work) <= 1e-13 * work);
         BOOST_TEST(material.elastic_energy({}) == 0.);
+        const Mandel elastic = material.elastic_strain(stress);
+        for (unsigned int k = 0; k < 4; ++k)
+          BOOST_TEST(std::abs(elastic[k] - e[k]) <= 1e-13 * elastic_size);
       }
     });
 }

@@ -3,7 +3,9 @@
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/stream.hpp>
 
+#include <cstddef>
 #include <string>
+#include <utility>
 
 namespace deltaform
 {
