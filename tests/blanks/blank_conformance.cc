@@ -221,12 +221,15 @@ BOOST_AUTO_TEST_CASE(carried_flow_turns_with_the_blank)
                    const auto history     = [&](const double turn)
                    {
                      std::vector<double> norms;
-                     for (unsigned int k = 1; k <= 4; ++k)
+                     double time = 0., last = 1.;
+                     for (const double length : {1., 1., 1.5, .8})
                      {
+                       time += length;
                        Vector q = direction;
-                       q *= 1. + .2 * k;
-                       const Vector turned = moved_rigidly(blank, q, turn * k, Tensor1());
-                       blank.begin_increment(1.);
+                       q *= 1. + .2 * time;
+                       const Vector turned = moved_rigidly(blank, q, turn * time, Tensor1());
+                       blank.begin_increment(length / last);
+                       last = length;
                        norms.push_back(residual(blank, turned).norm());
                        blank.commit(turned);
                      }
