@@ -193,6 +193,13 @@ namespace deltaform
   }
 
 
+  double Shell::initial_flow_stress() const
+  {
+    const std::vector<double> history(material_->history_size(), 0.);
+    return material_->flow_stress(history.data());
+  }
+
+
   double Shell::stiffness_scale() const
   {
     return material_->young_modulus() * thickness_;

@@ -109,13 +109,32 @@ namespace deltaform
         stress[p] += w * committed_stress_[i][0];
       }
     const auto mean_stretch = to_nodes(stretch), mean_stress = to_nodes(stress);
+    const auto squeeze = [&](const unsigned int i)
+    { return std::min(contact_pressure_[0][i], contact_pressure_[1][i]); };
     std::vector<SheetSection> result(node_dofs_.size());
     for (unsigned int i = 0; i < result.size(); ++i)
       result[i] = {mesh_.nodes()[i][0],
                    node_thickness_[i],
                    mean_stretch[i],
                    -std::log(node_thickness_[i] / thickness_),
-                   mean_stress[i]};
+                   mean_stress[i],
+                   squeeze(i),
+                   0.};
+    // Few sections are squeezed, and a flow stress costs as much as the rest.
+    std::vector<double> weight(result.size(), 0.);
+    for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
+      for (unsigned int a = 0; a <= degree_; ++a)
+        if (const unsigned int node = mesh_.cells()[c].nodes[a]; squeeze(node) > 0.)
+          for (unsigned int p = c * n_points_per_cell_; p < (c + 1) * n_points_per_cell_; ++p)
+          {
+            for (unsigned int l = 0; l < n_layers_; ++l)
+              result[node].flow_stress +=
+                layer_weight_[l] * material_->flow_stress(history_.committed(p * n_layers_ + l));
+            weight[node] += thickness_;
+          }
+    for (unsigned int i = 0; i < result.size(); ++i)
+      if (weight[i] > 0.)
+        result[i].flow_stress /= weight[i];
     return result;
   }
 

@@ -158,7 +158,7 @@ namespace deltaform
       value *= thickness_;
     node_thickness_ = to_nodes(thickness);
     // The pressures are those that the transverse stress of this increment was made of.
-    for (unsigned int i = 0; i < node_relief_.size(); ++i)
+    for (unsigned int i = 0; i < node_relief_.size() && transverse_normal_stress_; ++i)
       node_relief_[i] = .25 * node_thickness_[i] * (contact_pressure_[0][i] + contact_pressure_[1][i]) / modulus();
     update_areas(q);
   }
@@ -183,8 +183,6 @@ namespace deltaform
 
   void Shell::set_contact_pressure(const Side side, const std::vector<double> &pressure)
   {
-    if (!transverse_normal_stress_)
-      return;
     // The mean stress across the thickness does not follow a pressure that varies over less than a thickness: average
     // it over that length. On meshes coarser than the thickness this changes nothing; on finer ones the force of a
     // single node is otherwise taken for a pressure far above the flow stress.
@@ -210,6 +208,8 @@ namespace deltaform
       if (area > 0)
         mean[i] = force / area;
     }
+    if (!transverse_normal_stress_)
+      return;
     for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
       for (unsigned int p = 0; p < n_points_per_cell_; ++p)
       {

@@ -200,6 +200,13 @@ namespace deltaform
   }
 
 
+  double Solid::initial_flow_stress() const
+  {
+    const std::vector<double> history(material_->history_size(), 0.);
+    return material_->flow_stress(history.data());
+  }
+
+
   double Solid::stiffness_scale() const
   {
     // Of a node of cells that are about as long as high: E (per unit width), times the radius of the ring it stands

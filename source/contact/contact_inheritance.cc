@@ -55,6 +55,8 @@ namespace deltaform
     const unsigned int n = surface_.n_contact_nodes(tool_.side());
     committed_.assign(n, PairState());
     trial_ = committed_;
+    committed_residual_.assign(n, {});
+    residual_ = committed_residual_;
     area_.assign(n, 0.);
     thickness_of_.assign(n, 0.);
     stiffness_.assign(n, {});

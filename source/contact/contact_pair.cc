@@ -291,6 +291,7 @@ namespace deltaform
 
     for (unsigned int k = 0; k < n_motion; ++k)
       residual[k] = -(force * jacobian[k]);
+    std::copy_n(residual.begin(), node.n_dofs, residual_[i].begin());
     const double lambda = trial_[i].multiplier;
     if (own_unknown)
       residual[n_motion] = normal.tied ? -trial_[i].gap - (normal.compliance - node.squeeze) * lambda : lambda;

@@ -69,9 +69,10 @@ namespace deltaform
         energy_->friction += .5 * (earlier + state.tangential_force) * slip - (stored(state) - stored(before));
       }
     }
-    last_step_ = time_ - last_time_;
-    last_time_ = time_;
-    committed_ = trial_;
+    last_step_          = time_ - last_time_;
+    last_time_          = time_;
+    committed_          = trial_;
+    committed_residual_ = residual_;
     committed_x_.swap(x_);
     if (energy_)
       update_stored_energy();
@@ -211,8 +212,14 @@ namespace deltaform
   }
 
 
-  void ContactPair::clear()
+  void ContactPair::release(const Vector &q, AssemblyTarget &target)
   {
+    for (unsigned int i = 0; i < committed_.size(); ++i)
+      if (committed_[i].touching)
+      {
+        const ContactNode description = node(q, i);
+        target.add(description.dofs.data(), description.n_dofs, nullptr, committed_residual_[i].data());
+      }
     for (auto &state : committed_)
       state = PairState();
     trial_ = committed_;

@@ -110,6 +110,11 @@ namespace deltaform
         return history[4];
       }
 
+      double flow_stress(const double *history) const override
+      {
+        return hardening_->evaluate(history[4]).value;
+      }
+
       double shear_modulus() const override
       {
         return elastic_.shear;

@@ -37,7 +37,8 @@ namespace deltaform
       {"max_epsilon", "force/length", get<&Row::max_epsilon>},
       {"floor_share", "1", get<&Row::floor_share>},
       {"contact_pairs", "1", get<&Row::contact_pairs>},
-      {"min_thickness", "length", get<&Row::min_thickness>}};
+      {"min_thickness", "length", get<&Row::min_thickness>},
+      {"balance_error", "1", get<&Row::balance_error>}};
 
     const std::vector<Number> conditions = {{"condition_raw", "1", get<&Row::condition_raw>},
                                             {"condition_scaled", "1", get<&Row::condition_scaled>},
@@ -90,6 +91,12 @@ namespace deltaform
       std::replace(name.begin(), name.end(), ' ', '_');
       result.push_back({name + "_reaction", units.of("force")});
     }
+    for (auto name : options.loads)
+    {
+      std::replace(name.begin(), name.end(), ' ', '_');
+      result.push_back({name + "_force_z", units.of("force")});
+      result.push_back({name + "_force_r", units.of("force")});
+    }
     return result;
   }
 
@@ -112,6 +119,8 @@ namespace deltaform
     for_each_number(options_, [&](const Number &number) { cells.emplace_back(number.value(row)); });
     for (const double reaction : row.reactions)
       cells.emplace_back(reaction);
+    for (const auto &[r, z] : row.load_forces)
+      cells.insert(cells.end(), {z, r});
     file_.row_of_cells(cells);
   }
 } // namespace deltaform

@@ -30,20 +30,74 @@ namespace deltaform
   }
 
 
-  double FormingProblem::reaction(const Support &support) const
+  double FormingProblem::reaction(const unsigned int support) const
   {
+    const Support &which = actors_.supports[support];
+    if (!which.acts_in(stage_name_))
+      return released_.share(time_) * released_.of_supports[support];
     double sum = 0.;
-    if (support.acts_in(stage_name_))
-      for (const auto dof : support.dofs)
-        if (!is_fixed_[dof])
-          sum += load_forces_[dof];
+    for (const auto dof : which.dofs)
+      if (!is_fixed_[dof])
+        sum += reactions_[dof];
     return sum;
   }
 
 
-  double FormingProblem::release_factor() const
+  Tensor1 FormingProblem::resultant(const Vector &forces) const
   {
-    return std::max(0., (stage_end_ - time_) / (stage_end_ - stage_begin_));
+    Tensor1 sum;
+    for (DofIndex i = 0; i < actors_.blank->n_dofs(); ++i)
+      for (unsigned int d = 0; d < 2; ++d)
+        sum[d] += translation_[d][i] * forces[i];
+    return sum;
+  }
+
+
+  double FormingProblem::balance_error() const
+  {
+    Tensor1 sum;
+    double largest   = 0.;
+    const auto count = [&](const Tensor1 &force)
+    {
+      sum += force;
+      for (unsigned int d = actors_.blank->axisymmetric() ? 1 : 0; d < 2; ++d)
+        largest = std::max(largest, std::abs(force[d]));
+    };
+    for (const auto &force : tool_forces_)
+      count(-force);
+    for (const auto &force : load_resultants_)
+      count(force);
+    // An unknown that two supports hold counts once.
+    std::vector<bool> counted(actors_.blank->n_dofs(), false);
+    for (unsigned int i = 0; i < actors_.supports.size(); ++i)
+    {
+      const Support &support = actors_.supports[i];
+      if (support.component == Component::rotation)
+        continue;
+      const unsigned int d = support.component == Component::r ? 0 : 1;
+      Tensor1 force;
+      if (support.acts_in(stage_name_))
+        for (const auto dof : support.dofs)
+        {
+          if (!counted[dof] && !is_fixed_[dof])
+            force[d] += reactions_[dof];
+          counted[dof] = true;
+        }
+      else
+        force[d] = reaction(i);
+      count(force);
+    }
+    // What is left of much larger forces, of the run or within the blank, is round-off.
+    const double size = std::max({largest, 1e-3 * largest_resultant_, 1e-2 * largest_force_});
+    if (!(size > 0.))
+      return 0.;
+    return (actors_.blank->axisymmetric() ? std::abs(sum[1]) : sum.norm()) / size;
+  }
+
+
+  bool FormingProblem::releases_at_once() const
+  {
+    return at_once_;
   }
 
 
@@ -52,15 +106,7 @@ namespace deltaform
     for (const auto &load : actors_.loads)
       if (load.acts_in(stage_name_))
         load.assemble(*actors_.blank, q, time_, target);
-    if (!any_released_)
-      return;
-    const double factor = release_factor(), zero = 0.;
-    for (DofIndex i = 0; i < actors_.blank->n_dofs(); ++i)
-      if (released_[i] != 0.)
-      {
-        const double residual = -factor * released_[i];
-        target.add(&i, 1, target.wants_tangent() ? &zero : nullptr, &residual);
-      }
+    released_.assemble(time_, target);
   }
 
 

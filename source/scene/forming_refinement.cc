@@ -11,7 +11,7 @@ namespace deltaform
   bool FormingProblem::mark()
   {
     const RefinementSettings *settings = actors_.blank->refinement();
-    if (settings == nullptr || any_released_)
+    if (settings == nullptr || released_.any)
       return false;
     std::array<std::vector<double>, 2> longest;
     for (const auto *pair : active_pairs_)

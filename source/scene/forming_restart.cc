@@ -11,8 +11,9 @@ namespace deltaform
   {
     actors_.blank->save(stream);
     boost::archive::binary_oarchive archive(stream);
-    archive << committed_ << hold_ << released_ << load_forces_ << any_released_ << time_ << tool_forces_ << travels_
-            << work_.tools << work_.loads << largest_force_;
+    archive << committed_ << hold_ << released_ << load_forces_ << reactions_ << load_resultants_ << time_
+            << tool_forces_ << travels_ << work_.tools << work_.loads << largest_force_ << largest_resultant_
+            << at_once_;
     for (const auto &pair : actors_.pairs)
       archive << static_cast<const ContactPair &>(*pair);
   }
@@ -30,8 +31,8 @@ namespace deltaform
     const auto n_unknowns = committed_.size();
     {
       boost::archive::binary_iarchive archive(stream);
-      archive >> committed_ >> hold_ >> released_ >> load_forces_ >> any_released_ >> time_ >> tool_forces_ >>
-        travels_ >> work_.tools >> work_.loads >> largest_force_;
+      archive >> committed_ >> hold_ >> released_ >> load_forces_ >> reactions_ >> load_resultants_ >> time_ >>
+        tool_forces_ >> travels_ >> work_.tools >> work_.loads >> largest_force_ >> largest_resultant_ >> at_once_;
       if (committed_.size() != n_unknowns || travels_.size() != actors_.tools.size())
         throw SceneError("Cannot resume: the saved state has " + std::to_string(committed_.size()) +
                          " unknowns, the scene has " + std::to_string(n_unknowns) + ".");

@@ -19,6 +19,7 @@ namespace deltaform
     number_unknowns();
     tool_forces_.resize(actors_.tools.size());
     travels_.resize(actors_.tools.size());
+    load_resultants_.resize(actors_.loads.size());
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
       travels_[i] = actors_.tools[i]->force_driven() ? 0. : actors_.tools[i]->travel(0.);
   }
@@ -80,8 +81,17 @@ namespace deltaform
     committed_.reinit(n);
     prescribed_.reinit(n);
     hold_.reinit(n);
-    released_.reinit(n);
+    released_.reset(n, actors_.tools.size(), actors_.supports.size(), actors_.loads.size());
     load_forces_.reinit(n);
+    reactions_.reinit(n);
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      translation_[d].reinit(n_blank);
+      actors_.blank->rigid_motion(zero,
+                                  d == 0 ? Tensor1({1., 0.}) : Tensor1({0., 1.}),
+                                  0.,
+                                  [&](const DofIndex dof, const double value) { translation_[d][dof] = value; });
+    }
     is_fixed_.assign(n, false);
     for (const auto dof : actors_.blank->fixed_dofs())
       is_fixed_[dof] = true;

@@ -11,25 +11,35 @@ namespace deltaform
   void FormingProblem::collect_released(const std::string &next_stage)
   {
     Collector ending(committed_.size());
-    for (auto *pair : active_pairs_)
-      if (!pair->tool().exists_in(next_stage))
+    for (unsigned int i = 0; i < actors_.tools.size(); ++i)
+      if (actors_.tools[i]->exists_in(stage_name_) && !actors_.tools[i]->exists_in(next_stage))
       {
-        pair->begin_increment(time_);
-        pair->assemble(committed_, ending);
-        pair->clear();
+        actors_.pairs[i]->release(committed_, ending);
+        released_.of_tools[i] = tool_forces_[i];
       }
-    for (const auto &load : actors_.loads)
-      if (load.acts_in(stage_name_) && !load.acts_in(next_stage))
+    for (unsigned int i = 0; i < actors_.loads.size(); ++i)
+      if (const Load &load = actors_.loads[i]; load.acts_in(stage_name_) && !load.acts_in(next_stage))
+      {
         load.assemble(*actors_.blank, committed_, time_, ending);
-    // Reactions of supports that end: what the rest leaves unbalanced at their unknowns.
-    for (const auto &support : actors_.supports)
-      if (support.acts_in(stage_name_) && !support.acts_in(next_stage))
+        released_.of_loads[i] = load_resultants_[i];
+      }
+    // Reactions of supports that end, each once.
+    std::vector<bool> ended(actors_.blank->n_dofs(), false);
+    for (unsigned int i = 0; i < actors_.supports.size(); ++i)
+      if (const Support &support = actors_.supports[i]; support.acts_in(stage_name_) && !support.acts_in(next_stage))
+      {
+        released_.of_supports[i] = reaction(i);
         for (const auto dof : support.dofs)
-          ending.residual[dof] = -load_forces_[dof];
+        {
+          if (!ended[dof])
+            ending.residual[dof] -= reactions_[dof];
+          ended[dof] = true;
+        }
+      }
     for (unsigned int i = 0; i < actors_.blank->n_dofs(); ++i)
     {
-      released_[i] = -ending.residual[i];
-      any_released_ |= released_[i] != 0.;
+      released_.on_blank[i] = -ending.residual[i];
+      released_.any |= released_.on_blank[i] != 0.;
     }
   }
 
@@ -50,10 +60,10 @@ namespace deltaform
 
   void FormingProblem::begin_stage(const Stage &stage)
   {
-    any_released_ = false;
-    released_     = 0.;
+    released_.reset(committed_.size(), actors_.tools.size(), actors_.supports.size(), actors_.loads.size());
     if (!stage_name_.empty())
       collect_released(stage.name);
+    at_once_ = released_.any && stage.release_at_once;
     enter_stage(stage);
     time_ = stage.begin;
     for (auto *pair : active_pairs_)
@@ -71,9 +81,8 @@ namespace deltaform
 
   void FormingProblem::enter_stage(const Stage &stage)
   {
-    stage_name_  = stage.name;
-    stage_begin_ = stage.begin;
-    stage_end_   = stage.end;
+    stage_name_ = stage.name;
+    released_.begin_stage(stage);
     active_pairs_.clear();
     for (auto &pair : actors_.pairs)
       if (pair->tool().exists_in(stage.name))
@@ -110,18 +119,29 @@ namespace deltaform
     // Work of loads, of released forces, and of supports, whose reactions are what the residual shows in their rows.
     Collector loads(committed_.size());
     assemble_loads(q, loads);
+    const double released = released_.share(time_);
+    for (unsigned int i = 0; i < actors_.loads.size(); ++i)
+    {
+      load_resultants_[i] = released * released_.of_loads[i];
+      if (!actors_.loads[i].acts_in(stage_name_))
+        continue;
+      Collector own(committed_.size());
+      actors_.loads[i].assemble(*actors_.blank, q, time_, own);
+      load_resultants_[i] = -1. * resultant(own.residual);
+    }
     for (unsigned int i = 0; i < committed_.size(); ++i)
     {
       const double force = is_prescribed_[i] ? system_->residual()[i] - loads.residual[i] : -loads.residual[i];
       if (i < actors_.blank->n_dofs())
         work_.loads += .5 * (force + load_forces_[i]) * (q[i] - committed_[i]);
       load_forces_[i] = force;
+      reactions_[i]   = is_prescribed_[i] ? system_->residual()[i] : 0.;
     }
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
     {
       auto &pair          = *actors_.pairs[i];
       const bool active   = std::find(active_pairs_.begin(), active_pairs_.end(), &pair) != active_pairs_.end();
-      const Tensor1 force = active ? pair.tool_force() : Tensor1();
+      const Tensor1 force = active ? pair.tool_force() : released * released_.of_tools[i];
       const double travel = active ? pair.travel(q) : travels_[i];
       work_.tools -= .5 * (force + tool_forces_[i]) * actors_.tools[i]->direction() * (travel - travels_[i]);
       tool_forces_[i] = force;
@@ -134,6 +154,14 @@ namespace deltaform
       pair->commit(q);
     actors_.blank->commit(q);
     committed_ = q;
+    at_once_   = false;
+
+    for (const auto *const forces : {&tool_forces_, &load_resultants_})
+      for (const auto &force : *forces)
+        largest_resultant_ = std::max({largest_resultant_, std::abs(force[0]), std::abs(force[1])});
+    for (unsigned int i = 0; i < actors_.supports.size(); ++i)
+      if (actors_.supports[i].component != Component::rotation)
+        largest_resultant_ = std::max(largest_resultant_, std::abs(reaction(i)));
 
     double square = 0.;
     for (unsigned int i = 0; i < scale_.size(); ++i)

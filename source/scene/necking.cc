@@ -13,6 +13,12 @@ namespace deltaform
     {
       return section.stress * std::exp(-section.stretch);
     }
+
+    std::size_t thinnest(const std::vector<SheetSection> &sections)
+    {
+      const auto thinner = [](const SheetSection &a, const SheetSection &b) { return a.thickness < b.thickness; };
+      return static_cast<std::size_t>(std::min_element(sections.begin(), sections.end(), thinner) - sections.begin());
+    }
   } // namespace
 
 
@@ -20,6 +26,15 @@ namespace deltaform
   {
     before_ = std::move(now_);
     now_    = std::move(sections);
+    if (finding().empty())
+    {
+      n_necking_ = 0;
+      thinned_   = 0.;
+      return;
+    }
+    const std::size_t i = thinnest(now_);
+    ++n_necking_;
+    thinned_ += now_[i].thinning - before_[i].thinning;
   }
 
 
@@ -27,8 +42,7 @@ namespace deltaform
   {
     if (now_.empty() || before_.size() != now_.size())
       return "";
-    const auto thinner = [](const SheetSection &a, const SheetSection &b) { return a.thickness < b.thickness; };
-    const auto i       = static_cast<std::size_t>(std::min_element(now_.begin(), now_.end(), thinner) - now_.begin());
+    const std::size_t i = thinnest(now_);
     std::vector<double> rates;
     for (std::size_t k = 0; k < now_.size(); ++k)
       rates.push_back(std::abs(now_[k].thinning - before_[k].thinning));

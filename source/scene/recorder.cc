@@ -64,12 +64,12 @@ namespace deltaform
   Recorder::~Recorder() = default;
 
 
-  void Recorder::record(const FormingProblem &problem,
-                        const Stage &stage,
-                        const double time,
-                        const unsigned int increment,
-                        const IncrementCost &cost,
-                        const bool tables)
+  const HistoryRow &Recorder::record(const FormingProblem &problem,
+                                     const Stage &stage,
+                                     const double time,
+                                     const unsigned int increment,
+                                     const IncrementCost &cost,
+                                     const bool tables)
   {
     Timers::Scope scope(files_->timers, files_->timer);
     files_->last = files_->row(problem, stage, time, increment, cost);
@@ -89,7 +89,7 @@ namespace deltaform
     if (files_->journal.wants_progress())
       files_->show_progress(files_->last);
     if (!tables)
-      return;
+      return files_->last;
     const auto &output = *files_->scene.output;
     for (const double asked : output.travel_times)
       if (std::abs(time - asked) <= 1e-9 * std::max(1., std::abs(asked)))
@@ -103,6 +103,7 @@ namespace deltaform
     }
     if (picture)
       files_->write_picture(problem, time);
+    return files_->last;
   }
 
 
@@ -123,12 +124,10 @@ namespace deltaform
   }
 
 
-  void Recorder::finish(const int exit_status,
-                        const FormingProblem &problem,
-                        const unsigned int increments,
-                        const unsigned int iterations)
+  void Recorder::finish(const RunOutcome &outcome, const FormingProblem &problem)
   {
-    auto &files = *files_;
+    const auto &[exit_status, message, warnings, increments, iterations] = outcome;
+    auto &files                                                          = *files_;
     {
       Timers::Scope scope(files.timers, files.timer);
       if (exit_status != exit_status::done && increments > 0)
@@ -147,6 +146,9 @@ namespace deltaform
                 std::string(exit_status == exit_status::done            ? "done"
                             : exit_status == exit_status::not_converged ? "not converged"
                                                                         : "promise p <= delta could not be kept"));
+    if (!message.empty())
+      summary.add("message", message);
+    summary.add("warnings", warnings);
     summary.add("unknowns", static_cast<double>(problem.committed().size()));
     summary.add("increments", increments);
     summary.add("newton_iterations", iterations);

@@ -40,8 +40,11 @@ namespace deltaform
     for (unsigned int i = 0; i < scene.actors.tools.size(); ++i)
       row.tools.push_back({problem.travel(i), problem.tool_forces()[i][1], problem.tool_forces()[i][0]});
 
-    for (const auto &support : scene.actors.supports)
-      row.reactions.push_back(problem.reaction(support));
+    for (unsigned int i = 0; i < scene.actors.supports.size(); ++i)
+      row.reactions.push_back(problem.reaction(i));
+    for (unsigned int i = 0; i < scene.actors.loads.size(); ++i)
+      row.load_forces.push_back({{problem.load_force(i)[0], problem.load_force(i)[1]}});
+    row.balance_error = problem.balance_error();
 
     unsigned int governed = 0;
     row.min_epsilon       = std::numeric_limits<double>::infinity();

@@ -36,6 +36,8 @@ namespace deltaform
         options.resume_after = start->increment;
       for (const auto &support : scene.actors.supports)
         options.supports.push_back(support.name);
+      for (const auto &load : scene.actors.loads)
+        options.loads.push_back(load.name);
       history = std::make_unique<History>(folder + "/history.csv", comments, names, units, options);
     }
 

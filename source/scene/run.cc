@@ -5,6 +5,7 @@
 #include <deltaform/base/text.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
+#include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/run.h>
 #include <deltaform/scene/simulation.h>
 #include <deltaform/scene/sweep.h>
@@ -57,6 +58,8 @@ namespace deltaform
     {
       auto tree = ParameterTree::read(command.scene, command.sets);
       const Scene scene(tree);
+      for (const auto &warning : input_warnings(scene))
+        std::cerr << "warning: " << warning << '\n';
       std::cout << command.scene << " is a valid scene: " << scene.title << '\n';
       return exit_status::done;
     }

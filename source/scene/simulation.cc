@@ -1,6 +1,7 @@
 #include <deltaform/base/command_line.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/text.h>
+#include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/simulation.h>
 
 #include <cmath>
@@ -12,7 +13,8 @@ namespace deltaform
     : scene_(scene), recorder_(recorder), journal_(journal), timers_(timers),
       timer_attempt_(timers.section("10 start of an increment, residual, length of steps, checks")),
       timer_output_(timers.section("13 output")), problem_(scene.actors, *scene.linear_solver, timers),
-      newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size(), timers)
+      newton_(problem_, problem_.system(), *scene.newton, problem_.scale(), problem_.size(), timers),
+      check_(scene.actors)
   {
     if (!scene.output->energies)
       problem_.forget_energy();
@@ -30,6 +32,7 @@ namespace deltaform
     journal_.detail("linear solver: " + solver.name + (solver.automatic ? " (automatic)" : "") + ", " +
                     std::to_string(problem_.committed().size()) + " unknowns" +
                     (problem_.on_linear_path() ? ", constant stiffness: one factorization" : ""));
+    warn(input_warnings(scene_));
     int status = exit_status::done;
     for (; stage_ < scene_.actors.stages.size() && status == exit_status::done; ++stage_)
     {
@@ -49,7 +52,8 @@ namespace deltaform
                     (problem_.on_linear_path()
                        ? ", " + std::to_string(problem_.system().n_compliances()) + " compliances of contact unknowns"
                        : ""));
-    recorder_.finish(status, problem_, increment_, total_iterations_);
+    warn(check_.warnings(status));
+    recorder_.finish({status, message_, warnings_, increment_, total_iterations_}, problem_);
     // Not before the files are complete: until then, going on from the state before gives the same.
     if (before_giving_up_)
       recorder_.save(std::move(*before_giving_up_));
@@ -77,20 +81,21 @@ namespace deltaform
     {
       if (increment_ >= scene_.steps->max_increments)
       {
-        journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) + ": " +
-                         std::to_string(increment_) +
-                         " increments are done (Solver/Maximal increments). To go on, allow more and --resume.");
-        before_giving_up_ = checkpoint();
-        return exit_status::not_converged;
+        return stop(stage,
+                    std::to_string(increment_) +
+                      " increments are done (Solver/Maximal increments). To go on, allow more and --resume",
+                    exit_status::not_converged,
+                    checkpoint());
       }
       const bool measured = condition_ && condition_->due(increment_ + 1);
       if (measured)
         condition_->watch(problem_);
       const double next = control.next(time_);
       // Cut twice, or as short as it may be: the length of the increment is not the reason.
-      const Effort effort = (next - time_) * scene_.steps->shrink < stage.smallest_increment ? Effort::all
-                            : cost.cutbacks >= 2 || control.leaping()                        ? Effort::damped
-                                                                                             : Effort::usual;
+      const Effort effort =
+        problem_.releases_at_once() || (next - time_) * scene_.steps->shrink < stage.smallest_increment ? Effort::all
+        : cost.cutbacks >= 2 || control.leaping()                                                       ? Effort::damped
+                                                                                                        : Effort::usual;
       const auto linear_iterations_before = problem_.system().n_linear_iterations();
       const std::string failure           = attempt(next, effort, q, result);
       cost.linear_iterations += problem_.system().n_linear_iterations() - linear_iterations_before;
@@ -106,15 +111,15 @@ namespace deltaform
                         " cut back: " + failure);
         if (control.reject(next - time_))
           continue;
-        const std::string neck = necking_.finding();
-        journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) + ", in increment " +
-                         std::to_string(increment_ + 1) + ": " + failure + ". The smallest increment, " +
-                         text::format(stage.smallest_increment) + ", was reached." +
-                         (neck.empty() ? "" : " The " + neck + "."));
+        const std::string cause = check_.likely_cause();
         // The failed attempt has moved tools and contact.
         problem_.begin_increment(time_);
-        before_giving_up_ = checkpoint();
-        return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
+        return stop(stage,
+                    "in increment " + std::to_string(increment_ + 1) + ": " + failure + ". The smallest increment, " +
+                      text::format(stage.smallest_increment) + ", was reached" +
+                      (cause.empty() ? "" : ". Likely cause: " + cause),
+                    promise_failed_ ? exit_status::promise_broken : exit_status::not_converged,
+                    checkpoint());
       }
 
       const double flow_error = scene_.steps->flow_error > 0. ? scene_.actors.blank->flow_error() : 0.;
@@ -123,13 +128,15 @@ namespace deltaform
       if (measured)
         cost.condition = condition_->measure(problem_, q);
       problem_.commit(q);
-      necking_.observe(scene_.actors.blank->sections());
       time_ = next;
       ++increment_;
       control.accept(result.iterations - result.correction_iterations, flow_error);
       ++since_refinement_;
-      const bool refined = refinement_marked();
-      recorder_.record(problem_, stage, time_, increment_, cost, !refined);
+      const bool refined    = refinement_marked();
+      const HistoryRow &row = recorder_.record(problem_, stage, time_, increment_, cost, !refined);
+      check_.observe(stage, row);
+      if (snap_rotation_ > 0.)
+        check_.snapped(row, snap_rotation_);
       cost                 = IncrementCost();
       step_                = control.state();
       accepted_iterations_ = total_iterations_;
@@ -139,14 +146,16 @@ namespace deltaform
         const std::string unbalanced = refine(stage);
         if (!unbalanced.empty())
         {
-          journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) +
-                           ": after a refinement of the blank there is no equilibrium: " + unbalanced +
-                           ". Refine less at once (Blank/Refinement), or begin with a finer mesh.");
           problem_.begin_increment(time_);
-          before_giving_up_ = std::move(before);
-          return promise_failed_ ? exit_status::promise_broken : exit_status::not_converged;
+          return stop(stage,
+                      "after a refinement of the blank there is no equilibrium: " + unbalanced +
+                        ". Refine less at once (Blank/Refinement), or begin with a finer mesh",
+                      promise_failed_ ? exit_status::promise_broken : exit_status::not_converged,
+                      std::move(before));
         }
       }
+      if (const std::string unusable = check_.failure(stage); !unusable.empty())
+        return stop(stage, unusable, exit_status::not_converged, checkpoint());
       if (ranks::decided_by_first(recorder_.checkpoint_due()) || control.finished(time_))
         recorder_.save(checkpoint());
     }
@@ -158,6 +167,7 @@ namespace deltaform
   {
     const Timers::Remainder rest(timers_, timer_attempt_);
     promise_failed_  = false;
+    snap_rotation_   = 0.;
     const auto begin = [&]()
     {
       problem_.begin_increment(time);
@@ -211,20 +221,49 @@ namespace deltaform
     if (!result.converged())
       return explain(result);
 
-    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong. Where the blank
-    // snaps through, a shorter increment does not make the way shorter.
-    if (time <= time_ || (snapped && effort == Effort::all))
-      return "";
-    Vector dq = q;
+    return too_large(time, effort == Effort::all && (snapped || problem_.releases_at_once()), q);
+  }
+
+
+  std::string Simulation::too_large(const double time, const bool may_snap, const Vector &q)
+  {
+    snap_rotation_ = 0.;
+    Vector dq      = q;
     dq -= problem_.committed();
     const auto [strain, rotation] = scene_.actors.blank->increment_size(dq);
     if (strain > scene_.steps->largest_strain)
       return "the largest strain increment is " + text::format(strain) + ", allowed are " +
              text::format(scene_.steps->largest_strain) + " (Solver/Largest strain increment)";
-    if (rotation > scene_.steps->largest_rotation)
-      return "the largest rotation increment is " + text::format(rotation) + ", allowed are " +
-             text::format(scene_.steps->largest_rotation) + " (Solver/Largest rotation increment)";
-    return "";
+    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong.
+    if (time <= time_ || rotation <= scene_.steps->largest_rotation)
+      return "";
+    // Where the blank snaps through, a shorter increment does not make the way shorter.
+    if (may_snap)
+    {
+      snap_rotation_ = rotation;
+      return "";
+    }
+    return "the largest rotation increment is " + text::format(rotation) + ", allowed are " +
+           text::format(scene_.steps->largest_rotation) + " (Solver/Largest rotation increment)";
+  }
+
+
+  int Simulation::stop(const Stage &stage, const std::string &why, const int status, Checkpoint state)
+  {
+    message_ = "stage '" + stage.name + "' stopped at time " + text::format(time_) + ": " + why + ".";
+    journal_.warning(message_);
+    before_giving_up_ = std::move(state);
+    return status;
+  }
+
+
+  void Simulation::warn(const std::vector<std::string> &texts)
+  {
+    for (const auto &text : texts)
+    {
+      journal_.warning(text);
+      warnings_.push_back(text);
+    }
   }
 
 

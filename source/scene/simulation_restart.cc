@@ -26,7 +26,7 @@ namespace deltaform
       const auto step  = step_.value_or(StepControl::State());
       boost::archive::binary_oarchive archive(bytes.stream());
       archive << last_increment_ << since_refinement_ << accepted_iterations_ << failed_iterations_ << before_ << go_on
-              << step.increment << step.quiet << step.shortened << step.error;
+              << step.increment << step.quiet << step.shortened << step.error << check_;
     }
     problem_.save(bytes.stream());
     result.simulation = bytes.take();
@@ -53,7 +53,7 @@ namespace deltaform
       StepControl::State step;
       boost::archive::binary_iarchive archive(stream);
       archive >> last_increment_ >> since_refinement_ >> total_iterations_ >> failed_iterations_ >> before_ >> go_on >>
-        step.increment >> step.quiet >> step.shortened >> step.error;
+        step.increment >> step.quiet >> step.shortened >> step.error >> check_;
       if (go_on)
         step_ = step;
     }

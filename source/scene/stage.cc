@@ -30,6 +30,14 @@ namespace deltaform
                                             "A failure at this size ends the run with status 2.");
       if (stage.smallest_increment > stage.largest_increment)
         own.fail("Smallest increment", "must not be larger than the largest");
+      stage.release_at_once = own.choice("Release",
+                                         "gradual",
+                                         {"gradual", "at once"},
+                                         "How tools, supports and loads leave that ended with the stage before: their "
+                                         "forces fade out linearly over this stage, or are gone in its first "
+                                         "increment.") == "at once";
+      stage.continue_after_necking =
+        own.flag("Continue after necking", false, "Go on, with a warning, when the sheet necks; else the run ends.");
       begin = stage.end;
       stages.push_back(stage);
     }

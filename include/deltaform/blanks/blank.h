@@ -100,6 +100,9 @@ namespace deltaform
       return stiffness_scale() / initial_thickness();
     }
 
+    /// Flow stress of the undeformed material (stress); infinite if it is elastic.
+    virtual double initial_flow_stress() const = 0;
+
     /// Is the tangent the same in every state? assemble() then needs to give it once.
     virtual bool constant_stiffness() const
     {
@@ -207,6 +210,12 @@ namespace deltaform
     ///@{
     /// Values along the blank, one row per node.
     virtual Table profile(const Vector &q) const = 0;
+
+    /// Is it a sheet, with cross-sections?
+    virtual bool is_sheet() const
+    {
+      return false;
+    }
 
     /// Cross-sections at the nodes; empty if the blank is no sheet (a solid carries its necks itself).
     virtual std::vector<SheetSection> sections() const

@@ -56,6 +56,7 @@ namespace deltaform
     double dof_scale(DofIndex dof) const override;
     std::string describe_dof(DofIndex dof) const override;
     double stiffness_scale() const override;
+    double initial_flow_stress() const override;
     bool axisymmetric() const override;
     double initial_thickness() const override;
     double typical_length() const override;
@@ -83,6 +84,10 @@ namespace deltaform
     unsigned int n_cells() const override;
     double smallest_thickness() const override;
     Table profile(const Vector &q) const override;
+    bool is_sheet() const override
+    {
+      return true;
+    }
     std::vector<SheetSection> sections() const override;
     Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
     std::vector<Point2> positions(const Vector &q) const override;

@@ -51,6 +51,7 @@ namespace deltaform
     double dof_scale(DofIndex dof) const override;
     std::string describe_dof(DofIndex dof) const override;
     double stiffness_scale() const override;
+    double initial_flow_stress() const override;
     double modulus() const override;
     bool constant_stiffness() const override;
     bool axisymmetric() const override;

@@ -207,8 +207,9 @@ namespace deltaform
     /// Multiplier unknowns that belong to the committed forces.
     void start_multipliers(Vector &q) const;
 
-    /// A tool that is absent in a stage has no pairs: forget all contact.
-    void clear();
+    /// The tool leaves: hand the forces of the accepted equilibrium over to @p target and forget all contact. They are
+    /// those that were in balance; the law evaluated again would find others, because the thickness was updated since.
+    void release(const Vector &q, AssemblyTarget &target);
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
@@ -219,6 +220,7 @@ namespace deltaform
       archive_plain(archive, stiffness_);
       archive_plain(archive, committed_x_);
       archive_plain(archive, projected_x_);
+      archive_plain(archive, committed_residual_);
       ContactEnergy total = energy();
       archive &area_ &thickness_of_ &projected_gap_ &noise_ &hint_ &time_ &last_time_ &last_step_;
       archive &total.stored &total.friction &total.epsilon &total.thickness;
@@ -306,6 +308,8 @@ namespace deltaform
     double last_time_ = 0, last_step_ = 0; ///< end and length of the last accepted increment
 
     std::vector<PairState> committed_, trial_;
+    /// What a pair adds to the residual in the rows of its node's unknowns: accepted, and as assembled last.
+    std::vector<std::array<double, ContactNode::max_dofs>> committed_residual_, residual_;
     std::vector<double> area_, thickness_of_;      ///< of the last assembled configuration
     std::vector<std::array<double, 9>> stiffness_; ///< nodal blocks of the blank's tangent
     std::vector<Point2> committed_x_;              ///< contact point relative to the tool at the last commit

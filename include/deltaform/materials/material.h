@@ -3,6 +3,7 @@
 #include <deltaform/base/status.h>
 
 #include <array>
+#include <limits>
 
 namespace deltaform
 {
@@ -77,6 +78,12 @@ namespace deltaform
 
     /// Equivalent plastic strain of one point's history; zero for elastic laws.
     virtual double equivalent_plastic_strain(const double *history) const = 0;
+
+    /// Kirchhoff stress at which one point's history flows in uniaxial tension; infinite for elastic laws.
+    virtual double flow_stress(const double * /*history*/) const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
 
     /// Shear modulus for transverse shear and stiffness estimates; Young's modulus; Poisson's ratio.
     virtual double shear_modulus() const = 0;

@@ -3,6 +3,7 @@
 #include <deltaform/base/csv_writer.h>
 #include <deltaform/results/units.h>
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -45,7 +46,9 @@ namespace deltaform
     double thickness_work = 0;     ///< done by updating the thickness between increments
     double load_work      = 0;     ///< of other loads and of supports
     double energy_error   = 0;     ///< works minus energies, over the largest of them
+    double balance_error  = 0;     ///< sum of the forces on the blank over the largest of them
     std::vector<double> reactions; ///< of the supports: sum of the forces (moments) that they exert on the blank
+    std::vector<std::array<double, 2>> load_forces; ///< resultants of the loads on the blank: r, z
   };
 
   /// How a history is begun.
@@ -56,6 +59,7 @@ namespace deltaform
     bool energies   = true;                   ///< with works and energies
     bool iterative  = false;                  ///< with the column linear_iterations
     std::vector<std::string> supports;        ///< names in the order of HistoryRow::reactions
+    std::vector<std::string> loads;           ///< names in the order of HistoryRow::load_forces
     std::optional<unsigned int> resume_after; ///< go on with the file on disk, without what follows this increment
   };
 

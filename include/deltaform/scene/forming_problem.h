@@ -5,6 +5,7 @@
 #include <deltaform/contact/augmentation.h>
 #include <deltaform/contact/contact_pair.h>
 #include <deltaform/scene/boundary_conditions.h>
+#include <deltaform/scene/released_forces.h>
 #include <deltaform/scene/stage.h>
 #include <deltaform/solver/newton.h>
 #include <deltaform/solver/system.h>
@@ -163,8 +164,25 @@ namespace deltaform
 
     double travel(unsigned int tool) const;
 
-    /// Sum of the forces (moments) of a support on the blank in the committed state; 0 where it does not act.
-    double reaction(const Support &support) const;
+    /// Sum of the forces (moments) of a support on the blank in the committed state. Of one that ended with the stage
+    /// before: what is left of it.
+    double reaction(unsigned int support) const;
+
+    /// Resultant of a load on the blank in the committed state: r (axisymmetric: radial forces around the whole
+    /// circumference) and z. Of one that ended with the stage before: what is left of it.
+    const Tensor1 &load_force(const unsigned int load) const
+    {
+      return load_resultants_[load];
+    }
+
+    /**
+     * How far the forces on the blank in the committed state are from balance, over the largest of them: sum along z
+     * and, in plane strain, along x of the forces of tools, supports and loads as they are reported.
+     */
+    double balance_error() const;
+
+    /// Do forces of the last stage vanish in one increment that begins at the committed state?
+    bool releases_at_once() const;
 
     /// The committed state. load() belongs before resume_stage(). @throws SceneError if it is that of another scene.
     void save(std::ostream &stream) const;
@@ -184,6 +202,9 @@ namespace deltaform
 
     void set_prescribed();
 
+    /// Sum of forces on the unknowns of the blank.
+    Tensor1 resultant(const Vector &forces) const;
+
     /// Unknowns to which contact may add entries of the tangent.
     std::vector<DofIndex> contact_unknowns() const;
 
@@ -198,8 +219,6 @@ namespace deltaform
     /// Forces on the unknowns of the blank from what ends with the last stage.
     void collect_released(const std::string &next_stage);
 
-    double release_factor() const;
-
     Actors &actors_;
     LinearSolverSettings linear_solver_;
     Timers &timers_;
@@ -208,10 +227,10 @@ namespace deltaform
     std::vector<double> scale_, size_;
     std::vector<bool> is_fixed_, is_prescribed_;
     Vector committed_, prescribed_, hold_;
-    Vector released_;
-    bool any_released_ = false;
+    std::array<Vector, 2> translation_; ///< of the blank along r and z, by a unit
+    ReleasedForces released_;
     std::string stage_name_;
-    double stage_begin_ = 0, stage_end_ = 1, time_ = 0;
+    double time_ = 0;
     std::vector<std::size_t> visited_; ///< sets of active constraints met in this solve
     bool cycling_     = false;
     bool factors_due_ = false; ///< the rule has to predict in the next assembly
@@ -221,7 +240,11 @@ namespace deltaform
     std::vector<Tensor1> tool_forces_;
     std::vector<double> travels_;
     Vector load_forces_; ///< committed: loads, supports, released
+    Vector reactions_;   ///< committed: supports
+    std::vector<Tensor1> load_resultants_;
     Work work_;
-    mutable double largest_force_ = 0;
+    double largest_force_     = 0;     ///< norm of all nodal forces so far
+    double largest_resultant_ = 0;     ///< of a tool, a support or a load so far
+    bool at_once_             = false; ///< see releases_at_once()
   };
 } // namespace deltaform

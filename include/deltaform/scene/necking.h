@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/base/archive.h>
 #include <deltaform/blanks/sheet_section.h>
 
 #include <string>
@@ -24,7 +25,27 @@ namespace deltaform
     /// "node 12 at R0 = 0.9 necks: ...", or empty if the last increment shows no neck.
     std::string finding() const;
 
+    /// Has the sheet necked in so many increments in a row, and thinned there by so much meanwhile, that it is torn? A
+    /// neck of a single increment may be an uneven step; a hundredth of thickness strain is none any more.
+    bool torn() const
+    {
+      return n_necking_ >= enough_increments && thinned_ >= enough_thinning;
+    }
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int)
+    {
+      archive_plain(archive, before_);
+      archive_plain(archive, now_);
+      archive &n_necking_ &thinned_;
+    }
+
   private:
+    static constexpr unsigned int enough_increments = 5;
+    static constexpr double enough_thinning         = .01;
+
     std::vector<SheetSection> before_, now_;
+    unsigned int n_necking_ = 0; ///< increments in a row with a finding
+    double thinned_         = 0; ///< thickness strain of the thinnest section in them
   };
 } // namespace deltaform

@@ -2,12 +2,22 @@
 
 #include <deltaform/base/journal.h>
 #include <deltaform/base/timers.h>
+#include <deltaform/results/history.h>
 #include <deltaform/scene/scene.h>
 
 namespace deltaform
 {
   struct Checkpoint;
   struct IncrementCost;
+
+  /// How a run has ended.
+  struct RunOutcome
+  {
+    int exit_status;
+    std::string message;               ///< why it stopped; empty if it is done
+    std::vector<std::string> warnings; ///< what makes input or result doubtful
+    unsigned int increments, iterations;
+  };
 
   /// Writes what the scene asks for, after every accepted increment. Files and columns: doc/output.md.
   class Recorder
@@ -22,12 +32,13 @@ namespace deltaform
     ~Recorder();
 
     /// An increment was accepted. @param tables if not, tables and pictures of this time will come with a refined mesh
-    void record(const FormingProblem &problem,
-                const Stage &stage,
-                double time,
-                unsigned int increment,
-                const IncrementCost &cost,
-                bool tables = true);
+    /// @return its row of the history
+    const HistoryRow &record(const FormingProblem &problem,
+                             const Stage &stage,
+                             double time,
+                             unsigned int increment,
+                             const IncrementCost &cost,
+                             bool tables = true);
 
     /// The problem of @p start has been loaded: what its last increment was.
     void resume(const FormingProblem &problem, const Checkpoint &start);
@@ -45,7 +56,7 @@ namespace deltaform
     void complete();
 
     /// The run has ended.
-    void finish(int exit_status, const FormingProblem &problem, unsigned int increments, unsigned int iterations);
+    void finish(const RunOutcome &outcome, const FormingProblem &problem);
 
   private:
     struct Files;

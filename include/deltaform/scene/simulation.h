@@ -5,8 +5,8 @@
 #include <deltaform/scene/checkpoint.h>
 #include <deltaform/scene/condition_report.h>
 #include <deltaform/scene/forming_problem.h>
-#include <deltaform/scene/necking.h>
 #include <deltaform/scene/recorder.h>
+#include <deltaform/scene/result_check.h>
 #include <deltaform/scene/scene.h>
 
 #include <optional>
@@ -59,6 +59,15 @@ namespace deltaform
     /// Try the increment from the committed state to @p time. @return empty if accepted, else the cause of the failure
     std::string attempt(double time, Effort effort, Vector &q, NewtonResult &result);
 
+    /// Is the increment, which ends at @p time, not too large? @return empty, else what is
+    std::string too_large(double time, bool may_snap, const Vector &q);
+
+    /// The run stops in this stage, and can be resumed from @p state. @return exit status @p status
+    int stop(const Stage &stage, const std::string &why, int status, Checkpoint state);
+
+    /// Say what makes the input or the result doubtful, on the console, in the log and in summary.json.
+    void warn(const std::vector<std::string> &texts);
+
     /// Why a Newton solve failed, in words.
     std::string explain(const NewtonResult &result) const;
 
@@ -76,7 +85,10 @@ namespace deltaform
     bool promise_failed_ = false;
     Vector before_; ///< the solution one increment before the committed one
 
-    NeckingWatch necking_;
+    ResultCheck check_;
+    double snap_rotation_ = 0; ///< of the last attempt, where it passed the limit in a snap; else 0
+    std::vector<std::string> warnings_;
+    std::string message_; ///< why the run stopped
 
     unsigned int stage_ = 0;     ///< index of the current one
     bool resumed_       = false; ///< in the middle of the current stage

@@ -1,0 +1,87 @@
+#include <deltaform/base/text.h>
+#include <deltaform/scene/input_warnings.h>
+#include <deltaform/scene/rigid_motions.h>
+
+#include <cmath>
+
+namespace deltaform
+{
+  namespace
+  {
+    using Texts = std::vector<std::string>;
+
+    void rigid_motions(const Actors &actors, Texts &result)
+    {
+      for (const auto &stage : actors.stages)
+      {
+        std::string motions;
+        for (const auto &motion : free_rigid_motions(actors, stage))
+          motions += (motions.empty() ? "" : ", ") + motion;
+        if (motions.empty())
+          continue;
+        result.push_back("stage '" + stage.name +
+                         "': neither a support nor contact without friction keeps the blank from moving as a "
+                         "whole (" +
+                         motions + "). " +
+                         (actors.blank->axisymmetric()
+                            ? std::string("Hold it along z, for example by a support with Hold = true.")
+                            : std::string("Hold it by Supports: at a plane of symmetry by Component = r and (shell) "
+                                          "rotation; where all tools have "
+                                          "left, also by Component = z with Hold = true.")));
+      }
+    }
+
+    void short_elements(const Blank &blank, Texts &result)
+    {
+      if (!blank.is_sheet())
+        return;
+      const auto nodes = blank.positions(Vector(blank.n_dofs()));
+      const double h   = blank.initial_thickness();
+      double shortest  = std::numeric_limits<double>::infinity();
+      Point2 place;
+      for (const auto &edge : blank.contact_edges(Side::top))
+        if (const double length = nodes[edge[0]].distance(nodes[edge[1]]); length < shortest)
+        {
+          shortest = length;
+          place    = nodes[edge[0]];
+        }
+      if (shortest < .25 * h * (1. - 1e-9))
+        result.push_back(
+          "Blank: the shortest element, at r = " + text::format(place[0]) + ", is " + text::format(shortest) +
+          " long, less than a quarter of the thickness " + text::format(h) +
+          ". A shell knows no such detail: contact forces alternate from node to node, and thinning shows "
+          "spikes. Take fewer Elements, a milder Grading, or a solid.");
+    }
+
+    void soft_material(const Blank &blank, Texts &result)
+    {
+      const double flow = blank.initial_flow_stress();
+      if (std::isfinite(flow) && blank.modulus() < 100. * flow)
+        result.push_back(
+          "Material: Young's modulus " + text::format(blank.modulus()) + " is only " +
+          text::format(std::round(10. * blank.modulus() / flow) / 10.) + " times the initial flow stress " +
+          text::format(flow) +
+          "; of metals it is 200 to 1000 times. Elastic strains are taken to be small: look at the units.");
+    }
+
+    void large_friction(const Actors &actors, Texts &result)
+    {
+      for (const auto &tool : actors.tools)
+        if (tool->friction_coefficient() > 1.)
+          result.push_back(
+            "Tools/" + tool->name() + "/Friction coefficient = " + text::format(tool->friction_coefficient()) +
+            ": metals on tools have .02 to .5, and no more than .58 of the flow stress is ever carried.");
+    }
+  } // namespace
+
+
+  std::vector<std::string> input_warnings(const Scene &scene)
+  {
+    Texts result;
+    rigid_motions(scene.actors, result);
+    short_elements(*scene.actors.blank, result);
+    soft_material(*scene.actors.blank, result);
+    large_friction(scene.actors, result);
+    return result;
+  }
+} // namespace deltaform
