@@ -1,4 +1,4 @@
-#include <deltaform/base/text.h>
+#include <deltaform/base/brief.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/rigid_motions.h>
 
@@ -47,8 +47,8 @@ namespace deltaform
         }
       if (shortest < .25 * h * (1. - 1e-9))
         result.push_back(
-          "Blank: the shortest element, at r = " + text::format(place[0]) + ", is " + text::format(shortest) +
-          " long, less than a quarter of the thickness " + text::format(h) +
+          "Blank: the shortest element, at r = " + text::brief(place[0]) + ", is " + text::brief(shortest) +
+          " long, less than a quarter of the thickness " + text::brief(h) +
           ". A shell knows no such detail: contact forces alternate from node to node, and thinning shows "
           "spikes. Take fewer Elements, a milder Grading, or a solid.");
     }
@@ -58,9 +58,8 @@ namespace deltaform
       const double flow = blank.initial_flow_stress();
       if (std::isfinite(flow) && blank.modulus() < 100. * flow)
         result.push_back(
-          "Material: Young's modulus " + text::format(blank.modulus()) + " is only " +
-          text::format(std::round(10. * blank.modulus() / flow) / 10.) + " times the initial flow stress " +
-          text::format(flow) +
+          "Material: Young's modulus " + text::brief(blank.modulus()) + " is only " +
+          text::brief(blank.modulus() / flow) + " times the initial flow stress " + text::brief(flow) +
           "; of metals it is 200 to 1000 times. Elastic strains are taken to be small: look at the units.");
     }
 
@@ -69,7 +68,7 @@ namespace deltaform
       for (const auto &tool : actors.tools)
         if (tool->friction_coefficient() > 1.)
           result.push_back(
-            "Tools/" + tool->name() + "/Friction coefficient = " + text::format(tool->friction_coefficient()) +
+            "Tools/" + tool->name() + "/Friction coefficient = " + text::brief(tool->friction_coefficient()) +
             ": metals on tools have .02 to .5, and no more than .58 of the flow stress is ever carried.");
     }
   } // namespace

@@ -1,4 +1,4 @@
-#include <deltaform/base/text.h>
+#include <deltaform/base/brief.h>
 #include <deltaform/scene/necking.h>
 
 #include <algorithm>
@@ -59,8 +59,8 @@ namespace deltaform
       node.stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9 && fall <= 1.001 * stretch;
     if (!softens || !(thinned > 3 * median))
       return "";
-    return "node " + std::to_string(i) + " at R0 = " + text::format(node.place) + " necks: its thickness is " +
-           text::format(node.thickness) + ", in the last increment it stretched by " + text::format(stretch) +
-           " while its section force fell by " + text::format(100 * fall) + " % (past Considere's maximum)";
+    return "node " + std::to_string(i) + " at R0 = " + text::brief(node.place) + " necks: its thickness is " +
+           text::brief(node.thickness) + ", in the last increment it stretched by " + text::brief(stretch) +
+           " while its section force fell by " + text::percent(fall) + " (past Considere's maximum)";
   }
 } // namespace deltaform

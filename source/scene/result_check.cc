@@ -1,9 +1,8 @@
+#include <deltaform/base/brief.h>
 #include <deltaform/base/command_line.h>
-#include <deltaform/base/text.h>
 #include <deltaform/scene/result_check.h>
 
 #include <cmath>
-#include <cstdio>
 
 namespace deltaform
 {
@@ -15,13 +14,6 @@ namespace deltaform
     constexpr const char *remedy_of_ironing =
       ". Model the blank as a solid of degree 2 with two elements through the thickness (Blank/Kind = solid), or give "
       "the tools more clearance";
-
-    std::string percent(const double share)
-    {
-      char buffer[32];
-      std::snprintf(buffer, sizeof buffer, "%.2g %%", 100. * share);
-      return buffer;
-    }
   } // namespace
 
 
@@ -89,15 +81,15 @@ namespace deltaform
     if (!neck_ignored_.empty())
       result.push_back("necked: " + neck_ignored_ + ". What was computed after that depends on the mesh.");
     if (std::abs(last_energy_error_) > largest_energy_error)
-      result.push_back("energy balance: works and energies differ by " + percent(std::abs(last_energy_error_)) +
+      result.push_back("energy balance: works and energies differ by " + text::percent(std::abs(last_energy_error_)) +
                        " at the end. Set a smaller Largest increment in Steps/<stage>.");
     if (worst_balance_ > largest_imbalance)
-      result.push_back("force balance: the forces of tools, supports and loads leave " + percent(worst_balance_) +
-                       " of the largest of them unbalanced at time " + text::format(balance_time_) +
+      result.push_back("force balance: the forces of tools, supports and loads leave " + text::percent(worst_balance_) +
+                       " of the largest of them unbalanced at time " + text::brief(balance_time_) +
                        ". Set a smaller Solver/Force tolerance.");
     if (actors_.blank->is_sheet() && thinnest_ < thinnest_ratio * actors_.blank->initial_thickness())
-      result.push_back("thickness: the sheet is " + text::format(thinnest_) + " thin at its thinnest point, " +
-                       percent(thinnest_ / actors_.blank->initial_thickness()) +
+      result.push_back("thickness: the sheet is " + text::brief(thinnest_) + " thin at its thinnest point, " +
+                       text::percent(thinnest_ / actors_.blank->initial_thickness()) +
                        " of what it was. A real sheet has torn before.");
     if (exit_status == exit_status::done)
       for (unsigned int i = 0; i < touched_.size(); ++i)
@@ -107,7 +99,7 @@ namespace deltaform
     if (n_snaps_ > 0)
       result.push_back("snap: in " + std::to_string(n_snaps_) +
                        " increments the blank snapped to another equilibrium, and nodes turned by up to " +
-                       text::format(largest_turn_) + " rad (the most at time " + text::format(snap_time_) +
+                       text::brief(largest_turn_) + " rad (the most at time " + text::brief(snap_time_) +
                        "), more than Solver/Largest rotation increment. Look at the pictures before and after: which "
                        "equilibrium the blank snaps to is not certain.");
     return result;

@@ -1,4 +1,4 @@
-#include <deltaform/base/text.h>
+#include <deltaform/base/brief.h>
 #include <deltaform/scene/rigid_motions.h>
 
 #include <Eigen/Dense>
@@ -71,8 +71,7 @@ namespace deltaform
         {
           const double r = basis(0, 0) / size, z = basis(1, 0) / size;
           if (std::abs(r) > 1e-6 && std::abs(z) > 1e-6)
-            return {"along the direction (" + text::format(std::round(1e3 * r) / 1e3) + ", " +
-                    text::format(std::round(1e3 * z) / 1e3) + ")"};
+            return {"along the direction (" + text::brief(r) + ", " + text::brief(z) + ")"};
         }
         constexpr std::array<const char *, 3> names{{"along r", "along z", "a rotation"}};
         std::vector<std::string> result;

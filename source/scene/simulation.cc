@@ -1,3 +1,4 @@
+#include <deltaform/base/brief.h>
 #include <deltaform/base/command_line.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/text.h>
@@ -115,9 +116,8 @@ namespace deltaform
         // The failed attempt has moved tools and contact.
         problem_.begin_increment(time_);
         return stop(stage,
-                    "in increment " + std::to_string(increment_ + 1) + ": " + failure + ". The smallest increment, " +
-                      text::format(stage.smallest_increment) + ", was reached" +
-                      (cause.empty() ? "" : ". Likely cause: " + cause),
+                    (cause.empty() ? "" : cause + "; ") + "in increment " + std::to_string(increment_ + 1) + ": " +
+                      failure + ". The smallest increment, " + text::brief(stage.smallest_increment) + ", was reached",
                     promise_failed_ ? exit_status::promise_broken : exit_status::not_converged,
                     checkpoint());
       }
@@ -232,8 +232,8 @@ namespace deltaform
     dq -= problem_.committed();
     const auto [strain, rotation] = scene_.actors.blank->increment_size(dq);
     if (strain > scene_.steps->largest_strain)
-      return "the largest strain increment is " + text::format(strain) + ", allowed are " +
-             text::format(scene_.steps->largest_strain) + " (Solver/Largest strain increment)";
+      return "the largest strain increment is " + text::brief(strain) + ", allowed are " +
+             text::brief(scene_.steps->largest_strain) + " (Solver/Largest strain increment)";
     // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong.
     if (time <= time_ || rotation <= scene_.steps->largest_rotation)
       return "";
@@ -243,14 +243,14 @@ namespace deltaform
       snap_rotation_ = rotation;
       return "";
     }
-    return "the largest rotation increment is " + text::format(rotation) + ", allowed are " +
-           text::format(scene_.steps->largest_rotation) + " (Solver/Largest rotation increment)";
+    return "the largest rotation increment is " + text::brief(rotation) + ", allowed are " +
+           text::brief(scene_.steps->largest_rotation) + " (Solver/Largest rotation increment)";
   }
 
 
   int Simulation::stop(const Stage &stage, const std::string &why, const int status, Checkpoint state)
   {
-    message_ = "stage '" + stage.name + "' stopped at time " + text::format(time_) + ": " + why + ".";
+    message_ = "stage '" + stage.name + "' stopped at time " + text::brief(time_) + ": " + why + ".";
     journal_.warning(message_);
     before_giving_up_ = std::move(state);
     return status;

@@ -1,6 +1,8 @@
 // The state of a contact pair from increment to increment: rollback, promise, corrections, energies, results.
 #include "fake_surface.h"
 
+#include <deltaform/base/registry.h>
+
 using namespace deltaform;
 using namespace deltaform::testing;
 
@@ -446,11 +448,51 @@ BOOST_AUTO_TEST_CASE(results_of_a_pair)
   BOOST_TEST(std::abs(fixture.pair.penetration_between_nodes(q) - (1. - (1. - p) * std::cos(a))) < 1e-9);
   for (const double pressure : fixture.pair.pressure(q))
     BOOST_TEST(std::abs(pressure - 50. * p / 4.) < 1e-13);
-  fixture.pair.clear();
+  DenseTarget released(fixture.n, false);
+  fixture.pair.release(q, released);
   BOOST_TEST(fixture.pair.n_touching() == 0u);
   BOOST_TEST(fixture.pair.energy().stored == 0.);
   for (const double pressure : fixture.pair.pressure(q))
     BOOST_TEST(pressure == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(a_tool_leaves_with_the_forces_of_the_last_equilibrium)
+{
+  // Whatever the law would say after the thickness was updated, for every rule and enforcement.
+  for (const auto &enforcement : Registry<Enforcement>::names())
+    for (const auto &rule : Registry<PenaltyRule>::names())
+      BOOST_TEST_CONTEXT(enforcement << ", " << rule)
+      {
+        FakeSurface surface(3, 0., .05);
+        surface.squeeze = 1e-5;
+        for (unsigned int i = 0; i < 3; ++i)
+          surface.X[i] = Point2(-.2 + .2 * i, -.055);
+        PairFixture fixture(surface,
+                            {"Enforcement=" + enforcement, "Penalty rule=" + rule},
+                            {"Shape=circle", "Radius=1", "Side=bottom", "Position z=-1.1", "Friction coefficient=.2"});
+        Vector q(fixture.n);
+        for (unsigned int i = 6; i < 9 && i < fixture.n; ++i)
+          q[i] = 3.; // multipliers
+        fixture.pair.begin_stage(q, 0.);
+        fixture.begin_increment(q, 1., stiffness);
+        q[0]                       = .01;
+        q[2]                       = .02;
+        const DenseTarget balanced = fixture.settle(q);
+        BOOST_TEST_REQUIRE(fixture.pair.n_touching() > 0u);
+        fixture.pair.commit(q);
+
+        surface.offset = .06;
+        DenseTarget again(fixture.n, false);
+        fixture.pair.begin_increment(1.);
+        fixture.pair.assemble(q, again);
+        if (enforcement == "penalty")
+          BOOST_TEST((again.residual - balanced.residual).norm() > 1e-3);
+        DenseTarget released(fixture.n, false);
+        fixture.pair.release(q, released);
+        for (unsigned int i = 0; i < 6; ++i)
+          BOOST_TEST(released.residual[i] == balanced.residual[i]);
+        BOOST_TEST(fixture.pair.n_touching() == 0u);
+      }
 }
 
 BOOST_AUTO_TEST_CASE(a_blank_that_rests_on_a_tool_touches_it)
