@@ -38,6 +38,14 @@ namespace deltaform
         problem_.resume_stage(stage);
       else
       {
+        // The state at the end of the last stage is saved.
+        if (const std::string wrong = problem_.misplaced_tool(stage); !wrong.empty())
+        {
+          journal_.warning("stage '" + stage.name + "' stopped at time " + text::format(time_) +
+                           ", before its first increment: " + wrong + ".");
+          status = exit_status::not_converged;
+          break;
+        }
         problem_.begin_stage(stage);
         last_increment_ = 0.;
         step_.reset();
