@@ -52,11 +52,14 @@ namespace deltaform
     const double between = tool_.shape().smallest_radius(feet[0].arc_length, feet[1].arc_length);
     if (!(between < radius))
       return radius;
-    bool near                        = committed_[a].touching && committed_[b].touching;
     const double nearness            = .25 * length * std::min(1., length / between);
+    bool near                        = committed_[a].touching && committed_[b].touching;
     constexpr unsigned int n_samples = 8;
     for (unsigned int k = 1; k < n_samples && !near; ++k)
-      near = tool_.project(A + (k / static_cast<double>(n_samples)) * (B - A), 0.).distance < nearness;
+    {
+      const Projection foot = tool_.project(A + (k / static_cast<double>(n_samples)) * (B - A), 0.);
+      near                  = foot.turning != 0. && foot.distance < nearness;
+    }
     return near ? between : radius;
   }
 
