@@ -21,6 +21,33 @@ namespace deltaform
         return " There is no " + kind + " here.";
       return " The nearest known " + kind + " here is '" + text::nearest(name, known) + "'.";
     }
+
+    /**
+     * Is @p unknown left out of the entry that lists the subsections of @p section? "Names", or "Stages", where they
+     * are called so: an entry that merely mentions names (the stages of a tool) has no such subsections.
+     * @param value_of of an entry of the section
+     * @return what to do, or nothing
+     */
+    template <typename Node>
+    std::string missing_in_list(const Node &section,
+                                const SectionPath &path,
+                                const std::string &unknown,
+                                const std::function<std::string(const std::string &)> &value_of)
+    {
+      for (const std::string list : {"Names", "Stages"})
+      {
+        if (section.entry(list) == nullptr)
+          continue;
+        const auto names = text::split(text::unquoted(value_of(list)), ',');
+        const bool all   = std::all_of(
+          names.begin(), names.end(), [&](const std::string &name) { return section.section(name) != nullptr; });
+        if (list == "Names" || (all && !names.empty()))
+          return "subsection '" + unknown + "' is not in " + to_string(path, list) +
+                 (names.empty() ? ", which is empty" : " = " + text::join(names, ", ")) +
+                 ": add it there or remove the subsection.";
+      }
+      return "";
+    }
   } // namespace
 
   void ParameterTree::fail(const SectionPath &path, const std::string &entry, const std::string &message) const
@@ -89,6 +116,10 @@ namespace deltaform
       for (const auto &candidate : section.sections)
         known.push_back(candidate->name);
       const std::string &unknown = entry.path[known_path.size()];
+      const std::string missing  = missing_in_list(
+        section, known_path, unknown, [&](const std::string &list) { return value(known_path, *section.entry(list)); });
+      if (!missing.empty())
+        return opening + ": " + missing;
       return opening + ": there is no subsection '" + unknown + "'." + nearest_known(unknown, known, "subsection");
     }
 
@@ -123,8 +154,15 @@ namespace deltaform
     std::vector<std::string> known;
     for (const auto &candidate : parent->sections)
       known.push_back(candidate->name);
-    return subsection.origin.to_string() + ": unknown subsection " + to_string(subsection.path) + "." +
-           nearest_known(subsection.path.back(), known, "subsection");
+    const std::string opening = subsection.origin.to_string() + ": unknown subsection " + to_string(subsection.path);
+    const std::string missing =
+      missing_in_list(*parent,
+                      parent_path,
+                      subsection.path.back(),
+                      [&](const std::string &list) { return value(parent_path, *parent->entry(list)); });
+    if (!missing.empty())
+      return opening + ": " + missing;
+    return opening + "." + nearest_known(subsection.path.back(), known, "subsection");
   }
 
   void ParameterTree::check_unused()

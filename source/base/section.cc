@@ -41,7 +41,7 @@ namespace deltaform
       double value = 0.;
       try
       {
-        value = evaluate_number(text);
+        value = evaluate_number(text::unquoted(text));
       }
       catch (const std::invalid_argument &error)
       {
@@ -165,7 +165,7 @@ namespace deltaform
                 {name, value, false, "", "names separated by commas", sentence, {}},
                 [](const std::string &text)
                 {
-                  const auto result = text::split(text, ',');
+                  const auto result = text::split(text::unquoted(text), ',');
                   for (auto i = result.begin(); i != result.end(); ++i)
                   {
                     if (i->empty())
@@ -188,7 +188,7 @@ namespace deltaform
                 [](const std::string &text)
                 {
                   std::vector<double> result;
-                  for (const auto &piece : text::split(text, ','))
+                  for (const auto &piece : text::split(text::unquoted(text), ','))
                     result.push_back(evaluate_number(piece));
                   return result;
                 });
@@ -208,7 +208,7 @@ namespace deltaform
                 [columns, form, required](const std::string &text)
                 {
                   std::vector<std::vector<double>> result;
-                  auto pieces = text::split(text, ';');
+                  auto pieces = text::split(text::unquoted(text), ';');
                   if (!pieces.empty() && pieces.back().empty()) // "0 0; 1 0;"
                     pieces.pop_back();
                   for (auto &piece : pieces)

@@ -20,6 +20,14 @@ namespace deltaform
       return text.substr(first, text.find_last_not_of(white) - first + 1);
     }
 
+    std::string unquoted(const std::string &text)
+    {
+      const std::string inner = trim(text);
+      const bool quoted =
+        inner.size() >= 2 && (inner.front() == '\'' || inner.front() == '"') && inner.back() == inner.front();
+      return quoted ? trim(inner.substr(1, inner.size() - 2)) : inner;
+    }
+
     std::vector<std::string> split(const std::string &text, const char separator)
     {
       std::vector<std::string> pieces;
@@ -70,6 +78,13 @@ namespace deltaform
       if (exponent != std::string::npos)
         result = result.substr(0, exponent + 1) + std::to_string(std::atoi(result.c_str() + exponent + 1));
       return result;
+    }
+
+    std::string rounded(const double value)
+    {
+      char buffer[32];
+      std::snprintf(buffer, sizeof buffer, "%.3e", value);
+      return format(std::strtod(buffer, nullptr));
     }
 
     unsigned int edit_distance(const std::string &a, const std::string &b)

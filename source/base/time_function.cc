@@ -98,7 +98,7 @@ namespace deltaform
   }
 
   TimeFunction::TimeFunction(const std::string &text, const std::map<std::string, double> &constants)
-    : text_(text::trim(text))
+    : text_(text::unquoted(text))
   {
     if (text_.empty())
       throw std::invalid_argument("a number, an expression in t or a table 'time: value, ...' is missing");

@@ -1,6 +1,7 @@
 // A blank that is refined: where contact wants shorter edges, and what new contact nodes take over from old ones.
 #include <deltaform/contact/contact_pair.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,27 +11,56 @@ namespace deltaform
   {
     const auto &edges = surface_.contact_edges(tool_.side());
     longest.resize(edges.size(), std::numeric_limits<double>::infinity());
+    const Vector undeformed(surface_.n_contact_dofs());
     for (unsigned int e = 0; e < edges.size(); ++e)
     {
       const unsigned int a = edges[e][0], b = edges[e][1];
       const auto touching = [&](const unsigned int i) { return committed_[i].touching; };
       // A node without area has no pair: on the axis contact does not end.
-      if (rim && area_[a] > 0 && area_[b] > 0 && touching(a) != touching(b))
+      if ((rim && area_[a] > 0 && area_[b] > 0 && touching(a) != touching(b)) || missed(edges[e]))
         longest[e] = 0.;
-      const double length = committed_x_[a].distance(committed_x_[b]);
-      if (missed(edges[e]))
-        longest[e] = 0.;
-      if (share == 0.)
+      if (share == 0. || longest[e] == 0.)
         continue;
-      for (const auto i : {a, b})
-      {
-        const Projection foot = tool_.project(committed_x_[i], 0., hint_[i]);
-        // Twice the height of the arc over the edge: before the nodes come so near, the middle may have touched.
-        const double near = .25 * length * length * std::abs(foot.turning);
-        if (foot.turning != 0. && (touching(i) || foot.distance < near))
-          longest[e] = std::min(longest[e], share / std::abs(foot.turning));
-      }
+      // The tool's radius is to be compared with the length that the edge has now; forging stretches it many times.
+      const double radius = radius_along(edges[e]);
+      if (radius < std::numeric_limits<double>::infinity())
+        longest[e] = std::min(longest[e],
+                              share * radius * node(undeformed, a).x.distance(node(undeformed, b).x) /
+                                committed_x_[a].distance(committed_x_[b]));
     }
+  }
+
+
+  double ContactPair::radius_along(const std::array<unsigned int, 3> &edge) const
+  {
+    const unsigned int a = edge[0], b = edge[1];
+    const Point2 &A = committed_x_[a], &B = committed_x_[b];
+    const double length = A.distance(B);
+    double radius       = std::numeric_limits<double>::infinity();
+    const std::array<Projection, 2> feet{{tool_.project(A, 0., hint_[a]), tool_.project(B, 0., hint_[b])}};
+    for (const unsigned int k : {0, 1})
+    {
+      const Projection &foot = feet[k];
+      // Twice the height of the arc over the edge: before the nodes come so near, the middle may have touched.
+      const double near = .25 * length * length * std::abs(foot.turning);
+      if (foot.turning != 0. && (committed_[edge[k]].touching || foot.distance < near))
+        radius = std::min(radius, 1. / std::abs(foot.turning));
+    }
+    // Ends on the straights beside an arc do not see it, nor do those on large arcs beside a small one.
+    if (!std::isfinite(feet[0].distance) || !std::isfinite(feet[1].distance))
+      return radius;
+    const double between = tool_.shape().smallest_radius(feet[0].arc_length, feet[1].arc_length);
+    if (!(between < radius))
+      return radius;
+    const double nearness            = .25 * length * std::min(1., length / between);
+    bool near                        = committed_[a].touching && committed_[b].touching;
+    constexpr unsigned int n_samples = 8;
+    for (unsigned int k = 1; k < n_samples && !near; ++k)
+    {
+      const Projection foot = tool_.project(A + (k / static_cast<double>(n_samples)) * (B - A), 0.);
+      near                  = foot.turning != 0. && foot.distance < nearness;
+    }
+    return near ? between : radius;
   }
 
 

@@ -50,4 +50,16 @@ namespace deltaform
       count += fs::remove(path, error);
     return count;
   }
+
+
+  std::optional<int> earlier_exit_status(const std::string &folder)
+  {
+    std::ifstream file(fs::path(folder) / "summary.json");
+    const std::regex member("\\s*\"exit_status\": (\\d+),?");
+    std::string line;
+    for (std::smatch match; std::getline(file, line);)
+      if (std::regex_match(line, match, member))
+        return std::stoi(match[1].str());
+    return std::nullopt;
+  }
 } // namespace deltaform

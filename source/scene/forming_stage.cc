@@ -2,6 +2,7 @@
 #include "collector.h"
 
 #include <deltaform/scene/forming_problem.h>
+#include <deltaform/scene/tool_placement.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,27 @@ namespace deltaform
         return;
       committed_[pair.travel_dof()] += gap;
     }
+  }
+
+
+  std::string FormingProblem::misplaced_tool(const Stage &stage) const
+  {
+    if (stage_name_.empty())
+      return "";
+    for (const auto &pair : actors_.pairs)
+    {
+      const Tool &tool = pair->tool();
+      if (tool.exists_in(stage_name_) || !tool.exists_in(stage.name))
+        continue;
+      // The thickness has changed by forming: a tool that leaves room for the initial one overlaps a little.
+      const TimeFunction *own = tool.allowed_penetration();
+      const double delta      = own ? (*own)(stage.begin) : actors_.contact->allowed_penetration(stage.begin);
+      const double tolerance  = std::max(.1 * actors_.blank->typical_length(), delta);
+      const double travel     = tool.force_driven() ? committed_[pair->travel_dof()] : tool.travel(stage.begin);
+      if (const auto wrong = find_misplacement(*actors_.blank, *pair, committed_, travel, tolerance))
+        return wrong->message + " (Tools/" + tool.name() + "/" + wrong->entry + ")";
+    }
+    return "";
   }
 
 

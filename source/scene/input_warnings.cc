@@ -1,5 +1,6 @@
 #include <deltaform/base/brief.h>
 #include <deltaform/scene/input_warnings.h>
+#include <deltaform/scene/overlapping_tools.h>
 #include <deltaform/scene/rigid_motions.h>
 
 #include <cmath>
@@ -81,6 +82,8 @@ namespace deltaform
     short_elements(*scene.actors.blank, result);
     soft_material(*scene.actors.blank, result);
     large_friction(scene.actors, result);
+    for (auto &text : overlapping_tools(scene.actors))
+      result.push_back(std::move(text));
     return result;
   }
 } // namespace deltaform

@@ -2,9 +2,11 @@
 #include <deltaform/base/parameter_tree.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/registry.h>
+#include <deltaform/base/scene_error.h>
 #include <deltaform/base/text.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
+#include <deltaform/results/earlier_run.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/run.h>
 #include <deltaform/scene/simulation.h>
@@ -17,6 +19,28 @@ namespace deltaform
 {
   namespace
   {
+    /// Has the earlier run in @p folder finished what the scene asks for? @throws SceneError if it had stopped, but
+    /// behind the end of the scene
+    bool nothing_to_resume(const std::string &folder, const double saved, const double end, Journal &journal)
+    {
+      // One process asks for all: the first one removes the file when it goes on.
+      constexpr int killed = -1;
+      const int status     = static_cast<int>(
+        ranks::max(ranks::first() ? earlier_exit_status(folder).value_or(killed) : static_cast<double>(killed)));
+      const std::string behind =
+        "time " + text::format(saved) + ", behind the end " + text::format(end) + " that the scene asks for (Steps)";
+      if (saved > end && status != exit_status::done)
+        throw SceneError("Cannot resume: the state saved in " + folder + " is at " + behind +
+                         (status != killed ? "; the run had stopped there with status " + std::to_string(status) : "") +
+                         ". Ask for a later end to go on from there, or start again without --resume.");
+      if (saved < end || status != exit_status::done)
+        return false;
+      journal.note("the run in " + folder + " is finished" + (saved > end ? ", at " + behind : "") +
+                   ": there is nothing to resume");
+      return true;
+    }
+
+
     int run_scene(const CommandLine &command)
     {
       Timers timers;
@@ -36,11 +60,8 @@ namespace deltaform
           journal.note("resumed with a change: " + change);
       else if (command.resume)
         journal.note("there is no saved state in " + folder + ": starting from the beginning");
-      if (start && start->time >= scene.actors.stages.back().end && std::filesystem::exists(folder + "/summary.json"))
-      {
-        journal.note("the run in " + folder + " is finished: there is nothing to resume");
+      if (start && nothing_to_resume(folder, start->time, scene.actors.stages.back().end, journal))
         return exit_status::done;
-      }
       Recorder recorder(scene, folder, journal, timers, start ? &*start : nullptr);
       Simulation simulation(scene, recorder, journal, timers);
       if (start)

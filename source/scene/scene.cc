@@ -60,7 +60,8 @@ namespace deltaform
     for (const auto &name : names)
     {
       Section own = section.sub(name);
-      actors.tools.push_back(std::make_unique<Tool>(name, own, constants, contact_constants));
+      actors.tools.push_back(
+        std::make_unique<Tool>(name, own, constants, contact_constants, actors.blank->axisymmetric()));
       actors.pairs.push_back(std::make_unique<ContactPair>(*actors.blank, *actors.tools.back(), *actors.contact, own));
     }
   }

@@ -2,6 +2,7 @@
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/text.h>
 #include <deltaform/scene/scene.h>
+#include <deltaform/scene/tool_placement.h>
 
 #include <cmath>
 #include <limits>
@@ -32,6 +33,30 @@ namespace deltaform
   }
 
 
+  namespace
+  {
+    // Contact only pushes: a tool that is pulled leaves the blank and has no equilibrium.
+    void check_force(const Tool &tool, const Stage &stage, const Section &section)
+    {
+      constexpr unsigned int n_samples = 200;
+      double largest                   = 0.;
+      for (unsigned int k = 0; k <= n_samples; ++k)
+        largest = std::max(largest, std::abs(tool.force(stage.begin + (stage.end - stage.begin) * k / n_samples)));
+      for (unsigned int k = 0; k <= n_samples; ++k)
+      {
+        const double time = stage.begin + (stage.end - stage.begin) * k / n_samples, force = tool.force(time);
+        if (force < -1e-12 * largest)
+          section.fail(
+            "Force",
+            "tool '" + tool.name() + "' is pulled off the blank at t = " + text::rounded(time) +
+              ", where its force is " + text::rounded(force) +
+              ". A force is positive: it presses the tool along Direction against the blank. Turn "
+              "Direction round if that is what is meant, give the tool a Motion, or let it end with a stage");
+      }
+    }
+  } // namespace
+
+
   void Scene::check_functions(Section root) const
   {
     // NaN passes most comparisons: look for it where a function of time is used.
@@ -52,7 +77,10 @@ namespace deltaform
         {
           const Section section = root.sub("Tools").sub(tool->name());
           if (tool->force_driven())
+          {
             inspect([&](const double time) { return tool->force(time); }, stage, section, "Force");
+            check_force(*tool, stage, section);
+          }
           else
             inspect([&](const double time) { return tool->travel(time); }, stage, section, "Motion");
         }
@@ -81,22 +109,19 @@ namespace deltaform
 
     for (unsigned int i = 0; i < actors.tools.size(); ++i)
     {
-      const Tool &tool       = *actors.tools[i];
-      Section section        = root.sub("Tools").sub(tool.name());
-      const auto [node, gap] = actors.pairs[i]->closest(zero, tool.travel(0.));
-      if (gap < -1e-9 * h)
+      const Tool &tool      = *actors.tools[i];
+      const Section section = root.sub("Tools").sub(tool.name());
+      // What comes later is checked when it comes: the blank has another shape then (Simulation).
+      if (tool.exists_in(actors.stages.front().name))
       {
-        const ContactNode description = actors.pairs[i]->node(zero, node);
-        section.fail("Position z",
-                     "tool '" + tool.name() + "' overlaps the blank at the start: node " + std::to_string(node) +
-                       " at r = " + text::format(description.x[0]) + ", z = " + text::format(description.x[1]) +
-                       " lies " + text::format(-gap) + " inside. Move the tool (or the blank) apart by that");
+        if (const auto wrong = find_misplacement(*actors.blank, *actors.pairs[i], zero, tool.travel(0.), 1e-9 * h))
+          section.fail(wrong->entry, wrong->message);
+        const double opening = tool.shape().opening();
+        if (opening > 0 && outermost <= opening)
+          section.fail("Throat radius",
+                       "the blank ends at r = " + text::format(outermost) + " and falls through the opening of tool '" +
+                         tool.name() + "', radius " + text::format(opening));
       }
-      const double opening = tool.shape().opening();
-      if (opening > 0 && outermost <= opening)
-        section.fail("Throat radius",
-                     "the blank ends at r = " + text::format(outermost) + " and falls through the opening of tool '" +
-                       tool.name() + "', radius " + text::format(opening));
       for (const auto &name : tool.stages())
       {
         bool known = false;

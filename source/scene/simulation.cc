@@ -42,6 +42,12 @@ namespace deltaform
         problem_.resume_stage(stage);
       else
       {
+        // The state at the end of the last stage is saved.
+        if (const std::string wrong = problem_.misplaced_tool(stage); !wrong.empty())
+        {
+          status = stop(stage, "before its first increment: " + wrong, exit_status::not_converged);
+          break;
+        }
         problem_.begin_stage(stage);
         last_increment_ = 0.;
         step_.reset();
@@ -248,7 +254,7 @@ namespace deltaform
   }
 
 
-  int Simulation::stop(const Stage &stage, const std::string &why, const int status, Checkpoint state)
+  int Simulation::stop(const Stage &stage, const std::string &why, const int status, std::optional<Checkpoint> state)
   {
     message_ = "stage '" + stage.name + "' stopped at time " + text::brief(time_) + ": " + why + ".";
     journal_.warning(message_);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace deltaform
 {
@@ -70,6 +72,25 @@ namespace deltaform
                            s < segment.arc_start + segment.length)
                          result += (segment.convex ? 1. : -1.) / segment.radius;
                    });
+    return result;
+  }
+
+
+  double Shape::smallest_radius(const double from, const double to) const
+  {
+    const double way = slip(from, to), first = std::min(from, from + way), last = std::max(from, from + way);
+    double result = std::numeric_limits<double>::infinity();
+    for (const Segment &segment : segments_)
+    {
+      if (segment.kind != Segment::Kind::arc || (segment.radius == 0 && !segment.convex))
+        continue;
+      std::vector<double> begins, ends;
+      for_each_image(segment.arc_start, [&](const double s) { begins.push_back(s); });
+      for_each_image(segment.arc_start + segment.length, [&](const double s) { ends.push_back(s); });
+      for (unsigned int i = 0; i < begins.size(); ++i)
+        if (std::max(begins[i], ends[i]) > first && std::min(begins[i], ends[i]) < last)
+          result = std::min(result, segment.radius);
+    }
     return result;
   }
 

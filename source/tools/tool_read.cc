@@ -74,7 +74,8 @@ namespace deltaform
   Tool::Tool(const std::string &name,
              Section section,
              const std::map<std::string, double> &constants,
-             const std::map<std::string, double> &penetration_constants)
+             const std::map<std::string, double> &penetration_constants,
+             const bool axisymmetric)
     : name_(name)
   {
     side_ = section.choice("Side", "bottom", {"bottom", "top"}, "Face of the blank that the tool touches.") == "top"
@@ -83,6 +84,8 @@ namespace deltaform
     require(section, "Side");
     shape_ = Registry<Shape>::choose(section, "Shape", "plate", "Profile of the tool.");
     require(section, "Shape");
+    if (!axisymmetric)
+      shape_->set_plane_strain();
     mirror_ = side_ == Side::top && !shape_->in_scene_frame() ? -1. : 1.;
 
     position_[0] = read_coordinate(

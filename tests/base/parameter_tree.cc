@@ -38,6 +38,36 @@ namespace
 
 BOOST_AUTO_TEST_SUITE(parameter_tree)
 
+BOOST_AUTO_TEST_CASE(a_subsection_that_no_list_names)
+{
+  const auto complaint = [](const std::string &content, const std::vector<std::string> &overrides = {})
+  {
+    auto tree           = ParameterTree::parse(content, "cup.prm", overrides);
+    const auto each_has = [&](const std::string &outer, const std::string &list)
+    {
+      Section section = tree.root().sub(outer);
+      for (const auto &name : section.names(list, list == "Stages" ? "form" : "", "Names."))
+        section.sub(name).names("Stages", "", "Stages of a tool, end of a stage.");
+    };
+    each_has("Supports", "Names");
+    each_has("Tools", "Names");
+    each_has("Steps", "Stages");
+    return message_of<SceneError>([&]() { tree.check_unused(); });
+  };
+  BOOST_TEST(complaint("subsection Supports\n set Names = left\n subsection floor\n end\nend\n") ==
+             "cup.prm:3: unknown subsection Supports/floor: subsection 'floor' is not in Supports/Names = left: add it "
+             "there or remove the subsection.");
+  check_contains(complaint("subsection Supports\n subsection floor\n end\nend\n"),
+                 {"'floor' is not in Supports/Names, which is empty: add it there"});
+  check_contains(complaint("subsection Steps\n subsection release\n end\nend\n"),
+                 {"'release' is not in Steps/Stages = form: add it there"});
+  check_contains(complaint("", {"Supports/floor/Value=1"}), {"'floor' is not in Supports/Names", "add it there"});
+  // The stages of a tool have no subsections in the tool.
+  const auto inside = complaint("subsection Tools\n set Names = punch\n subsection punch\n  set Stages = form\n"
+                                "  subsection form\n  end\n end\nend\n");
+  check_contains(inside, {"cup.prm:5: unknown subsection Tools/punch/form.", "There is no subsection here."});
+}
+
 BOOST_AUTO_TEST_CASE(unknown_entry_and_subsection)
 {
   check_contains(strict_complaint(blank + "subsection Contact\n set Penalty rull = paper\nend\n"),

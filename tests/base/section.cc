@@ -95,6 +95,33 @@ BOOST_AUTO_TEST_CASE(values_of_every_kind)
   tree.check_unused();
 }
 
+BOOST_AUTO_TEST_CASE(a_value_in_quotes)
+{
+  for (const std::string quote : {"'", "\""})
+    BOOST_TEST_CONTEXT("quote " << quote)
+    {
+      const auto entry = [&](const std::string &name, const std::string &value)
+      { return " set " + name + " = " + quote + value + quote + "\n"; };
+      ParameterTree tree(SceneFile::parse("subsection A\n" + entry("table", "0: 0, 1: 1.2") + entry("function", "2*t") +
+                                            entry("rows", "0 0; 1 2") + entry("numbers", "1, 2") +
+                                            entry("number", ".5") + entry("names", "a, b") + "end\n",
+                                          "cup.prm"));
+      Section a = tree.root().sub("A");
+      BOOST_TEST(a.function("table", "0", "length", "Travel.")(.5) == .6);
+      BOOST_TEST(a.function("function", "0", "length", "Travel.")(.5) == 1.);
+      const auto rows = a.rows("rows", required("0 0"), 2, "length", "Points.");
+      BOOST_TEST_REQUIRE(rows.size() == 2u);
+      BOOST_TEST(rows[1][1] == 2.);
+      BOOST_TEST(a.numbers("numbers", "", "1", "Numbers.").back() == 2.);
+      BOOST_TEST(a.number("number", 0., Range::any(), "1", "Number.") == .5);
+      BOOST_TEST(a.names("names", "", "Names.").back() == "b");
+      tree.check_unused();
+    }
+  const auto table = [](Section &s) { s.function("x", "0", "length", "Travel."); };
+  check_contains(complaint("'0: 0, 1: 1.2", table), {"A/x = '0: 0, 1: 1.2"});
+  check_contains(complaint("'0: 0, 1: 1.2\"", table), {"A/x"});
+}
+
 BOOST_AUTO_TEST_CASE(numbers_that_are_wrong)
 {
   const auto thickness = [](Section &s) { s.number("x", required(.03), Range::positive(), "length", "Thick."); };

@@ -43,4 +43,21 @@ BOOST_AUTO_TEST_CASE(json)
   BOOST_TEST(deltaform::text::json_quote("a \"b\" \\ \n") == "\"a \\\"b\\\" \\\\ \\u000a\"");
 }
 
+BOOST_AUTO_TEST_CASE(four_digits_for_messages)
+{
+  BOOST_TEST(deltaform::text::rounded(.052836932) == "0.05284");
+  BOOST_TEST(deltaform::text::rounded(-123456.) == "-123500");
+  BOOST_TEST(deltaform::text::rounded(2e-9 / 3) == "6.667e-10");
+  BOOST_TEST(deltaform::text::rounded(0.) == "0");
+}
+
+BOOST_AUTO_TEST_CASE(quotes_around_a_value)
+{
+  BOOST_TEST(deltaform::text::unquoted(" '0: 0, 1: 1.2' ") == "0: 0, 1: 1.2");
+  BOOST_TEST(deltaform::text::unquoted("\"t\"") == "t");
+  BOOST_TEST(deltaform::text::unquoted("''") == "");
+  for (const std::string value : {"'0: 0", "0: 0'", "'t\"", "'", ""}) // no pair
+    BOOST_TEST(deltaform::text::unquoted(value) == value);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,5 @@
 #include <deltaform/results/earlier_run.h>
+#include <deltaform/results/json.h>
 
 #include "../base/messages.h"
 
@@ -36,6 +37,18 @@ BOOST_AUTO_TEST_CASE(only_what_the_program_has_written_goes)
     BOOST_TEST(std::filesystem::exists(folder.file(name)));
   BOOST_TEST(remove_earlier_results(folder.file("")) == 0u);
   BOOST_TEST(remove_earlier_results(folder.file("nowhere")) == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(how_an_earlier_run_ended)
+{
+  const TemporaryFolder folder;
+  BOOST_TEST(!earlier_exit_status(folder.file("")).has_value());
+  JsonObject summary;
+  summary.add("title", "\"exit_status\": 0");
+  summary.add("exit_status", 2);
+  summary.add("outcome", "not converged");
+  write_json(folder.file("summary.json"), summary);
+  BOOST_TEST(earlier_exit_status(folder.file("")).value_or(-1) == 2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """What may change when a run is resumed, what may not, and what is said: resume_rules.py PROGRAM CUP_SCENE FOLDER."""
+import json
 import pathlib
 import re
 import shutil
@@ -56,6 +57,15 @@ run(1, "Cannot resume: the saved state at time 1.05", *few, "--set", "Steps/Stag
 short, straight = folder / "short", folder / "straight"
 run(0, "results in", *few, where=straight)
 run(2, "20 increments are done (Solver/Maximal increments)", *few, "--set", "Solver/Maximal increments=20", where=short)
+# Nobody goes back in time; what had stopped is not called finished, unless it stopped just where it is now to end.
+earlier = ["--set", "Steps/form/End time=0.1", "--resume"]
+run(1, "behind the end 0.1 that the scene asks for (Steps); the run had stopped there with status 2", *few, *earlier,
+    where=short)
+run(0, "is finished, at time 1, behind the end 0.1", *few, *earlier, where=straight)
+copy = folder / "copy"
+shutil.copytree(short, copy)
+stopped_at = json.loads((copy / "summary.json").read_text())["time"]
+run(0, "resumed after increment 20", *few, "--set", f"Steps/form/End time={stopped_at}", "--resume", where=copy)
 run(0, "resumed after increment 20", *few, "--resume", where=short)
 if rows(short) != rows(straight):
     failures += 1

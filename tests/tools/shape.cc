@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 using namespace deltaform;
@@ -184,6 +185,31 @@ BOOST_AUTO_TEST_CASE(a_closed_profile_has_no_end)
   BOOST_TEST(std::abs(square.slip(7.9, .2) - .3) < 1e-14);
   BOOST_TEST(std::abs(square.slip(.2, 7.9) + .3) < 1e-14);
   BOOST_TEST(square.polyline().front().distance(square.polyline().back()) < 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(the_smallest_radius_between_two_feet)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  // Convex of radius 1 at s in [3, 3 + pi/2], concave of radius 2 from 6 + pi/2 to 6 + 3 pi/2.
+  const Polygon profile({{0, 0}, {4, 0}, {4, -6}, {10, -6}}, {0, 1, 2, 0});
+  BOOST_TEST(profile.smallest_radius(0., 2.9) == infinity);
+  BOOST_TEST(profile.smallest_radius(2.9, 5.) == 1.);
+  BOOST_TEST(profile.smallest_radius(5., 2.9) == 1.);
+  BOOST_TEST(profile.smallest_radius(5., 8.) == 2.);
+  BOOST_TEST(profile.smallest_radius(1., 12.) == 1.);
+  BOOST_TEST(profile.smallest_radius(4.6, 7.5) == infinity); // the straight between them
+  // A sharp corner that points to the blank, and one that does not.
+  const Polygon sharp({{0, 0}, {4, 0}, {4, -6}, {10, -6}}, {0, 0, 0, 0});
+  BOOST_TEST(sharp.smallest_radius(3., 5.) == 0.);
+  BOOST_TEST(sharp.smallest_radius(9., 11.) == infinity);
+  // Across the axis, and the short way round a closed profile.
+  const Polygon punch({{0, 0}, {4, 0}, {4, -6}}, {0, 1, 0}, Shape::End::axis, Shape::End::free);
+  BOOST_TEST(punch.smallest_radius(-2., 2.) == infinity);
+  BOOST_TEST(punch.smallest_radius(-4., 2.) == 1.);
+  const Polygon square({{0, 0}, {0, 2}, {2, 2}, {2, 0}}, {0., .2, .3, 0.}, true);
+  BOOST_TEST(square.smallest_radius(.5, 1.) == infinity);
+  BOOST_TEST(square.smallest_radius(1., 2.5) == .2);
+  BOOST_TEST(square.smallest_radius(.5, square.length() - .5) == 0.); // over the corner where it begins
 }
 
 BOOST_AUTO_TEST_CASE(impossible_profiles_name_the_corner)

@@ -40,6 +40,14 @@ namespace
 
   constexpr unsigned int n_points = 20000;
 
+  // With the values of the documentation.
+  std::unique_ptr<Shape> documented(const std::string &name)
+  {
+    ParameterTree tree = ParameterTree::documentation();
+    Section section    = tree.root();
+    return Registry<Shape>::make(name, section);
+  }
+
   // Returns whether the point was fit for the check.
   using Check = std::function<bool(const Shape &, const Point2 &, const Projection &)>;
 
@@ -50,9 +58,7 @@ namespace
     for (const std::string &name : Registry<Shape>::names())
       BOOST_TEST_CONTEXT("shape '" << name << "'")
       {
-        ParameterTree tree = ParameterTree::documentation();
-        Section section    = tree.root();
-        const auto shape   = Registry<Shape>::make(name, section);
+        const auto shape = documented(name);
 
         Point2 lower(-1., -1.), upper(1., 1.);
         for (const Point2 &point : shape->polyline())
@@ -113,6 +119,53 @@ BOOST_AUTO_TEST_CASE(normal_and_tangent_are_a_frame)
       BOOST_TEST(std::abs(p.normal[1] - p.tangent[0]) < 1e-15);
       return true;
     });
+}
+
+BOOST_AUTO_TEST_CASE(material_above_is_outside)
+{
+  // Walked with growing r, the blank to the left: what lies above the whole tool is outside. A shape walked backwards
+  // has it inside.
+  for (const std::string &name : Registry<Shape>::names())
+    BOOST_TEST_CONTEXT("shape '" << name << "'")
+    {
+      const auto shape = documented(name);
+      std::mt19937 generator(21);
+      std::uniform_real_distribution<double> part(0., 1.);
+      const auto box         = shape->bounding_box();
+      unsigned int n_checked = 0;
+      double first_r = 1e300, last_r = -1e300;
+      for (const Point2 &point : shape->polyline())
+      {
+        first_r = std::min(first_r, point[0]);
+        last_r  = std::max(last_r, point[0]);
+      }
+      for (unsigned int i = 0; i < 200; ++i)
+      {
+        const Point2 x(first_r + (last_r - first_r) * part(generator), box.second[1] + 1e-3 + 2 * part(generator));
+        const double distance = shape->project(x).distance;
+        BOOST_TEST(distance > 0.);
+        n_checked += std::isfinite(distance);
+      }
+      BOOST_TEST(n_checked > 100u);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(named_shapes_touch_first_at_their_origin_s_height)
+{
+  // So that Position z is where the tool's surface begins. A circle's position is its center; a profile stands where
+  // its points are; shapes of tests may be anything.
+  unsigned int n_checked = 0;
+  for (const std::string &name : Registry<Shape>::names())
+    BOOST_TEST_CONTEXT("shape '" << name << "'")
+    {
+      const auto shape = documented(name);
+      const bool test  = name.size() > 6 && name.compare(name.size() - 6, 6, "(test)") == 0;
+      if (test || shape->in_scene_frame() || name == "circle")
+        continue;
+      BOOST_TEST(std::abs(shape->bounding_box().second[1]) < 1e-12);
+      ++n_checked;
+    }
+  BOOST_TEST(n_checked >= 4u);
 }
 
 BOOST_AUTO_TEST_CASE(foot_point_is_on_the_profile)
@@ -291,10 +344,8 @@ BOOST_AUTO_TEST_CASE(no_jump_and_no_gap_at_the_joints)
   for (const std::string &name : Registry<Shape>::names())
     BOOST_TEST_CONTEXT("shape '" << name << "'")
     {
-      ParameterTree tree = ParameterTree::documentation();
-      Section section    = tree.root();
-      const auto shape   = Registry<Shape>::make(name, section);
-      const auto &all    = shape->segments();
+      const auto shape = documented(name);
+      const auto &all  = shape->segments();
       for (unsigned int i = 0; i < all.size(); ++i)
       {
         const Shape::Segment &s = all[i];

@@ -11,6 +11,10 @@ namespace deltaform
     /// @p text without white space at its ends.
     std::string trim(const std::string &text);
 
+    /// @p text, trimmed, without a pair of equal quotes (' or ") around the whole of it, as values are often copied
+    /// from a page.
+    std::string unquoted(const std::string &text);
+
     /// The trimmed pieces of @p text between separators that stand outside of parentheses; of blank text, none.
     std::vector<std::string> split(const std::string &text, char separator);
 
@@ -19,6 +23,9 @@ namespace deltaform
 
     /// The shortest decimal number that reads back as exactly @p value.
     std::string format(double value);
+
+    /// Four significant digits, for places and depths in messages.
+    std::string rounded(double value);
 
     /// Number of insertions, deletions, replacements and swaps of neighbours that turn a into b; capitals do not count.
     unsigned int edit_distance(const std::string &a, const std::string &b);

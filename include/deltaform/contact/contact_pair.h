@@ -192,9 +192,9 @@ namespace deltaform
     /// The blank has other nodes than before: pairs of all of them, without contact.
     void resize();
 
-    /// Lower the longest allowed length of each edge of the side where it touches, or is about to touch, a round part
-    /// of the tool: to @p share of its radius (0: nowhere). To 0 where no node has noticed the tool yet, and, if @p
-    /// rim, where contact ends inside the edge.
+    /// Lower the longest allowed undeformed length of each edge of the side where it touches, or is about to touch, a
+    /// round part of the tool, so that its present length is @p share of the radius at most (0: nowhere). To 0 where no
+    /// node has noticed the tool yet, and, if @p rim, where contact ends inside the edge.
     void shorten_edges(double share, bool rim, std::vector<double> &longest) const;
 
     /**
@@ -243,6 +243,10 @@ namespace deltaform
 
     /// Is the force of the pair, estimated and now, within the slack?
     bool is_idle(const PairState &state, double gap) const;
+
+    /// Smallest radius of the tool that an edge touches or is about to touch, also between its ends; 0: a sharp corner;
+    /// infinity: none.
+    double radius_along(const std::array<unsigned int, 3> &edge) const;
 
     /// Does an edge of a solid overlap with the tool although none of its nodes touches?
     bool missed(const std::array<unsigned int, 3> &edge) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace deltaform
@@ -12,4 +13,8 @@ namespace deltaform
    * @return how many files are gone. No folder, or nothing to remove, is no error.
    */
   unsigned int remove_earlier_results(const std::string &folder);
+
+  /// The exit status in summary.json of an earlier run; none if it has not left one, because it was killed or still
+  /// runs.
+  std::optional<int> earlier_exit_status(const std::string &folder);
 } // namespace deltaform

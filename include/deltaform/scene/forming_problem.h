@@ -58,6 +58,10 @@ namespace deltaform
     unsigned int correct() override;
     ///@}
 
+    /// What is wrong with the place of a tool that comes with @p stage, seen from the committed state, in words; empty:
+    /// nothing. Belongs before begin_stage(). Tools of the first stage are the scene's matter.
+    std::string misplaced_tool(const Stage &stage) const;
+
     /// A stage begins: tools, loads and supports that end with the last stage become forces that fade out.
     void begin_stage(const Stage &stage);
 

@@ -62,8 +62,9 @@ namespace deltaform
     /// Is the increment, which ends at @p time, not too large? @return empty, else what is
     std::string too_large(double time, bool may_snap, const Vector &q);
 
-    /// The run stops in this stage, and can be resumed from @p state. @return exit status @p status
-    int stop(const Stage &stage, const std::string &why, int status, Checkpoint state);
+    /// The run stops in this stage, and can be resumed from @p state (none: from the one that was saved last). @return
+    /// exit status @p status
+    int stop(const Stage &stage, const std::string &why, int status, std::optional<Checkpoint> state = std::nullopt);
 
     /// Say what makes the input or the result doubtful, on the console, in the log and in summary.json.
     void warn(const std::vector<std::string> &texts);

@@ -82,6 +82,13 @@ namespace deltaform
       return false;
     }
 
+    /// The blank is one of plane strain, in which r = 0 is a line like any other and no axis. Called once, before the
+    /// first projection. A shape that the user gives point by point leaves out the mirror image then, unless it is
+    /// asked for.
+    virtual void set_plane_strain()
+    {
+    }
+
     /// The arc length from foot point @p a to foot point @p b, the short way round if the profile is closed.
     double slip(double a, double b) const;
 
@@ -125,6 +132,10 @@ namespace deltaform
 
     /// Smallest radius of the profile's arcs that is not zero (infinity without arcs).
     double smallest_radius() const;
+
+    /// Smallest radius of the arcs between two foot points, the short way round if the profile is closed; 0 if there is
+    /// a sharp corner that points to the blank; infinity if all is straight.
+    double smallest_radius(double from, double to) const;
 
   protected:
     /// Where an entry of a shape has this value, its line goes on for ever.

@@ -26,11 +26,13 @@ namespace deltaform
      * @param constants what the expressions of the section may use beside t: "thickness"
      * @param penetration_constants the same for the allowed penetration, whose "thickness" is the blank's typical
      * length
+     * @param axisymmetric is the blank a body of revolution? If not, r = 0 is no axis (Shape::set_plane_strain())
      */
     Tool(const std::string &name,
          Section section,
          const std::map<std::string, double> &constants,
-         const std::map<std::string, double> &penetration_constants);
+         const std::map<std::string, double> &penetration_constants,
+         bool axisymmetric = true);
 
     const std::string &name() const
     {
