@@ -223,8 +223,12 @@ namespace deltaform
     for (auto &state : committed_)
       state = PairState();
     trial_ = committed_;
+    // The springs leave with the tool, and what they hold.
     if (energy_)
+    {
+      energy_->epsilon -= energy_->stored;
       energy_->stored = 0.;
+    }
   }
 
 
