@@ -39,6 +39,8 @@ namespace deltaform
       else
       {
         problem_.begin_stage(stage);
+        if (stage_ == 0)
+          recorder_.begin(problem_);
         last_increment_ = 0.;
         step_.reset();
       }

@@ -58,21 +58,21 @@ def in_form(row):
 
 # Heading of the finding, and what is done to the files.
 DAMAGES = [
-    ("forces in z", lambda files: files.change("history.csv", "punch_force_z", times(1.001), where=in_form)),
+    ("forces in z", lambda files: files.change("history.csv", "round_punch_force_z", times(1.001), where=in_form)),
     ("forces in r", lambda files: files.change("history.csv", "symmetry_r_reaction", times(1.001), where=in_form)),
-    ("released", lambda files: files.change("history.csv", "punch_force_z", lambda _: "1e-3")),
+    ("released", lambda files: files.change("history.csv", "round_punch_force_z", lambda _: "1e-3")),
     ("energy", lambda files: files.change("history.csv", "plastic_energy", times(1.001))),
     ("energy", lambda files: files.change("history.csv", "energy_error", plus(1e-4))),
-    ("energy", lambda files: files.change("history.csv", "punch_travel", times(1.01), where=in_form)),
+    ("energy", lambda files: files.change("history.csv", "round_punch_travel", times(1.01), where=in_form)),
     ("thinnest", lambda files: files.change("history.csv", "min_thickness", times(.95), where=in_form)),
     ("promise", lambda files: files.change("contact_3.csv", "penetration", times(2.), row=0)),
     ("promise", lambda files: files.change("history.csv", "max_penetration_over_delta", times(.5), where=in_form)),
     ("outlines", lambda files: files.change("profile_3.csv", "z", plus(.02), row=0)),
-    ("outlines", lambda files: files.change("tools_3.csv", "z", plus(-.02), where=lambda row: row["tool"] == "punch")),
+    ("outlines", lambda files: files.change("tools_3.csv", "z", plus(-.02), where=lambda row: row["tool"] == "round punch")),
     ("outlines", lambda files: files.change("tools_3.csv", "z", plus(.02), where=lambda row: row["tool"] == "die")),
     ("numbers", lambda files: files.change("profile_3.csv", "eps_hoop", lambda _: "nan")),
     ("numbers", lambda files: files.change("history.csv", "tool_work", lambda _: "-inf")),
-    ("numbers", lambda files: files.spoil_picture("blank_0000.vtu")),
+    ("numbers", lambda files: files.spoil_picture("blank_0001.vtu")),
 ]
 
 

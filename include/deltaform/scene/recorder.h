@@ -21,6 +21,10 @@ namespace deltaform
              const Checkpoint *start = nullptr);
     ~Recorder();
 
+    /// The first stage begins: the picture that opens the series shows the undeformed blank and the tools at their
+    /// start.
+    void begin(const FormingProblem &problem);
+
     /// An increment was accepted. @param tables if not, tables and pictures of this time will come with a refined mesh
     void record(const FormingProblem &problem,
                 const Stage &stage,
