@@ -87,7 +87,8 @@ def frame_files(folder, frame):
     number = numbers[-1] if frame is None else frame
     if number not in numbers:
         raise NoPicture(f"there is no picture {number} in '{folder}': they go from {numbers[0]} to {numbers[-1]}")
-    tools = sorted(glob.glob(os.path.join(glob.escape(folder), f"tools_{number:04d}*.vtu")))
+    stem = os.path.join(glob.escape(folder), f"tools_{number:04d}")
+    tools = sorted(glob.glob(stem + ".vtu") + glob.glob(stem + "_*.vtu"))  # earlier versions wrote one file
     return os.path.join(folder, f"blank_{number:04d}.vtu"), tools
 
 
