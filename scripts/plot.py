@@ -6,11 +6,13 @@
     scripts/plot.py output/cup --panel force --file force.pdf
     scripts/plot.py output/cup --separate               force.png, profile.png and so on
 
-Reads history.csv, profile_*.csv, contact_*.csv and tools_*.csv. Needs numpy and matplotlib only.
+Reads history.csv, profile_*.csv, contact_*.csv, tools_*.csv, of solids the pictures of the blank, and the warnings of
+summary.json. Of a run of several stages the last state of each is drawn. Needs numpy and matplotlib only.
 """
 import argparse
 import os
 import sys
+import textwrap
 
 import matplotlib
 
@@ -19,6 +21,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 import panels  # noqa: E402
 from results import NoResults, Run  # noqa: E402
+
+MOST_WARNINGS = 6  # lines
 
 STYLE = {
     "figure.facecolor": "white",
@@ -56,7 +60,7 @@ def arguments():
     parser.add_argument("--panel", choices=["all", *panels.PANELS], default="all", help="default: all in one picture")
     parser.add_argument("--separate", action="store_true", help="one picture per panel")
     parser.add_argument("--file", help="of the picture (.png, .pdf, .svg); default: plot.png in the first folder")
-    parser.add_argument("--travel", type=float, help="at which penetration and section are drawn; default: the last")
+    parser.add_argument("--travel", type=float, help="at which penetration and section are drawn; default: the end of every stage")
     parser.add_argument(
         "--quantity", default="eps_thickness", help="column of profile_*.csv for the profile; default: %(default)s"
     )
@@ -66,7 +70,7 @@ def arguments():
 
 def draw_all(runs, options):
     """The panels in one figure; the section takes the whole of the lower row where nothing touches."""
-    touching = any(run.contacts for run in runs)
+    touching = any(state.contact is not None and len(state.contact) for run in runs for state in run.states)
     figure, axes = plt.subplot_mosaic(
         [["force", "profile"], ["penetration" if touching else "section", "section"]],
         figsize=(13, 8.6),
@@ -77,7 +81,24 @@ def draw_all(runs, options):
         panels.PANELS[name](axis, runs, options)
     titles = dict.fromkeys(run.title for run in runs)
     figure.suptitle(" / ".join(titles), fontsize=13, fontweight="bold")
+    write_warnings(figure, runs)
     return figure
+
+
+def write_warnings(figure, runs):
+    """What summary.json warns of, under the title."""
+    several = len(runs) > 1
+    lines = [line for run in runs for text in run.warnings
+             for line in textwrap.wrap(("" if not several else f"{run.name}: ") + "Warning: " + text, 150)]
+    lines = lines[:MOST_WARNINGS] + (["..."] if len(lines) > MOST_WARNINGS else [])
+    if not lines:
+        return
+    height = 0.021 * len(lines)
+    title = figure._suptitle  # the one way to where constrained layout puts it
+    title.set_y(0.985)
+    title.set_va("top")
+    figure.text(0.5, 0.95, "\n".join(lines), ha="center", va="top", fontsize=9, color="#b00020")
+    figure.get_layout_engine().set(rect=(0, 0, 1, 0.945 - height))
 
 
 def draw_one(name, runs, options):

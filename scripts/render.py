@@ -17,6 +17,7 @@ import sys
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import (
@@ -60,8 +61,9 @@ def arguments():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("folder", metavar="FOLDER", help="of the results of a run")
-    parser.add_argument("--frame", type=int, help="number of the picture; default: the last")
-    parser.add_argument("--field", default="equivalent_plastic_strain", help="default: %(default)s")
+    parser.add_argument("--frame", type=int, help="number of the picture, 0 is the undeformed blank; default: the last")
+    parser.add_argument("--field", default="equivalent_plastic_strain",
+                        help="of a tensor with its component: 'plastic_strain rz'; default: %(default)s")
     parser.add_argument("--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="of the colours; default: all values")
     parser.add_argument("--revolve", action="store_true", help="turn the section about the axis, by 270 degrees")
     parser.add_argument("--mesh", action="store_true", help="with the edges of the cells (degree 2: of their quarters)")
@@ -74,7 +76,7 @@ def arguments():
 
 
 def frame_files(folder, frame):
-    """Files of the blank and of the tools; the latter may be None."""
+    """File of the blank, and those of the tools."""
     numbers = sorted(
         int(match.group(1))
         for match in (re.fullmatch(r"blank_(\d+)\.vtu", os.path.basename(path)) for path in glob.glob(folder + "/*.vtu"))
@@ -85,8 +87,9 @@ def frame_files(folder, frame):
     number = numbers[-1] if frame is None else frame
     if number not in numbers:
         raise NoPicture(f"there is no picture {number} in '{folder}': they go from {numbers[0]} to {numbers[-1]}")
-    tools = os.path.join(folder, f"tools_{number:04d}.vtu")
-    return os.path.join(folder, f"blank_{number:04d}.vtu"), tools if os.path.exists(tools) else None
+    stem = os.path.join(glob.escape(folder), f"tools_{number:04d}")
+    tools = sorted(glob.glob(stem + ".vtu") + glob.glob(stem + "_*.vtu"))  # earlier versions wrote one file
+    return os.path.join(folder, f"blank_{number:04d}.vtu"), tools
 
 
 def read(path):
@@ -103,13 +106,31 @@ def read(path):
     return surface.GetOutput()
 
 
+def read_all(paths):
+    """Several drawings as one."""
+    append = vtkAppendPolyData()
+    for path in paths:
+        append.AddInputData(read(path))
+    append.Update()
+    return append.GetOutput()
+
+
 def field_of(data, name):
-    """The array called "name [unit]"."""
+    """The array called "name [unit]" and a component: 0, of "plastic_strain rz" the one that is called rz."""
     points = data.GetPointData()
-    names = [points.GetArrayName(i) for i in range(points.GetNumberOfArrays())]
-    for label in names:
-        if label == name or label.split(" [")[0] == name:
-            return label
+    names = []
+    for i in range(points.GetNumberOfArrays()):
+        label, array = points.GetArrayName(i), points.GetArray(i)
+        own, unit = label.rstrip("]").split(" [") if " [" in label else (label, "-")
+        if array.GetNumberOfComponents() != 6:
+            names.append(own)
+            if name in (label, own):
+                return label, 0
+            continue
+        for k in range(4):
+            names.append(f"{own} {array.GetComponentName(k)}")
+            if name == names[-1]:
+                return label, k
     raise NoPicture(f"there is no field '{name}'; there are: {', '.join(names)}")
 
 
@@ -213,6 +234,20 @@ def round_range(low, high):
     step = power * next(nice for nice in (1, 2, 2.5, 4, 5, 10) if nice * power >= 0.999999 * (high - low) / 4)
     first, last = math.floor(low / step + 1e-6), math.ceil(high / step - 1e-6)
     return first * step, last * step, last - first + 1
+
+
+def colour_by(data, label, component):
+    """The component of a tensor as a field of its own, called like it; of a field without components the field itself."""
+    array = data.GetPointData().GetArray(label)
+    if array.GetNumberOfComponents() != 6:
+        return label
+    own, unit = label.rstrip("]").split(" [")
+    result = vtkFloatArray()
+    result.SetName(f"{own} {array.GetComponentName(component)} [{unit}]")
+    result.SetNumberOfTuples(array.GetNumberOfTuples())
+    result.CopyComponent(0, array, component)
+    data.GetPointData().AddArray(result)
+    return result.GetName()
 
 
 def coloured(data, label, colours):
@@ -356,10 +391,10 @@ def tools_near(tools, blank):
 
 
 def render(options):
-    blank_file, tools_file = frame_files(options.folder, options.frame)
+    blank_file, tool_files = frame_files(options.folder, options.frame)
     blank = read(blank_file)
-    tools = None if options.no_tools or tools_file is None else read(tools_file)
-    label = field_of(blank, options.field)
+    tools = None if options.no_tools or not tool_files else read_all(tool_files)
+    label = colour_by(blank, *field_of(blank, options.field))
     low, high, n_labels = round_range(*(options.range or blank.GetPointData().GetArray(label).GetRange()))
     colours = colours_between(low, high)
     if options.revolve and blank.GetBounds()[0] < -1e-4 * blank.GetLength():

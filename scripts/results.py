@@ -1,6 +1,7 @@
 """Reads the output folder of a run: its tables, with names and units of their columns."""
 import csv
 import glob
+import json
 import os
 import re
 
@@ -27,6 +28,7 @@ class Table:
             raise NoResults(f"'{path}' has no line with the names of its columns")
         self.names = rows[0]
         rows = [row for row in rows[1:] if len(row) == len(self.names)]  # a killed run may leave half a row
+        self.rows = rows
         self.columns = {name: _column([row[i] for row in rows]) for i, name in enumerate(self.names)}
         self.units = {}
         for comment in self.comments:
@@ -37,6 +39,11 @@ class Table:
         if name not in self.columns:
             raise NoResults(f"'{self.path}' has no column '{name}'; it has {', '.join(self.names)}")
         return self.columns[name]
+
+    def words(self, name):
+        """A column of words, even if all of them look like numbers."""
+        k = self.names.index(name)
+        return [row[k] for row in self.rows]
 
     def __contains__(self, name):
         return name in self.columns
@@ -51,10 +58,20 @@ class Table:
 
 
 def _column(cells):
+    """Numbers, or words where a cell is no number."""
     try:
         return np.array([float(cell) for cell in cells])
     except ValueError:
         return np.array(cells, dtype=object)
+
+
+class State:
+    """A moment of which a run has written tables: its stage, travel of the main tool (or time), time, and the tables."""
+
+    def __init__(self, stage, travel, time, by_time, profile):
+        self.stage, self.travel, self.time, self.profile = stage, travel, time, profile
+        self.by_time = by_time  # no tool has a motion: travel is a time
+        self.contact = self.outlines = None
 
 
 class Run:
@@ -74,20 +91,8 @@ class Run:
         self.axes = ("r", "z") if self.axisymmetric else ("x", "y")
         self.tools = [name[: -len("_travel")] for name in self.history.names if name.endswith("_travel")]
         self.main_tool = self._main_tool()
-        self.profiles = self._tables("profile")
-        self.contacts = self._tables("contact")
-        self.outlines = self._tables("tools")
-
-    def _tables(self, stem):
-        """Tables by their travel, ascending."""
-        found = {}
-        for path in glob.glob(os.path.join(self.folder, stem + "_*.csv")):
-            match = re.fullmatch(stem + r"_(.+)\.csv", os.path.basename(path))
-            try:
-                found[float(match.group(1))] = path
-            except ValueError:
-                continue
-        return {travel: Table(found[travel]) for travel in sorted(found)}
+        self.states = self._states()
+        self.warnings = self._warnings()
 
     def _main_tool(self):
         """The tool that travels farthest, or None."""
@@ -95,28 +100,88 @@ class Run:
         ranges = {tool: length for tool, length in ranges.items() if length > 0}
         return max(ranges, key=ranges.get) if ranges else None
 
-    def progress(self):
-        """The history's abscissa and its label: travel of the main tool, or time."""
+    def _states(self):
+        """All states of which there is a profile, in the order of time."""
+        result = []
+        for path in glob.glob(os.path.join(self.folder, "profile_*.csv")):
+            profile = Table(path)
+            match = re.search(r"^stage (.+), travel of the main tool \(or time\): (\S+)$", "\n".join(profile.comments), re.MULTILINE)
+            if not match or len(profile) == 0:
+                continue
+            stage, travel = match.group(1), float(match.group(2))
+            state = State(stage, travel, *self._time(stage, travel), profile)
+            for kind in ("contact", "tools"):
+                other = path.replace("profile_", kind + "_")
+                if os.path.exists(other):
+                    setattr(state, "contact" if kind == "contact" else "outlines", Table(other))
+            result.append(state)
+        return sorted(result, key=lambda state: state.time)
+
+    def _time(self, stage, travel):
+        """When a stage was last at a travel, and whether that is a time: tables name no time where a tool moves."""
+        rows = np.array([name == stage for name in self.history.words("stage")])
+        times = self.history["time"][rows]
+        if not len(times):
+            return travel, True
+        # The main tool of the program is the first that moves; here it is found by its travel.
+        candidates = [self.history[tool + "_travel"][rows] for tool in self.tools] + [times]
+        off = [np.abs(values - travel) for values in candidates]
+        best = min(range(len(off)), key=lambda k: off[k].min())
+        at = np.flatnonzero(off[best] <= off[best].min() + 1e-9 * max(1., abs(travel)))[-1]
+        return times[at], best + 1 == len(candidates)
+
+    def _warnings(self):
+        """What the program warns of in summary.json."""
+        try:
+            with open(os.path.join(self.folder, "summary.json"), encoding="utf-8") as file:
+                return [str(text) for text in json.load(file).get("warnings", [])]
+        except (OSError, ValueError):
+            return []
+
+    def last_states(self, travel=None):
+        """The last state of every stage; where a travel is asked, the state closest to it."""
+        if travel is not None and self.states:
+            return [min(self.states, key=lambda state: abs(state.travel - travel))]
+        return list({state.stage: state for state in self.states}.values())
+
+    def several_stages(self):
+        return len({state.stage for state in self.states}) > 1
+
+    def label(self, state):
+        """ "15 mm", with the stage where there are several."""
+        text = f"{state.travel:g}"
+        return f"{text}, {state.stage}" if self.several_stages() else text
+
+    def moving(self):
+        """Rows of stages in which the main tool moves."""
         if self.main_tool is None:
-            return self.history["time"], "time"
-        name = self.main_tool + "_travel"
-        return self.history[name], labelled(f"{self.main_tool} travel", self.history.unit(name))
+            return np.zeros(len(self.history), dtype=bool)
+        travel, stages = self.history[self.main_tool + "_travel"], self.history.words("stage")
+        result = np.zeros(len(travel), dtype=bool)
+        for stage in dict.fromkeys(stages):
+            rows = np.array([name == stage for name in stages])
+            # The stage begins where the one before has ended.
+            first = np.flatnonzero(rows)[0]
+            span = travel[max(first - 1, 0):][: np.count_nonzero(rows) + (first > 0)]
+            result |= rows & (np.ptp(span) > 1e-9 * np.ptp(travel))
+        return result
 
     @property
     def length_unit(self):
-        for table in self.profiles.values():
-            return table.unit("r")
-        return ""
+        return self.states[0].profile.unit("r") if self.states else ""
+
+    @property
+    def time_unit(self):
+        unit = self.history.unit("time")
+        return "" if unit == "time" else unit
+
+    def force_unit(self, column):
+        """Label of a force (or energy): in plane strain they are per unit width."""
+        unit = self.history.unit(column)
+        length = self.length_unit
+        return unit if self.axisymmetric or not unit or not length else f"{unit}/{length}"
 
 
 def labelled(text, unit):
     """ "force [N]"; without brackets for a pure number."""
     return f"{text} [{unit}]" if unit else text
-
-
-def nearest(tables, travel):
-    """Travel and table closest to the travel asked; the last where none is asked; (None, None) where there are none."""
-    if not tables:
-        return None, None
-    key = max(tables) if travel is None else min(tables, key=lambda value: abs(value - travel))
-    return key, tables[key]

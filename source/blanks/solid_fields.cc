@@ -1,7 +1,4 @@
-// Tables and pictures of the accepted state of the solid.
-#include "solid_stress.h"
-
-#include <deltaform/base/ranks.h>
+// Table of the accepted state of the solid.
 #include <deltaform/blanks/solid.h>
 
 #include <algorithm>
@@ -149,71 +146,5 @@ namespace deltaform
                             displacement(nodes.back(), 1)});
     }
     return table;
-  }
-
-
-  Drawing Solid::draw(const Vector &state, const std::vector<DrawnField> &nodal) const
-  {
-    Vector storage;
-    const Vector &q = with_hanging(state, storage);
-    Drawing drawing;
-    for (unsigned int i = 0; i < nodes_.size(); ++i)
-      drawing.points.push_back(position(q, i));
-    drawing.fields.reserve(16 + nodal.size());
-    const auto add_field = [&](const std::string &name,
-                               const std::string &unit,
-                               const bool per_point,
-                               const unsigned int components) -> std::vector<double> &
-    {
-      drawing.fields.push_back({name, unit, per_point, components, {}});
-      return drawing.fields.back().values;
-    };
-    auto &displacement = add_field("displacement", "length", true, 2);
-    for (const auto &dofs : node_dofs_)
-    {
-      displacement.push_back(q[dofs[0]]);
-      displacement.push_back(q[dofs[1]]);
-    }
-    for (const auto &field : nodal)
-      drawing.fields.push_back(field);
-    auto &plastic = add_field("equivalent_plastic_strain", "1", false, 1);
-    std::array<std::vector<double> *, 4> stress{{&add_field("stress_rr", "stress", false, 1),
-                                                 &add_field("stress_zz", "stress", false, 1),
-                                                 &add_field("stress_hoop", "stress", false, 1),
-                                                 &add_field("stress_rz", "stress", false, 1)}};
-    auto &von_mises = add_field("stress_von_mises", "stress", false, 1);
-    auto &mean      = add_field("stress_mean", "stress", false, 1);
-
-    // A cell of degree 2 is drawn in four quarters, each with the values of its own corner's quadrature point.
-    constexpr unsigned int quarters[4][4]  = {{0, 6, 8, 4}, {6, 1, 5, 8}, {4, 8, 7, 2}, {8, 5, 3, 7}};
-    constexpr unsigned int whole[4]        = {0, 1, 3, 2};
-    constexpr unsigned int corner_point[4] = {0, 2, 6, 8};
-    for (unsigned int c = 0; c < cells_.size(); ++c)
-      for (unsigned int part = 0; part < (degree_ == 1 ? 1 : 4); ++part)
-      {
-        for (const auto corner : degree_ == 1 ? whole : quarters[part])
-          drawing.cells.push_back(cells_[c][corner]);
-        Mandel tau{};
-        double strain          = 0;
-        const unsigned int n   = degree_ == 1 ? n_points_per_cell_ : 1;
-        const unsigned int one = degree_ == 1 ? 0 : corner_point[part];
-        for (unsigned int p = 0; p < n; ++p)
-        {
-          const unsigned int i = c * n_points_per_cell_ + one + p;
-          strain += material_->equivalent_plastic_strain(history_.committed(i)) / n;
-          for (unsigned int k = 0; k < 4; ++k)
-            tau[k] += committed_stress_[i][k] / n;
-        }
-        plastic.push_back(strain);
-        for (unsigned int k = 0; k < 4; ++k)
-          stress[k]->push_back(tau[k] * (k == 3 ? std::sqrt(.5) : 1.));
-        von_mises.push_back(mises(tau));
-        mean.push_back((tau[0] + tau[1] + tau[2]) / 3.);
-      }
-    drawing.cells = ranks::gather(drawing.cells);
-    for (auto &field : drawing.fields)
-      if (!field.per_point)
-        field.values = ranks::gather(field.values);
-    return drawing;
   }
 } // namespace deltaform

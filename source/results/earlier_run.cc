@@ -38,7 +38,7 @@ namespace deltaform
     if (std::ifstream file(series); file)
     {
       // Names only: nothing outside the folder can be meant.
-      const std::regex picture("file=\"((blank|tools)_[0-9]+\\.vtu)\"");
+      const std::regex picture("file=\"((blank|tools)_[0-9_]+\\.vtu)\"");
       std::string line;
       for (std::smatch match; std::getline(file, line);)
         if (std::regex_search(line, match, picture))

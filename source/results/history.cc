@@ -72,12 +72,20 @@ namespace deltaform
     }
   } // namespace
 
+  std::string column_name(const std::string &name)
+  {
+    std::string result = name;
+    std::replace(result.begin(), result.end(), ' ', '_');
+    return result;
+  }
+
   std::vector<CsvWriter::Column>
   History::columns(const std::vector<std::string> &tools, const Units &units, const HistoryOptions &options)
   {
     std::vector<CsvWriter::Column> result{{"increment", "1"}, {"stage", "1"}, {"time", "time"}};
-    for (const auto &tool : tools)
+    for (const auto &name : tools)
     {
+      const std::string tool = column_name(name);
       result.push_back({tool + "_travel", units.of("length")});
       result.push_back({tool + "_force_z", units.of("force")});
       result.push_back({tool + "_force_r", units.of("force")});
@@ -86,16 +94,12 @@ namespace deltaform
                     [&](const Number &number) {
                       result.push_back({number.name, units.of(number.dimension)});
                     });
-    for (auto name : options.supports)
+    for (const auto &name : options.supports)
+      result.push_back({column_name(name) + "_reaction", units.of("force")});
+    for (const auto &name : options.loads)
     {
-      std::replace(name.begin(), name.end(), ' ', '_');
-      result.push_back({name + "_reaction", units.of("force")});
-    }
-    for (auto name : options.loads)
-    {
-      std::replace(name.begin(), name.end(), ' ', '_');
-      result.push_back({name + "_force_z", units.of("force")});
-      result.push_back({name + "_force_r", units.of("force")});
+      result.push_back({column_name(name) + "_force_z", units.of("force")});
+      result.push_back({column_name(name) + "_force_r", units.of("force")});
     }
     return result;
   }

@@ -1,3 +1,5 @@
+#include "xml.h"
+
 #include <deltaform/base/atomic_file.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/base/text.h>
@@ -34,7 +36,8 @@ namespace deltaform
         if (element.get<unsigned int>("<xmlattr>.part") == 0)
           pictures_.push_back({when, {}});
         if (!pictures_.empty())
-          pictures_.back().second.push_back(element.get<std::string>("<xmlattr>.file"));
+          pictures_.back().parts.push_back(
+            {element.get<std::string>("<xmlattr>.file"), element.get<std::string>("<xmlattr>.name", "")});
       }
     }
     catch (const boost::property_tree::ptree_error &error)
@@ -43,18 +46,19 @@ namespace deltaform
     }
   }
 
-  void PictureSeries::add(const double time, const std::vector<std::string> &parts)
+  void PictureSeries::add(const double time, const std::vector<Part> &parts)
   {
-    pictures_.emplace_back(time, parts);
+    pictures_.push_back({time, parts});
     write_file_atomically(path_,
                           [this](std::ostream &out)
                           {
                             out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
                                    "  <Collection>\n";
-                            for (const auto &[when, files] : pictures_)
-                              for (std::size_t part = 0; part < files.size(); ++part)
+                            for (const auto &[when, all] : pictures_)
+                              for (std::size_t part = 0; part < all.size(); ++part)
                                 out << "    <DataSet timestep=\"" << text::format(when) << "\" part=\"" << part
-                                    << "\" file=\"" << files[part] << "\"/>\n";
+                                    << "\" name=\"" << xml_attribute(all[part].name) << "\" file=\"" << all[part].file
+                                    << "\"/>\n";
                             out << "  </Collection>\n</VTKFile>\n";
                           });
   }

@@ -1,4 +1,5 @@
 #include "base64.h"
+#include "xml.h"
 
 #include <deltaform/base/atomic_file.h>
 #include <deltaform/results/vtu.h>
@@ -18,18 +19,13 @@ namespace deltaform
     std::string label(const DrawnField &field, const Units &units)
     {
       const std::string unit = units.of(field.unit);
-      std::string result;
-      for (const char c : field.name + " [" + (unit == "1" ? "-" : unit) + "]")
-        if (c == '<')
-          result += "&lt;";
-        else if (c == '&')
-          result += "&amp;";
-        else if (c == '"')
-          result += "&quot;";
-        else
-          result += c;
-      return result;
+      return xml_attribute(field.name + " [" + (unit == "1" ? "-" : unit) + "]");
     }
+
+    /// The third axis of the drawing is the hoop direction (plane strain: the normal of the plane).
+    constexpr const char *tensor_components =
+      R"( ComponentName0="rr" ComponentName1="zz" ComponentName2="hoop" ComponentName3="rz")"
+      R"( ComponentName4="z hoop" ComponentName5="r hoop")";
 
     template <typename T>
     void write_array(std::ostream &out, const std::string &attributes, const std::vector<T> &values)
@@ -44,16 +40,18 @@ namespace deltaform
           << base64(bytes.data(), bytes.size()) << "\n</DataArray>\n";
     }
 
-    /// Vectors have three components: ParaView takes them for such.
+    /// Vectors have three components and symmetric tensors six: ParaView takes them for such.
     void write_field(std::ostream &out, const DrawnField &field, const Units &units)
     {
-      const unsigned int n = field.n_components, n_written = n == 1 ? 1 : 3;
+      const unsigned int n = field.n_components, n_written = n == 1 ? 1 : n == 2 ? 3 : 6;
+      Assert(n == 1 || n == 2 || n == 4,
+             dealii::ExcMessage("Field '" + field.name + "' is no scalar, vector, tensor."));
       std::vector<float> values(field.values.size() / n * n_written, 0.f);
       for (std::size_t i = 0; i < field.values.size(); ++i)
         values[i / n * n_written + i % n] = static_cast<float>(field.values[i]);
       write_array(out,
                   "type=\"Float32\" Name=\"" + label(field, units) + "\" NumberOfComponents=\"" +
-                    std::to_string(n_written) + "\"",
+                    std::to_string(n_written) + "\"" + (n == 4 ? tensor_components : ""),
                   values);
     }
 

@@ -22,7 +22,11 @@ namespace deltaform
       names.push_back(tool->name());
     const std::string main = section.choice("Travel of", "", names, "The main tool; empty: the first that moves.");
     const int frames =
-      section.integer("Pictures", 20, 0, 100000, "Pictures for ParaView, at equal distances in time; 0: none.");
+      section.integer("Pictures",
+                      20,
+                      0,
+                      100000,
+                      "Pictures for ParaView, at equal distances in time, after one of the undeformed blank; 0: none.");
 
     condition_every = section.integer("Condition number every",
                                       0,

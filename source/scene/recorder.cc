@@ -64,6 +64,14 @@ namespace deltaform
   Recorder::~Recorder() = default;
 
 
+  void Recorder::begin(const FormingProblem &problem)
+  {
+    Timers::Scope scope(files_->timers, files_->timer);
+    if (!files_->scene.output->frame_times.empty())
+      files_->write_picture(problem, files_->scene.actors.stages.front().name, 0.);
+  }
+
+
   const HistoryRow &Recorder::record(const FormingProblem &problem,
                                      const Stage &stage,
                                      const double time,
@@ -102,7 +110,7 @@ namespace deltaform
       ++files_->next_frame;
     }
     if (picture)
-      files_->write_picture(problem, time);
+      files_->write_picture(problem, stage.name, time);
     return files_->last;
   }
 
@@ -133,7 +141,7 @@ namespace deltaform
       if (exit_status != exit_status::done && increments > 0)
       {
         files.write_tables(problem, files.main_travel(problem, files.last.time), files.last.stage);
-        files.write_picture(problem, files.last.time);
+        files.write_picture(problem, files.last.stage, files.last.time);
       }
       files.behind.wait();
     }

@@ -1,12 +1,10 @@
-// What stands in the rows, tables and pictures.
+// What stands in the rows and tables.
 #include "recorder_files.h"
 
 #include <deltaform/base/text.h>
 #include <deltaform/results/table_file.h>
-#include <deltaform/results/vtu.h>
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace deltaform
@@ -173,76 +171,5 @@ namespace deltaform
                         node.arc_coordinate});
       }
     return rows;
-  }
-
-
-  void Recorder::Files::write_picture(const FormingProblem &problem, const double time)
-  {
-    const auto &blank = *scene.actors.blank;
-    std::vector<DrawnField> fields;
-    if (!scene.actors.tools.empty())
-    {
-      const unsigned int n = blank.positions(problem.committed()).size();
-      fields               = {{"penalty_factor", "force/length", true, 1, std::vector<double>(n, 0.)},
-                              {"penetration_over_delta", "1", true, 1, std::vector<double>(n, 0.)},
-                              {"contact_pressure", "stress", true, 1, std::vector<double>(n, 0.)},
-                              {"contact_status", "0 free 1 slip 2 stick", true, 1, std::vector<double>(n, 0.)}};
-      for (const auto *pair : problem.active_pairs())
-      {
-        const auto pressure = pair->pressure(problem.committed());
-        for (unsigned int i = 0; i < pair->n_nodes(); ++i)
-        {
-          const PairState &state = pair->committed()[i];
-          if (!state.touching)
-            continue;
-          const unsigned int k = pair->node(problem.committed(), i).node;
-          fields[0].values[k]  = std::max(fields[0].values[k], state.epsilon);
-          fields[1].values[k]  = std::max(fields[1].values[k], state.penetration() / state.delta);
-          fields[2].values[k]  = std::max(fields[2].values[k], pressure[i]);
-          fields[3].values[k]  = std::max(fields[3].values[k], state.sticking ? 2. : 1.);
-        }
-      }
-    }
-    char number[16];
-    std::snprintf(number, sizeof number, "_%04u.vtu", n_pictures++);
-    std::vector<std::string> parts{std::string("blank") + number};
-    Drawing deformed = blank.draw(problem.committed(), fields);
-
-    double reach = 0.;
-    for (const auto &x : blank.positions(problem.committed()))
-      reach = std::max(reach, x.norm());
-    Drawing tools;
-    tools.points_per_cell = 2;
-    DrawnField index{"tool", "index", false, 1, {}};
-    double which = -1.;
-    for (const auto *pair : problem.active_pairs())
-    {
-      const auto points = pair->tool().polyline(pair->travel(problem.committed()), reach);
-      which += 1.;
-      for (unsigned int i = 0; i < points.size(); ++i)
-      {
-        if (i > 0)
-        {
-          tools.cells.push_back(tools.points.size() - 1);
-          tools.cells.push_back(tools.points.size());
-          index.values.push_back(which);
-        }
-        tools.points.push_back(points[i]);
-      }
-    }
-    if (!tools.cells.empty())
-    {
-      tools.fields.push_back(index);
-      parts.push_back(std::string("tools") + number);
-    }
-    last_picture = time;
-    behind.run(
-      [this, time, parts, deformed = std::move(deformed), tools = std::move(tools)]()
-      {
-        write_vtu(folder + "/" + parts[0], deformed, units);
-        if (parts.size() > 1)
-          write_vtu(folder + "/" + parts[1], tools, units);
-        pictures.add(time, parts);
-      });
   }
 } // namespace deltaform

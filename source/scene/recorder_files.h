@@ -56,7 +56,11 @@ namespace deltaform
     using Rows = std::vector<std::vector<CsvWriter::Cell>>;
     static Rows contact_rows(const FormingProblem &problem);
 
-    void write_picture(const FormingProblem &problem, double time);
+    /// Blank and tools as files, and as an entry of the series.
+    void write_picture(const FormingProblem &problem, const std::string &stage, double time);
+
+    /// Values at the nodes of the blank: contact, and pressures that act on it.
+    std::vector<DrawnField> nodal_fields(const FormingProblem &problem, const std::string &stage, double time) const;
     void show_progress(const HistoryRow &row) const;
 
     /// Travel of the main tool, or time where there is none.

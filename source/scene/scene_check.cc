@@ -1,17 +1,20 @@
 // What is wrong with a scene although every entry by itself is allowed.
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/text.h>
+#include <deltaform/results/history.h>
 #include <deltaform/scene/scene.h>
 #include <deltaform/scene/tool_placement.h>
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace deltaform
 {
   void Scene::check(Section root) const
   {
     check_functions(root);
+    check_columns(root);
     check_tools(root);
     check_stages(root);
     check_linear_solver(root);
@@ -96,6 +99,31 @@ namespace deltaform
         if (load.acts_in(stage.name))
           inspect(load.value, stage, root.sub("Loads").sub(load.name), "Value");
     }
+  }
+
+
+  void Scene::check_columns(Section root) const
+  {
+    // What the columns of history.csv begin with, and the name behind it.
+    std::map<std::string, std::string> taken;
+    const auto take = [&](const char *section, const std::string &name, const std::vector<std::string> &endings)
+    {
+      for (const auto &ending : endings)
+      {
+        const std::string column  = column_name(name) + ending;
+        const auto [other, fresh] = taken.emplace(column, name);
+        if (!fresh)
+          root.sub(section).fail("Names",
+                                 "'" + other->second + "' and '" + name + "' would both have the column '" + column +
+                                   "' of history.csv, where underscores stand for blanks: rename one of them");
+      }
+    };
+    for (const auto &tool : actors.tools)
+      take("Tools", tool->name(), {"_travel", "_force_z", "_force_r"});
+    for (const auto &support : actors.supports)
+      take("Supports", support.name, {"_reaction"});
+    for (const auto &load : actors.loads)
+      take("Loads", load.name, {"_force_z", "_force_r"});
   }
 
 

@@ -49,6 +49,8 @@ namespace deltaform
           break;
         }
         problem_.begin_stage(stage);
+        if (stage_ == 0)
+          recorder_.begin(problem_);
         last_increment_ = 0.;
         step_.reset();
       }

@@ -21,14 +21,15 @@ BOOST_AUTO_TEST_CASE(only_what_the_program_has_written_goes)
   write("scene.pvd",
         "<?xml version=\"1.0\"?>\n<DataSet timestep=\"0\" part=\"0\" file=\"blank_0000.vtu\"/>\n"
         "<DataSet timestep=\"0\" part=\"1\" file=\"tools_0000.vtu\"/>\n"
+        "<DataSet timestep=\"0\" part=\"2\" name=\"die 2\" file=\"tools_0000_1.vtu\"/>\n"
         "<DataSet timestep=\"1\" part=\"0\" file=\"../blank_0001.vtu\"/>\n");
-  for (const auto *const name : {"blank_0000.vtu", "tools_0000.vtu"})
+  for (const auto *const name : {"blank_0000.vtu", "tools_0000.vtu", "tools_0000_1.vtu"})
     write(name, "<VTKFile/>");
 
   const std::vector<const char *> others{"profile_measured.csv", "blank_0007.vtu", "notes.txt", "profile_1.csv.old"};
   for (const auto *const name : others)
     write(name, "r,z\n0,0\n");
-  BOOST_TEST(remove_earlier_results(folder.file("")) == 6u);
+  BOOST_TEST(remove_earlier_results(folder.file("")) == 7u);
   unsigned int left = 0;
   for (const auto &entry : std::filesystem::directory_iterator(folder.file("")))
     left += entry.is_regular_file();

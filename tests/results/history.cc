@@ -3,6 +3,8 @@
 
 #include "../base/messages.h"
 
+#include <set>
+
 using namespace deltaform;
 
 namespace
@@ -49,6 +51,19 @@ namespace
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(history)
+
+BOOST_AUTO_TEST_CASE(columns_have_underscores_for_blanks)
+{
+  HistoryOptions options;
+  options.supports = {"no turn"};
+  std::set<std::string> names;
+  for (const auto &column : History::columns({"die 2"}, units, options))
+    names.insert(column.name);
+  for (const auto *const name : {"die_2_travel", "die_2_force_z", "die_2_force_r", "no_turn_reaction"})
+    BOOST_TEST(names.count(name) == 1u);
+  for (const auto &name : names)
+    BOOST_TEST((name.find(' ') == std::string::npos));
+}
 
 BOOST_AUTO_TEST_CASE(columns_are_those_of_the_contract)
 {

@@ -10,7 +10,7 @@ using namespace deltaform;
 
 namespace
 {
-  /// Time, part and file of every entry of the series on disk.
+  /// Time, part, name and file of every entry of the series on disk.
   std::vector<std::string> entries(const std::string &path)
   {
     boost::property_tree::ptree tree;
@@ -20,7 +20,8 @@ namespace
     for (const auto &[name, element] : tree.get_child("VTKFile.Collection"))
       if (name == "DataSet")
         result.push_back(element.get<std::string>("<xmlattr>.timestep") + " " +
-                         element.get<std::string>("<xmlattr>.part") + " " + element.get<std::string>("<xmlattr>.file"));
+                         element.get<std::string>("<xmlattr>.part") + " " + element.get<std::string>("<xmlattr>.name") +
+                         " " + element.get<std::string>("<xmlattr>.file"));
     return result;
   }
 } // namespace
@@ -37,10 +38,10 @@ BOOST_AUTO_TEST_CASE(the_file_is_complete_after_each_picture)
   {
     const std::string number = "_000" + std::to_string(i) + ".vtu";
     BOOST_TEST(series.size() == i);
-    series.add(.25 * i, {"blank" + number, "tools" + number});
+    series.add(.25 * i, {{"blank" + number, "blank"}, {"tools" + number, "die <2> & \"more\""}});
     const std::string time = std::vector<std::string>{"0", "0.25", "0.5"}[i];
-    expected.push_back(time + " 0 blank" + number);
-    expected.push_back(time + " 1 tools" + number);
+    expected.push_back(time + " 0 blank blank" + number);
+    expected.push_back(time + " 1 die <2> & \"more\" tools" + number);
     BOOST_TEST(entries(path) == expected, boost::test_tools::per_element());
   }
 }
@@ -50,9 +51,9 @@ BOOST_AUTO_TEST_CASE(times_close_to_each_other_stay_apart)
   const TemporaryFolder folder;
   const auto path = folder.file("scene.pvd");
   PictureSeries series(path);
-  series.add(1.00000001, {"a"});
-  series.add(1.00000002, {"b"});
-  BOOST_TEST(entries(path) == (std::vector<std::string>{"1.00000001 0 a", "1.00000002 0 b"}),
+  series.add(1.00000001, {{"a", "x"}});
+  series.add(1.00000002, {{"b", "x"}});
+  BOOST_TEST(entries(path) == (std::vector<std::string>{"1.00000001 0 x a", "1.00000002 0 x b"}),
              boost::test_tools::per_element());
 }
 
@@ -63,17 +64,20 @@ BOOST_AUTO_TEST_CASE(a_resumed_series_forgets_what_came_later)
   {
     PictureSeries series(path);
     for (const double time : {.1, .2, .3})
-      series.add(time, {"blank", "tools"});
+      series.add(time, {{"blank", "body"}, {"tools", "die"}});
   }
   PictureSeries series(path);
   series.resume(.2);
   BOOST_REQUIRE_EQUAL(series.size(), 2u);
-  BOOST_TEST(series.pictures()[1].first == .2);
-  BOOST_TEST(series.pictures()[1].second == (std::vector<std::string>{"blank", "tools"}),
-             boost::test_tools::per_element());
-  series.add(.4, {"new"});
+  const auto &last = series.pictures()[1];
+  BOOST_TEST(last.time == .2);
+  BOOST_REQUIRE_EQUAL(last.parts.size(), 2u);
+  BOOST_TEST(last.parts[1].file == "tools");
+  BOOST_TEST(last.parts[1].name == "die");
+  series.add(.4, {{"new", "body"}});
   BOOST_TEST(entries(path) ==
-               (std::vector<std::string>{"0.1 0 blank", "0.1 1 tools", "0.2 0 blank", "0.2 1 tools", "0.4 0 new"}),
+               (std::vector<std::string>{
+                 "0.1 0 body blank", "0.1 1 die tools", "0.2 0 body blank", "0.2 1 die tools", "0.4 0 body new"}),
              boost::test_tools::per_element());
 }
 

@@ -74,6 +74,22 @@ BOOST_AUTO_TEST_CASE(fields_have_units_values_and_real_vectors)
   BOOST_TEST(pressure.values == drawing.fields[2].values, boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(tensors_have_six_named_components)
+{
+  const TemporaryFolder folder;
+  const auto path = folder.file("blank_0000.vtu");
+  Drawing drawing = two_squares();
+  drawing.fields.push_back({"plastic_strain", "1", false, 4, {1., 2., 3., 4., 5., 6., 7., 8.}});
+  write_vtu(path, drawing, units);
+
+  // VTK's order of a symmetric tensor: XX YY ZZ XY YZ XZ.
+  const auto tensor = VtuFile(path).cell_fields.at("plastic_strain [-]");
+  BOOST_TEST(tensor.values == (std::vector<double>{1., 2., 3., 4., 0., 0., 5., 6., 7., 8., 0., 0.}),
+             boost::test_tools::per_element());
+  BOOST_TEST(tensor.component_names == (std::vector<std::string>{"rr", "zz", "hoop", "rz", "z hoop", "r hoop"}),
+             boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(lines_are_read_back)
 {
   const TemporaryFolder folder;

@@ -19,6 +19,7 @@ public:
   struct Array
   {
     unsigned int n_components = 1;
+    std::vector<std::string> component_names;
     std::vector<double> values;
   };
 
@@ -97,7 +98,10 @@ private:
     BOOST_TEST(bytes.size() == size);
 
     Array result;
-    result.n_components    = element.get<unsigned int>("<xmlattr>.NumberOfComponents", 1);
+    result.n_components = element.get<unsigned int>("<xmlattr>.NumberOfComponents", 1);
+    for (unsigned int k = 0; k < result.n_components; ++k)
+      if (const auto name = element.get_optional<std::string>("<xmlattr>.ComponentName" + std::to_string(k)))
+        result.component_names.push_back(*name);
     const std::string type = element.get<std::string>("<xmlattr>.type");
     if (type == "Float32")
       result.values = numbers<float>(bytes);

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""Run the cup to a travel of .1 with four pictures and look at them as ParaView would.
+"""Run the cup to a travel of .1 with four pictures, and the undeformed blank before them, and look at them as ParaView would.
 
     pictures.py PROGRAM CUP.prm FOLDER
 
-scene.pvd must name every picture, at the asked times, with blank and tools; no other file may lie about, although another run
+scene.pvd must name every picture, at the asked times, with the blank and each tool under its name; no other file may lie about, although another run
 with more pictures went into the same folder before. The pole of the
 blank follows the punch: from picture to picture its faces move by the travel between them, but for what bending and
 thinning add (at most 3 % at this depth, where the punch touches on a ring; 5 % are allowed, a picture too early or too
-late is 30 % off). Exit status 1 if not.
+late is 30 % off). In the first picture nothing has moved and the punch touches the blank. The plastic strain tensor of the last keeps
+the volume, and is one that VTK knows: six components. Exit status 1 if not.
 """
 import base64
 import shutil
@@ -18,17 +19,57 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 END, PICTURES = .1, 4
+PARTS, THICKNESS = ["blank", "punch", "die", "holder"], .035
 EARLIER_END, EARLIER_PICTURES = .06, 7
+
+
+def numbers(data):
+    """The floats of an array."""
+    content = base64.b64decode(data.text.strip())
+    size, = struct.unpack_from("<I", content)
+    return struct.unpack_from(f"<{size // 4}f", content, 4)
+
+
+def points(path):
+    return numbers(xml.parse(path).getroot().find("UnstructuredGrid/Piece/Points/DataArray"))
+
+
+def field(path, name):
+    """The array that is called "name [unit]"."""
+    return next(data for data in xml.parse(path).getroot().iter("DataArray") if data.get("Name", "").startswith(name + " ["))
 
 
 def pole(path):
     """z of the outermost points on the axis: bottom and top of the blank there."""
-    data = xml.parse(path).getroot().find("UnstructuredGrid/Piece/Points/DataArray")
-    content = base64.b64decode(data.text.strip())
-    size, = struct.unpack_from("<I", content)
-    values = struct.unpack_from(f"<{size // 4}f", content, 4)
+    values = points(path)
     heights = [z for r, z in zip(values[0::3], values[1::3]) if abs(r) < 1e-6]
     return min(heights), max(heights)
+
+
+def check_first(folder, parts):
+    """What is wrong with the undeformed blank and the tools at their start."""
+    failures = []
+    blank, punch = folder / parts["blank"], folder / parts["punch"]
+    if any(numbers(field(blank, "displacement"))):
+        failures.append("the first picture is displaced")
+    if any(numbers(field(blank, "equivalent_plastic_strain"))):
+        failures.append("the first picture is strained")
+    bottom, top = pole(blank)
+    if abs(top - bottom - THICKNESS) > 1e-6 or abs(min(points(punch)[1::3]) - top) > 1e-6:
+        failures.append(f"at the start the blank lies from {bottom} to {top}, the punch at {min(points(punch)[1::3])}")
+    return failures
+
+
+def check_tensor(path):
+    """What is wrong with the plastic strain of a picture."""
+    data = field(path, "plastic_strain")
+    names = [data.get(f"ComponentName{k}") for k in range(6)]
+    if data.get("NumberOfComponents") != "6" or names[:4] != ["rr", "zz", "hoop", "rz"]:
+        return [f"plastic_strain has components {names}"]
+    values = numbers(data)
+    largest = max(map(abs, values))
+    traces = [abs(sum(values[i:i + 3])) for i in range(0, len(values), 6)]
+    return [] if largest > 1e-3 and max(traces) < 1e-5 * largest else [f"plastic strains to {largest}, traces to {max(traces)}"]
 
 
 def main():
@@ -39,25 +80,27 @@ def main():
                         "--set", f"Output/Pictures={pictures}"], check=True)
     series = {}
     for entry in xml.parse(folder / "scene.pvd").getroot().iter("DataSet"):
-        series.setdefault(float(entry.get("timestep")), []).append(entry.get("file"))
+        series.setdefault(float(entry.get("timestep")), {})[entry.get("name")] = entry.get("file")
     times = list(series)
-    named = [name for files in series.values() for name in files]
+    named = [name for files in series.values() for name in files.values()]
     failures = []
-    if times != sorted(times) or len(times) != PICTURES or abs(times[-1] - END) > 1e-12:
+    if times != sorted(times) or len(times) != PICTURES + 1 or abs(times[-1] - END) > 1e-12:
         failures.append(f"times {times}")
     for i, time in enumerate(times):
-        asked = END * (i + 1) / PICTURES
-        if not asked - 1e-9 <= time < asked + END / PICTURES:
+        asked = END * i / PICTURES
+        if not asked - 1e-9 <= time < asked + (END / PICTURES if i > 0 else 1e-12):
             failures.append(f"picture {i} is of {time}, asked for was {asked}")
-    if any(len(files) != 2 for files in series.values()) or len(set(named)) != len(named):
-        failures.append(f"parts {named}")
+    if any(list(files) != PARTS for files in series.values()) or len(set(named)) != len(named):
+        failures.append(f"parts {series}")
     if sorted(named) != sorted(path.name for path in folder.glob("*.vtu*")):
         failures.append(f"files {sorted(path.name for path in folder.glob('*.vtu*'))}, named {sorted(named)}")
     tables = sorted(path.name for path in folder.glob("*_*.csv"))
     if tables != [f"{kind}_{END}.csv" for kind in ("contact", "profile", "tools")]:
         failures.append(f"tables {tables}")
     if not failures:
-        poles = [pole(folder / series[time][0]) for time in times]
+        failures += check_first(folder, series[0.]) + check_tensor(folder / series[times[-1]]["blank"])
+        poles = [pole(folder / series[time]["blank"]) for time in times[1:]]
+        times = times[1:]
         for before, after, travel in zip(poles, poles[1:], (b - a for a, b in zip(times, times[1:]))):
             for one, other in zip(before, after):
                 if abs(abs(other - one) - travel) > .05 * travel:

@@ -83,6 +83,9 @@ namespace deltaform
     /// Parts on which a pressure may act, the usual one first.
     virtual std::vector<std::string> faces() const = 0;
 
+    /// The nodes of one of faces(), by their places in positions().
+    virtual std::vector<unsigned int> face_nodes(const std::string &face) const = 0;
+
     /// Unknowns of a displacement component with their consistent shares of the initial volume, for body loads.
     virtual std::vector<std::pair<DofIndex, double>> volume_weights(Component component) const = 0;
 

@@ -52,6 +52,7 @@ namespace deltaform
     std::vector<Point2> boundary_points(const std::string &boundary) const override;
     std::vector<double> boundary_weights(const std::string &boundary) const override;
     std::vector<std::string> faces() const override;
+    std::vector<unsigned int> face_nodes(const std::string &face) const override;
     std::vector<std::pair<DofIndex, double>> volume_weights(Component component) const override;
     double dof_scale(DofIndex dof) const override;
     std::string describe_dof(DofIndex dof) const override;
@@ -105,6 +106,9 @@ namespace deltaform
 
     template <unsigned int n_nodes, bool membrane>
     Status assemble_cells(const Vector &q, AssemblyTarget &target);
+
+    /// The cells of a picture, by layers, with their fields.
+    void draw_cells(const Vector &q, Drawing &drawing) const;
 
     /// Position of a node and its rotation.
     Point2 position(const Vector &q, unsigned int node) const;

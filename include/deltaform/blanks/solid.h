@@ -47,6 +47,10 @@ namespace deltaform
     std::vector<Point2> boundary_points(const std::string &boundary) const override;
     std::vector<double> boundary_weights(const std::string &boundary) const override;
     std::vector<std::string> faces() const override;
+    std::vector<unsigned int> face_nodes(const std::string &face) const override
+    {
+      return boundary_nodes(face);
+    }
     std::vector<std::pair<DofIndex, double>> volume_weights(Component component) const override;
     double dof_scale(DofIndex dof) const override;
     std::string describe_dof(DofIndex dof) const override;
@@ -201,6 +205,16 @@ namespace deltaform
 
     /// Deformation at a quadrature point of a cell.
     Deformation deformation(const Vector &q, unsigned int cell, unsigned int point) const;
+
+    /// Logarithmic strain ln(F F^T)/2, of small kinematics the symmetric part of the displacement gradient.
+    Mandel total_strain(const Deformation &F) const;
+
+    /// Committed logarithmic plastic strain -ln(C_p^-1)/2 of a point of the blank, turned with the material by @p F; of
+    /// small kinematics the one of the history.
+    Mandel plastic_strain(unsigned int point, const Deformation &F) const;
+
+    /// The cells of a picture with their fields; @p q with hanging nodes.
+    void draw_cells(const Vector &q, Drawing &drawing) const;
 
     /// Deformation from the committed to the trial state at a point of the whole blank.
     Deformation increment(unsigned int point) const;

@@ -63,6 +63,9 @@ namespace deltaform
     std::optional<unsigned int> resume_after; ///< go on with the file on disk, without what follows this increment
   };
 
+  /// The name of a tool, support or load as columns carry it: underscores in place of blanks.
+  std::string column_name(const std::string &name);
+
   /// The file history.csv: one row per increment, on disk as soon as it is known. Columns are part of the interface.
   class History
   {

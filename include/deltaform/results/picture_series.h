@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace deltaform
@@ -10,6 +9,19 @@ namespace deltaform
   class PictureSeries
   {
   public:
+    /// A file of a picture (relative to the folder of the series), and the name under which ParaView lists it.
+    struct Part
+    {
+      std::string file, name;
+    };
+
+    /// A time and what is drawn of it.
+    struct Picture
+    {
+      double time;
+      std::vector<Part> parts;
+    };
+
     /// Begin a new series; nothing is written before the first picture.
     explicit PictureSeries(std::string path);
 
@@ -19,21 +31,21 @@ namespace deltaform
      */
     void resume(double time);
 
-    /// Add a picture that consists of the files @p parts (relative to the folder of the series). @throws SceneError
-    void add(double time, const std::vector<std::string> &parts);
+    /// Add a picture that consists of @p parts. @throws SceneError
+    void add(double time, const std::vector<Part> &parts);
 
     unsigned int size() const
     {
       return static_cast<unsigned int>(pictures_.size());
     }
 
-    const std::vector<std::pair<double, std::vector<std::string>>> &pictures() const
+    const std::vector<Picture> &pictures() const
     {
       return pictures_;
     }
 
   private:
     std::string path_;
-    std::vector<std::pair<double, std::vector<std::string>>> pictures_;
+    std::vector<Picture> pictures_;
   };
 } // namespace deltaform

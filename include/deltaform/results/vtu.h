@@ -10,8 +10,8 @@ namespace deltaform
 {
   /**
    * Write a drawing as an unstructured grid for ParaView, whole or not at all. Fields are called "name [unit]", with
-   * "[-]" for pure numbers; a field of two components becomes a vector of three. Every cell gets points of its own, on
-   * which the fields per cell are constant.
+   * "[-]" for pure numbers. A vector gets a third component, zero; a tensor becomes one of six with named components,
+   * in the order that ParaView knows (XX YY ZZ XY YZ XZ).
    * @throws SceneError if the file cannot be written.
    */
   void write_vtu(const std::string &path, const Drawing &drawing, const Units &units);

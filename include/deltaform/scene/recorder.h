@@ -31,6 +31,10 @@ namespace deltaform
              const Checkpoint *start = nullptr);
     ~Recorder();
 
+    /// The first stage begins: the picture that opens the series shows the undeformed blank and the tools at their
+    /// start.
+    void begin(const FormingProblem &problem);
+
     /// An increment was accepted. @param tables if not, tables and pictures of this time will come with a refined mesh
     /// @return its row of the history
     const HistoryRow &record(const FormingProblem &problem,

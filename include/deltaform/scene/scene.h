@@ -36,6 +36,7 @@ namespace deltaform
     /// Things that are wrong although every entry is allowed: overlaps, stages in which nothing changes, ...
     void check(Section root) const;
     void check_functions(Section root) const;
+    void check_columns(Section root) const;
     void check_tools(Section root) const;
     void check_linear_solver(Section root) const;
     void check_stages(Section root) const;

@@ -1,0 +1,185 @@
+"""Reads what a run has left in its folder: the scene with every default, tables, pictures. Standard library only.
+
+Nothing of the program is used here, and nothing is judged: see check_run.py.
+"""
+import array
+import base64
+import csv
+import json
+import math
+import re
+import struct
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+
+class NoRun(Exception):
+    """The folder holds no run. The message is a sentence for the user."""
+
+
+def column_name(name):
+    """A tool, support or load as the columns of history.csv name it."""
+    return name.replace(" ", "_")
+
+
+class Table:
+    """A CSV file of a run: column(name) is a list of floats, or of words where a cell is no number."""
+
+    def __init__(self, path):
+        self.path = Path(path)
+        with open(path, newline="", encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        self.comments = [line[1:].strip() for line in lines if line.startswith("#")]
+        rows = list(csv.reader(line for line in lines if line and not line.startswith("#")))
+        if not rows:
+            raise NoRun(f"'{path}' has no line with the names of its columns")
+        self.names, self.rows = rows[0], rows[1:]
+        ragged = [row for row in self.rows if len(row) != len(self.names)]
+        if ragged:
+            raise NoRun(f"'{path}' has a row of {len(ragged[0])} cells, but {len(self.names)} columns")
+        self._columns = {}
+
+    def __len__(self):
+        return len(self.rows)
+
+    def __contains__(self, name):
+        return name in self.names
+
+    def column(self, name):
+        if name not in self._columns:
+            k = self.names.index(name)
+            cells = [row[k] for row in self.rows]
+            try:
+                self._columns[name] = [float(cell) for cell in cells]
+            except ValueError:
+                self._columns[name] = cells
+        return self._columns[name]
+
+
+def read_scene(path):
+    """The scene as nested dictionaries: scene["Tools"]["punch"]["Radius"] is a text."""
+    root = {}
+    open_sections = [root]
+    for line in Path(path).read_text(encoding="utf-8").splitlines():
+        line = line.split("#")[0].strip()
+        if line.startswith("subsection "):
+            open_sections.append(open_sections[-1].setdefault(line[len("subsection "):].strip(), {}))
+        elif line == "end":
+            open_sections.pop()
+        elif line.startswith("set ") and "=" in line:
+            name, value = line[len("set "):].split("=", 1)
+            open_sections[-1][name.strip()] = value.strip()
+    return root
+
+
+def names_of(text):
+    """The names of a list that is separated by commas."""
+    return [name.strip() for name in text.split(",") if name.strip()]
+
+
+class Actor:
+    """A tool, support or load of the scene: its entries, its name in columns, and the stages in which it acts."""
+
+    def __init__(self, name, entries):
+        self.name, self.entries, self.column = name, entries, column_name(name)
+        self.stages = names_of(entries.get("Stages", ""))
+
+    def acts_in(self, stage):
+        return not self.stages or stage in self.stages
+
+
+class Run:
+    """The files of a run. What is missing is None or empty."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        for name in ("scene.prm", "history.csv"):
+            if not (self.folder / name).exists():
+                raise NoRun(f"there is no '{name}' in '{folder}'")
+        self.scene = read_scene(self.folder / "scene.prm")
+        self.history = Table(self.folder / "history.csv")
+        self.plane_strain = any("plane strain" in line for line in self.history.comments)
+        self.tools, self.supports, self.loads = (
+            [Actor(name, section.get(name, {})) for name in names_of(section.get("Names", ""))]
+            for section in (self.scene.get(kind, {}) for kind in ("Tools", "Supports", "Loads")))
+        self.stages = names_of(self.scene.get("Steps", {}).get("Stages", ""))
+        summary = self.folder / "summary.json"
+        self.summary = json.loads(summary.read_text()) if summary.exists() else None
+
+    def tables(self, kind):
+        """Tables profile_*.csv and their like by the text between kind and ending."""
+        return {path.stem[len(kind) + 1:]: Table(path) for path in sorted(self.folder.glob(kind + "_*.csv"))}
+
+    def row_of(self, table):
+        """Row of the history to which a table belongs, or None: its comment names stage and travel."""
+        for line in table.comments:
+            match = re.fullmatch(r"stage (.+), travel of the main tool \(or time\): (\S+)", line)
+            if match:
+                break
+        else:
+            return None
+        stage, at = match.group(1), float(match.group(2))
+        main = self.main_tool()
+        along = self.history.column(f"{main.column}_travel" if main else "time")
+        found = [i for i, name in enumerate(self.words("stage")) if name == stage and
+                 abs(along[i] - at) <= 1e-8 * max(1., abs(at))]
+        return found[-1] if found else None
+
+    def words(self, name):
+        """A column of words, although all of them may look like numbers."""
+        k = self.history.names.index(name)
+        return [row[k] for row in self.history.rows]
+
+    def main_tool(self):
+        """Output/Travel of, or the first tool that moves by a motion."""
+        asked = self.scene.get("Output", {}).get("Travel of", "")
+        for tool in self.tools:
+            motion = tool.entries.get("Motion", "0")
+            if tool.name == asked or (not asked and not tool.entries.get("Force") and not _is_number(motion)):
+                return tool
+        return None
+
+
+def _is_number(text):
+    try:
+        float(text)
+        return True
+    except ValueError:
+        return False
+
+
+def floats_of(path):
+    """The floating-point arrays of a .vtu file as (label, values). @raise ValueError if the file cannot be read."""
+    try:
+        tree = xml.parse(path)
+    except xml.ParseError as error:
+        raise ValueError(f"{path.name} is not XML: {error}") from error
+    for data in tree.getroot().iter("DataArray"):
+        if data.get("type") != "Float32":
+            continue
+        content = base64.b64decode(data.text.strip())
+        values = array.array("f")
+        values.frombytes(content[4:4 + struct.unpack_from("<I", content)[0]])
+        yield data.get("Name") or "points", values
+
+
+# Columns that are not known in every row: condition numbers are computed now and then, the error once the blank was marked.
+SOMETIMES_NAN = {"condition_raw", "condition_scaled", "condition_without_contact", "rigid_modes", "digits_lost", "estimated_error"}
+
+
+def not_finite(folder):
+    """Where in the tables or pictures of a folder a number is not finite: 'history.csv, tool_work', or None."""
+    wrong = re.compile(r"[+-]?(nan|inf|infinity)", re.IGNORECASE)
+    for path in sorted(Path(folder).glob("*.csv")):
+        names = None
+        with open(path, newline="", encoding="utf-8") as file:
+            for row in csv.reader(line for line in file if not line.startswith("#")):
+                names = names or row
+                for name, cell in zip(names, row):
+                    if wrong.fullmatch(cell.strip()) and name not in SOMETIMES_NAN:
+                        return f"{path.name}, {name}"
+    for path in sorted(Path(folder).glob("*.vtu")):
+        for label, values in floats_of(path):
+            if not math.isfinite(sum(values)):
+                return f"{path.name}, {label}"
+    return None
