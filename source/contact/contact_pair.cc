@@ -67,6 +67,12 @@ namespace deltaform
   }
 
 
+  double ContactPair::slip_share(const Projection &projection, const double offset) const
+  {
+    return slip_transfer(tool_.shape(), offset, projection).share;
+  }
+
+
   void ContactPair::set_dofs(const DofIndex travel, const DofIndex first_multiplier)
   {
     travel_dof_       = travel;

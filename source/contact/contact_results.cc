@@ -33,8 +33,32 @@ namespace deltaform
   } // namespace
 
 
-  void ContactPair::commit([[maybe_unused]] const Vector &q)
+  double ContactPair::slip_of_increment(const Vector &q, const unsigned int i) const
   {
+    const PairState &state = trial_[i], &before = committed_[i];
+    if (state.touching)
+      return tool_.shape().slip(
+        before.touching ? before.arc_length : state.slip_start, state.arc_length, description_[i].offset);
+    // What has let go may be anywhere, also beyond the end of the tool: along the tangent where it was held last.
+    const Projection last = tool_.project(committed_x_[i], 0., hint_[i]);
+    return slip_share(last, node(q, i).offset) * ((x_[i] - committed_x_[i]) * last.tangent);
+  }
+
+
+  double ContactPair::dissipate(const PairState &before, const PairState &now, const double slip)
+  {
+    const double first = before.touching ? before.tangential_force : 0.,
+                 last  = now.touching ? now.tangential_force : 0.;
+    const auto stored  = [](const PairState &s, const double t)
+    { return s.touching && s.epsilon_tangential > 0 ? .5 * t * t / s.epsilon_tangential : 0.; };
+    energy_->friction += .5 * (first + last) * slip - (stored(now, last) - stored(before, first));
+    return (last - first) * slip;
+  }
+
+
+  void ContactPair::commit(const Vector &q)
+  {
+    double growth = 0.; // of the work of friction over this slip, from the forces at the start to those at the end
     for (unsigned int i = 0; i < trial_.size(); ++i)
     {
       // The trial states are those of the last assembly.
@@ -51,24 +75,19 @@ namespace deltaform
       // from zero to the accepted one, whatever the factors of the rounds in between.
       if (energy_ && stores_energy() && before.touching && state.touching)
         energy_->epsilon += .5 * (state.epsilon - before.epsilon) * before.penetration() * state.penetration();
-      if (friction_ && (state.touching || before.touching))
+      if (friction_ && (state.touching || (before.touching && energy_)))
       {
-        const double start = before.touching ? before.arc_length : state.slip_start;
-        const double slip  = state.touching ? tool_.shape().slip(start, state.arc_length, description_[i].offset) : 0.;
+        const double slip = slip_of_increment(q, i);
         if (state.touching && !state.sticking)
           state.slip += std::abs(slip);
-        if (!energy_)
-          continue;
-        const double earlier = before.touching ? before.tangential_force : 0.;
-        const auto stored    = [](const PairState &s)
-        {
-          return s.touching && s.epsilon_tangential > 0
-                   ? .5 * s.tangential_force * s.tangential_force / s.epsilon_tangential
-                   : 0.;
-        };
-        energy_->friction += .5 * (earlier + state.tangential_force) * slip - (stored(state) - stored(before));
+        if (energy_)
+          growth += dissipate(before, state, slip);
       }
     }
+    // The force has changed by the growth somewhere within the increment; the trapezoidal rule has put it in the
+    // middle. Where it was is as good as random: the error is evenly spread between half the growth and its negative.
+    if (energy_)
+      energy_->friction_variance += growth * growth / 12.;
     last_step_          = time_ - last_time_;
     last_time_          = time_;
     committed_          = trial_;

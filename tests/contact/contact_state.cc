@@ -38,6 +38,16 @@ namespace
     return q;
   }
 
+  /// An accepted increment from @p q to @p next, with the elastic slip as small as it may be.
+  void go(PairFixture &fixture, Vector &q, const Vector &next, const double time)
+  {
+    fixture.begin_increment(q, time, stiffness);
+    fixture.settle(next);
+    for (unsigned int round = 0; round < 9 && fixture.pair.correct_factors() > 0; ++round)
+      fixture.settle(next);
+    fixture.pair.commit(q = next);
+  }
+
   const Entries constant{"Enforcement=penalty", "Penalty rule=constant", "Penalty factor=50", "Continuation=false"};
 } // namespace
 
@@ -344,6 +354,57 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
   BOOST_TEST(energy.stored == 0.);
   BOOST_TEST(energy.friction > 0.);
   BOOST_TEST(energy.epsilon != 0.);
+}
+
+BOOST_AUTO_TEST_CASE(friction_work_does_not_depend_on_the_increments)
+{
+  // A node comes down on a tool, slides for a length and is lifted off, all in motion: the work is the force times that
+  // length, wherever within its increment the node touches or leaves, also where the tool ends and there is no foot
+  // point beyond.
+  constexpr double length = .6, height = .02, limit = .2 * 50. * height;
+  const Entries ending{"Shape=profile", "Points=-1 0; .6 0", "Side=bottom", "Position z=0"};
+  for (const Entries &tool : {flat, ending})
+    for (const unsigned int n_increments : {3u, 6u, 24u})
+      BOOST_TEST_CONTEXT(tool[0] << ", increments over the length: " << n_increments)
+      {
+        const double step         = length / n_increments;
+        const FakeSurface surface = row(1);
+        PairFixture fixture(
+          surface, constant + Entries{"Allowed elastic slip=1e-3"}, tool + Entries{"Friction coefficient=.2"});
+        const auto at = [&](const double x) { return place(fixture, x, x < 0. || x > length ? .1 : -height); };
+        Vector q      = at(-1.5 * step);
+        fixture.pair.begin_stage(q, 0.);
+        for (unsigned int k = 0; k < n_increments + 3; ++k)
+          go(fixture, q, at((k - .5) * step), k + 1.);
+        BOOST_TEST(fixture.pair.n_touching() == 0u);
+        BOOST_TEST(std::abs(fixture.pair.energy().friction - limit * length) < 1e-12);
+        // Once the force came within the increment, once it went: each puts an error evenly between +-limit step/2.
+        BOOST_TEST(std::abs(fixture.pair.energy().friction_error() - limit * step / std::sqrt(6.)) < 1e-12);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(friction_that_passes_from_node_to_node_is_certain)
+{
+  // The friction force of the tool is the same all the time: it does not matter when which node takes it over.
+  const FakeSurface surface = row(2);
+  PairFixture fixture(
+    surface, constant + Entries{"Allowed elastic slip=1e-3"}, flat + Entries{"Friction coefficient=.2"});
+  const auto at = [&](const double x, const bool first)
+  {
+    Vector q         = place(fixture, x, .1);
+    q[first ? 1 : 3] = -.02;
+    return q;
+  };
+  Vector q = at(0., true);
+  fixture.pair.begin_stage(q, 0.);
+  go(fixture, q, at(.1, true), 1.);
+  const ContactEnergy start = fixture.pair.energy();
+  for (unsigned int k = 2; k < 10; ++k)
+    go(fixture, q, at(.1 * k, k % 2 == 1), k);
+  BOOST_TEST(fixture.pair.committed()[0].touching);
+  BOOST_TEST(start.friction_error() > 0.);
+  BOOST_TEST(std::abs(fixture.pair.energy().friction_error() - start.friction_error()) < 1e-12);
+  BOOST_TEST(std::abs(fixture.pair.energy().friction - start.friction - .8 * .2) < 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(sticking_creeps_less_than_allowed)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace deltaform
 {
   /// Energies of the blank since the start of the run (full circumference or per unit width).
@@ -13,15 +15,26 @@ namespace deltaform
   /// Energies of contact since the start of the run, summed over the pairs.
   struct ContactEnergy
   {
-    double stored    = 0; ///< now in the penalty springs: eps p^2 / 2, and t^2 / (2 eps_t) of sticking friction
-    double friction  = 0; ///< dissipated so far
+    double stored   = 0; ///< now in the penalty springs: eps p^2 / 2, and t^2 / (2 eps_t) of sticking friction
+    double friction = 0; ///< dissipated so far
+    /// Square of the error to be expected of it because increments are long, see friction_error()
+    double friction_variance = 0;
     double epsilon   = 0; ///< work done on the pairs by changing eps, so far: (eps_1 - eps_0) p_0 p_1 / 2 per increment
     double thickness = 0; ///< work done on the pairs by the thickness that is updated between increments, so far
+
+    /// How far `friction` is to be expected from that of short increments, as a standard deviation: sqrt(sum of J^2/12)
+    /// over increments and tools, J = sum of (t_1 - t_0) ds over the pairs of a tool (doc/time_integration.md). About
+    /// proportional to the length of the increments.
+    double friction_error() const
+    {
+      return std::sqrt(friction_variance);
+    }
 
     ContactEnergy &operator+=(const ContactEnergy &other)
     {
       stored += other.stored;
       friction += other.friction;
+      friction_variance += other.friction_variance;
       epsilon += other.epsilon;
       thickness += other.thickness;
       return *this;

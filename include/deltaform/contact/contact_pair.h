@@ -223,7 +223,7 @@ namespace deltaform
       archive_plain(archive, committed_residual_);
       ContactEnergy total = energy();
       archive &area_ &thickness_of_ &projected_gap_ &noise_ &hint_ &time_ &last_time_ &last_step_;
-      archive &total.stored &total.friction &total.epsilon &total.thickness;
+      archive &total.stored &total.friction &total.friction_variance &total.epsilon &total.thickness;
       if (energy_)
         energy_ = total;
     }
@@ -283,6 +283,17 @@ namespace deltaform
     {
       return node.offset - (state.touching ? node.squeeze * state.force : 0.);
     }
+
+    /// Share of the friction force that a node with this offset receives, which is its slip per tangential motion.
+    double slip_share(const Projection &projection, double offset) const;
+
+    /// Slip in this increment of a pair that touches or did at its start, over the whole increment: a length along the
+    /// tool.
+    double slip_of_increment(const Vector &q, unsigned int i) const;
+
+    /// Count the friction work of a pair over a @p slip. @return by how much the force at the end would have done more
+    /// over it than the one at the start
+    double dissipate(const PairState &before, const PairState &now, double slip);
 
     void update_stored_energy();
 

@@ -36,8 +36,9 @@ namespace deltaform
   };
 
   /**
-   * The equations of one increment: blank, loads, released forces and the contact pairs of the current stage, in the
-   * order of DESIGN's Newton iteration. Knows which unknowns are prescribed and what is committed.
+   * The equations of one increment: blank, loads, released forces and the contact pairs of the current stage, assembled
+   * in this order, because penalty rules read the blank's stiffness before contact adds to it. Knows which unknowns are
+   * prescribed and what is committed.
    */
   class FormingProblem : public NonlinearProblem
   {
