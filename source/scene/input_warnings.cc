@@ -1,9 +1,12 @@
 #include <deltaform/base/brief.h>
+#include <deltaform/scene/doubtful_solid.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/overlapping_tools.h>
 #include <deltaform/scene/rigid_motions.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace deltaform
 {
@@ -72,6 +75,25 @@ namespace deltaform
             "Tools/" + tool->name() + "/Friction coefficient = " + text::brief(tool->friction_coefficient()) +
             ": metals on tools have .02 to .5, and no more than .58 of the flow stress is ever carried.");
     }
+    void gripped_solid(const Actors &actors, Texts &result)
+    {
+      if (actors.blank->is_sheet())
+        return;
+      for (const auto &stage : actors.stages)
+      {
+        std::vector<ToolWall> walls;
+        for (const auto &tool : actors.tools)
+          if (tool->exists_in(stage.name))
+            for (auto &wall : walls_along_z(tool->name(), tool->side(), tool->shape()))
+            {
+              wall.r += tool->position()[0];
+              walls.push_back(std::move(wall));
+            }
+        for (auto &text : doubtful_solid(actors.blank->initial_thickness(), walls))
+          if (std::find(result.begin(), result.end(), text) == result.end())
+            result.push_back(std::move(text));
+      }
+    }
   } // namespace
 
 
@@ -82,6 +104,7 @@ namespace deltaform
     short_elements(*scene.actors.blank, result);
     soft_material(*scene.actors.blank, result);
     large_friction(scene.actors, result);
+    gripped_solid(scene.actors, result);
     for (auto &text : overlapping_tools(scene.actors))
       result.push_back(std::move(text));
     return result;

@@ -86,6 +86,7 @@ namespace deltaform
     row.elastic_energy      = blank.elastic;
     row.plastic_energy      = blank.plastic;
     row.friction_energy     = contact.friction;
+    row.friction_error      = contact.friction_error();
     row.contact_energy      = contact.stored;
     row.epsilon_work        = contact.epsilon;
     row.thickness_work      = contact.thickness + blank.normal;

@@ -10,6 +10,7 @@ namespace deltaform
   {
     // What is more than this makes a result doubtful.
     constexpr double largest_energy_error = .02, largest_imbalance = 1e-3, thinnest_ratio = 1. / 3.;
+    constexpr double largest_friction_error = .05, least_friction = .01;
 
     constexpr const char *remedy_of_ironing =
       ". Model the blank as a solid of degree 2 with two elements through the thickness (Blank/Kind = solid), or give "
@@ -37,6 +38,9 @@ namespace deltaform
       balance_time_  = row.time;
     }
     last_energy_error_ = row.energy_error;
+    friction_          = row.friction_energy;
+    friction_error_    = row.friction_error;
+    work_              = std::max(row.tool_work, row.load_work);
     thinnest_          = std::min(thinnest_, row.min_thickness);
   }
 
@@ -83,6 +87,10 @@ namespace deltaform
     if (std::abs(last_energy_error_) > largest_energy_error)
       result.push_back("energy balance: works and energies differ by " + text::percent(std::abs(last_energy_error_)) +
                        " at the end. Set a smaller Largest increment in Steps/<stage>.");
+    if (friction_error_ > largest_friction_error * friction_ && friction_ > least_friction * work_)
+      result.push_back("friction work: it is uncertain by about " + text::percent(friction_error_ / friction_) +
+                       ", because nodes begin and end to slide within increments that are long. Set a smaller Largest "
+                       "increment in Steps/<stage>.");
     if (worst_balance_ > largest_imbalance)
       result.push_back("force balance: the forces of tools, supports and loads leave " + text::percent(worst_balance_) +
                        " of the largest of them unbalanced at time " + text::brief(balance_time_) +

@@ -46,6 +46,7 @@ namespace deltaform
     double thickness_work = 0;     ///< done by updating the thickness between increments
     double load_work      = 0;     ///< of other loads and of supports
     double energy_error   = 0;     ///< works minus energies, over the largest of them
+    double friction_error = 0;     ///< to be expected of the friction energy, because increments are long; no column
     double balance_error  = 0;     ///< sum of the forces on the blank over the largest of them
     std::vector<double> reactions; ///< of the supports: sum of the forces (moments) that they exert on the blank
     std::vector<std::array<double, 2>> load_forces; ///< resultants of the loads on the blank: r, z

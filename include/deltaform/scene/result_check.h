@@ -38,7 +38,7 @@ namespace deltaform
     void serialize(Archive &archive, unsigned int)
     {
       archive &necking_ &ironing_ &touched_ &worst_balance_ &balance_time_ &n_snaps_ &largest_turn_ &snap_time_
-        &last_energy_error_ &thinnest_ &neck_ignored_;
+        &last_energy_error_ &thinnest_ &friction_ &friction_error_ &work_ &neck_ignored_;
     }
 
   private:
@@ -50,6 +50,7 @@ namespace deltaform
     unsigned int n_snaps_ = 0;
     double largest_turn_ = 0, snap_time_ = 0;
     double last_energy_error_ = 0, thinnest_ = 0;
-    std::string neck_ignored_; ///< what `Continue after necking` has passed over
+    double friction_ = 0, friction_error_ = 0, work_ = 0; ///< at the end
+    std::string neck_ignored_;                            ///< what `Continue after necking` has passed over
   };
 } // namespace deltaform

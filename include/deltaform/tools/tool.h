@@ -56,6 +56,12 @@ namespace deltaform
       return friction_coefficient_;
     }
 
+    /// Where the origin of the shape is at travel 0.
+    const Point2 &position() const
+    {
+      return position_;
+    }
+
     /// Unit vector of the travel in the scene.
     const Tensor1 &direction() const
     {
