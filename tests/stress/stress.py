@@ -4,7 +4,9 @@
     stress.py PROGRAM FOLDER [--first N] [--count N] [--sensible] [--seeds LIST] [--jobs N] [--seconds N] [--resume N] [--write PAGE] [--keep]
 
 Never allowed, whatever the scene: a crash, a hang (more than --seconds of processor time), NaN or infinity in a result, a promise
-p <= delta that is broken silently, an exit status without its message. These make the exit status of this script 1; so
+p <= delta that is broken silently, an exit status without its message, a run that ends as done although its files show that forces are
+out of balance, that more than 2 % of the work are missing or that the sheet has less than a third of its thickness left, without a
+warning in summary.json. These make the exit status of this script 1; so
 does a share of completed sensible scenes below --share. --resume N kills the first N scenes that take long enough at
 random moments, and demands the same results from the resumed run. A scene is known by its number:
 'stress.py PROGRAM FOLDER --first 17 --count 1 --keep' runs number 17 alone and keeps its results.
@@ -28,27 +30,19 @@ import time
 import draw
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "scenes"))
+import check_run
 import resume
+from run_files import NoRun, Run, not_finite
 
-BAD = ("crash", "hang", "NaN in a result", "promise broken silently", "status and message disagree", "resumed run differs")
+BAD = ("crash", "hang", "NaN in a result", "promise broken silently", "status and message disagree", "wrong without a word",
+       "resumed run differs")
+SHARE = 1e-3     # of the largest force of a row that may be out of balance: the relaxed force tolerance of thin sheets
+THINNEST = 1 / 3  # of the initial thickness: below, no sheet metal is whole
 
 
 def csv_rows(path):
     with open(path, newline="") as file:
         return list(csv.reader(line for line in file if not line.startswith("#")))
-
-
-def not_finite(folder):
-    """Name of a result with a number that is none, or None."""
-    for path in sorted(folder.glob("*.csv")):
-        for row in csv_rows(path)[1:]:
-            for cell in row:
-                if re.fullmatch(r"[+-]?(nan|inf|infinity)", cell.strip(), re.IGNORECASE):
-                    return path.name
-    for path in sorted(folder.glob("*.vtu")):
-        if re.search(rb"[>\s][+-]?(nan|inf)[<\s]", path.read_bytes(), re.IGNORECASE):
-            return path.name
-    return None
 
 
 def worst_promise(folder):
@@ -61,9 +55,40 @@ def worst_promise(folder):
     return worst[0], worst[1] * (1 - 1 / worst[0]) if worst[0] > 1 else 0.
 
 
+def warnings_of(folder):
+    """The program's own warnings, from summary.json."""
+    try:
+        return json.loads((folder / "summary.json").read_text()).get("warnings", [])
+    except (OSError, ValueError):
+        return []
+
+
+def kind_of_warning(text):
+    """Its first words, up to a number or a mark."""
+    return re.split(r"[:;,.(\d]", text)[0].strip() or text[:40]
+
+
+def wrong_results(folder):
+    """What the files of a run that calls itself done show to be wrong, in a sentence; empty if nothing is."""
+    try:
+        run = Run(folder)
+    except NoRun as error:
+        return str(error)
+    report = check_run.Report()
+    check_run.check_forces(run, report, SHARE)
+    check_run.check_energy(run, report)
+    thickness = float(run.scene["Blank"]["Thickness"])
+    thinnest = min([min(run.history.column("min_thickness"))] +
+                   [min(table.column("thickness")) for table in run.tables("profile").values() if len(table)])
+    if thinnest < THINNEST * thickness:
+        report.wrong.append(f"thinnest: {thinnest:.3g} is left of a thickness of {thickness:g}")
+    return "; ".join(report.wrong)
+
+
 def shorten(message):
     """The kind of a failure: its message without numbers and names."""
-    known = (("more than", "slow: increments were still accepted" if "increments" in message else "no increment accepted"),
+    known = (("forces in", "forces out of balance"), ("of the work are missing", "energy missing"), ("thinnest:", "less than a third of the thickness left"),
+             ("more than", "slow: increments were still accepted" if "increments" in message else "no increment accepted"),
              ("necks", "necking"),
              ("Maximal increments", "increments used up: 10000, or 400 of a scene that is not sensible"), ("promise p <= delta", "promise could not be kept, said so"),
              ("round-off", "delta below round-off, refused"), ("tangent is singular", "tangent singular: limit load or free to move"),
@@ -85,7 +110,10 @@ def judge(tags, folder, status, said, seconds, limit):
         return "hang", f"more than {limit:g} s" + (f"; {rows[-2][0]} increments to time {rows[-2][2]}" if len(rows) > 1 else "")
     if status < 0 or "an error of the program" in said or status not in (0, 1, 2, 3):
         return "crash", f"exit status {status}: {message or said[-200:]}"
-    bad = not_finite(folder) if folder.exists() else None
+    try:
+        bad = not_finite(folder) if folder.exists() else None
+    except ValueError as error:
+        bad = str(error)
     if bad:
         return "NaN in a result", bad
     if status == 1:
@@ -99,7 +127,10 @@ def judge(tags, folder, status, said, seconds, limit):
     if summary["exit_status"] != status or (status != 0) != ("stopped at time" in said):
         return "status and message disagree", message
     if status == 0:
-        return ("done", "") if abs(summary["time"] - 1) < 1e-9 else ("status and message disagree", "done before the end")
+        if abs(summary["time"] - 1) > 1e-9:
+            return "status and message disagree", "done before the end"
+        wrong = wrong_results(folder) if not summary.get("warnings") else ""
+        return ("wrong without a word", wrong) if wrong else ("done", "")
     return ("necks" if "necks" in message else "stopped", message)
 
 
@@ -144,6 +175,7 @@ def run_one(program, work, seed, limit, interrupt, keep):
             kind, message = "resumed run differs", ", ".join(different)
         elif not keep:
             shutil.rmtree(killed)
+    tags["warnings"] = warnings_of(folder)
     if not keep and kind not in BAD:
         shutil.rmtree(folder, ignore_errors=True)
         scene.unlink()
@@ -159,7 +191,9 @@ def table(results, arguments):
              f"{arguments.first + arguments.count - 1}{', of which only the sensible ones were run' if arguments.sensible else ''}. A scene that takes more than {arguments.seconds:g} s of processor time counts as a "
              "hang.", "",
              "| outcome | meaning |", "|---|---|",
-             "| done | full stroke, p <= delta in every increment (checked in history.csv, not believed) |",
+             "| done | full stroke, p <= delta in every increment; forces in balance within "
+             f"{100 * SHARE:g} %, at most {100 * check_run.ENERGY:g} % of the work missing, at least a third of the thickness left, or a warning in "
+             "summary.json (checked in the files, not believed) |",
              "| necks | exit status 2; the message names the node that necks |",
              "| stopped | exit status 2 or 3, with a message that says why; what was computed is written |",
              "| refused | exit status 1 before anything runs, with a message that names the entry |", ""]
@@ -191,6 +225,7 @@ def table(results, arguments):
     if resumed:
         lines.append(f"{len(resumed)} scenes were killed at random moments ({sum(r['resumed'] for r in resumed)} times) and resumed; "
                      f"{sum(r['outcome'] == 'resumed run differs' for r in resumed)} of them gave other results than the run left alone.")
+    lines += warned(results)
     lines += ["", "## What is called sensible", "", "```", draw.RULE, "```", "", "## Failures by kind", "",
               "| kind | sensible | others | scenes (the first eight; sensible ones in bold) |", "|---|---:|---:|---|"]
     kinds = collections.defaultdict(list)
@@ -198,11 +233,33 @@ def table(results, arguments):
         if r["outcome"] != "done":
             kinds[f"{r['outcome']}: {shorten(r['message'])}"].append(r)
     for kind, members in sorted(kinds.items(), key=lambda item: -len(item[1])):
-        members.sort(key=lambda r: (not r["sensible"], r["seed"]))
-        shown = ", ".join(f"**{r['seed']}**" if r["sensible"] else str(r["seed"]) for r in members[:8])
+        shown = first_eight(members)
         lines.append(f"| {kind.replace('|', '/')} | {sum(r['sensible'] for r in members)} | "
                      f"{sum(not r['sensible'] for r in members)} | {shown} |")
     return "\n".join(lines) + "\n", complete / max(1, len(sensible))
+
+
+def warned(results):
+    """How many scenes that are done carry warnings of the program, by kind."""
+    done = [r for r in results if r["outcome"] == "done"]
+    kinds = collections.defaultdict(list)
+    for r in done:
+        for kind in {kind_of_warning(text) for text in r.get("warnings", [])}:
+            kinds[kind].append(r)
+    count = sum(bool(r.get("warnings")) for r in done)
+    if not count:
+        return [f"None of the {len(done)} scenes that are done carries a warning of the program."]
+    lines = [f"{count} of the {len(done)} scenes that are done carry a warning of the program (`warnings` in summary.json):", "",
+             "| warning | sensible | others | scenes (the first eight; sensible ones in bold) |", "|---|---:|---:|---|"]
+    for kind, members in sorted(kinds.items(), key=lambda item: -len(item[1])):
+        lines.append(f"| {kind.replace('|', '/')} | {sum(r['sensible'] for r in members)} | {sum(not r['sensible'] for r in members)} | "
+                     f"{first_eight(members)} |")
+    return lines
+
+
+def first_eight(members):
+    members.sort(key=lambda r: (not r["sensible"], r["seed"]))
+    return ", ".join(f"**{r['seed']}**" if r["sensible"] else str(r["seed"]) for r in members[:8])
 
 
 def write_page(path, page):
