@@ -89,7 +89,7 @@ def shorten(message):
     """The kind of a failure: its message without numbers and names."""
     known = (("forces in", "forces out of balance"), ("of the work are missing", "energy missing"), ("thinnest:", "less than a third of the thickness left"),
              ("more than", "slow: increments were still accepted" if "increments" in message else "no increment accepted"),
-             ("necks", "necking"),
+             ("iron the sheet", "ironed"), ("necks", "necking"),
              ("Maximal increments", "increments used up: 10000, or 400 of a scene that is not sensible"), ("promise p <= delta", "promise could not be kept, said so"),
              ("round-off", "delta below round-off, refused"), ("tangent is singular", "tangent singular: limit load or free to move"),
              ("did not converge", "Newton did not converge"), ("strain increment", "strain increment too large"),
@@ -103,7 +103,10 @@ def shorten(message):
 
 def judge(tags, folder, status, said, seconds, limit):
     """The outcome of a run: (kind, message)."""
-    message = next((line for line in said.splitlines() if "deltaform:" in line or "warning" in line), said.strip()[-300:])
+    lines = said.splitlines()
+    # Warnings of the input may stand before the reason why the run stopped.
+    message = next((line for line in lines if "stopped at time" in line),
+                   next((line for line in lines if "deltaform:" in line or "warning" in line), said.strip()[-300:]))
     if status is None:
         rows = csv_rows(folder / "history.csv")[1:] if (folder / "history.csv").exists() else []
         # The last row may be half written.
