@@ -37,8 +37,7 @@ namespace deltaform
       {"max_epsilon", "force/length", get<&Row::max_epsilon>},
       {"floor_share", "1", get<&Row::floor_share>},
       {"contact_pairs", "1", get<&Row::contact_pairs>},
-      {"min_thickness", "length", get<&Row::min_thickness>},
-      {"balance_error", "1", get<&Row::balance_error>}};
+      {"min_thickness", "length", get<&Row::min_thickness>}};
 
     const std::vector<Number> conditions = {{"condition_raw", "1", get<&Row::condition_raw>},
                                             {"condition_scaled", "1", get<&Row::condition_scaled>},
@@ -101,6 +100,7 @@ namespace deltaform
       result.push_back({column_name(name) + "_force_z", units.of("force")});
       result.push_back({column_name(name) + "_force_r", units.of("force")});
     }
+    result.push_back({"balance_error", "1"});
     return result;
   }
 
@@ -125,6 +125,7 @@ namespace deltaform
       cells.emplace_back(reaction);
     for (const auto &[r, z] : row.load_forces)
       cells.insert(cells.end(), {z, r});
+    cells.emplace_back(row.balance_error);
     file_.row_of_cells(cells);
   }
 } // namespace deltaform

@@ -1,4 +1,4 @@
-#include <deltaform/base/text.h>
+#include <deltaform/base/brief.h>
 #include <deltaform/scene/doubtful_solid.h>
 #include <deltaform/tools/shape.h>
 
@@ -16,7 +16,12 @@ namespace deltaform
       {
         const bool endless = std::isinf(segment.first) || std::isinf(segment.last);
         walls.push_back(
-          {tool, side, segment.start[0], endless ? std::numeric_limits<double>::infinity() : segment.length});
+          // The normal is the tangent turned to the left; a shape that is mirrored in z keeps its r.
+          {tool,
+           side,
+           segment.start[0],
+           endless ? std::numeric_limits<double>::infinity() : segment.length,
+           segment.tangent[1] < 0});
       }
     return walls;
   }
@@ -27,16 +32,15 @@ namespace deltaform
     constexpr double shortest = 5.;        // thicknesses: the land of a real ironing ring is shorter
     constexpr double fits     = 1. - 1e-3; // of a thickness: a gap of one thickness irons nothing
     std::vector<std::string> findings;
-    for (const ToolWall &above : walls)
-      for (const ToolWall &below : walls)
+    for (const ToolWall &inner : walls)
+      for (const ToolWall &outer : walls)
       {
-        const double gap = std::abs(above.r - below.r);
-        if (above.side != Side::top || below.side != Side::bottom || !(gap < fits * thickness) ||
-            std::min(above.length, below.length) <= shortest * thickness)
+        const double gap = outer.r - inner.r;
+        if (inner.side == outer.side || !inner.outward || outer.outward || !(gap > 0.) || !(gap < fits * thickness) ||
+            std::min(inner.length, outer.length) <= shortest * thickness)
           continue;
-        findings.push_back("tools '" + above.tool + "' and '" + below.tool + "' iron the blank, which is " +
-                           text::format(thickness) + " thick, to " +
-                           text::format(thickness * std::round(1e4 * gap / thickness) / 1e4) +
+        findings.push_back("tools '" + inner.tool + "' and '" + outer.tool + "' iron the blank, which is " +
+                           text::brief(thickness) + " thick, to " + text::brief(gap) +
                            " between long parallel walls. Behind the ironing zone they grip it elastically, and a mesh "
                            "of a few cells across does not find that force: with degree 1 it is much too large, with "
                            "degree 2 too small. Let the die open behind a land of a few thicknesses, as ironing rings "

@@ -79,26 +79,38 @@ namespace deltaform
              b.exists_in(stage.name);
     }
 
+    /// How deep two tools overlap at a time.
+    Overlap overlap_at(const Tool &a, const Tool &b, const double time, const Reach &reach)
+    {
+      const double travel_a = a.travel(time), travel_b = b.travel(time);
+      Overlap overlap;
+      add(a, travel_a, b, travel_b, reach, overlap);
+      add(b, travel_b, a, travel_a, reach, overlap);
+      return overlap;
+    }
+
     /// The first of the sampled times at which two tools overlap by more than the tolerance, and where.
     std::pair<double, Overlap>
     first_overlap(const Tool &a, const Tool &b, const Stage &stage, const Reach &reach, const double tolerance)
     {
       constexpr unsigned int n_times = 50;
-      double last_a = std::numeric_limits<double>::quiet_NaN(), last_b = last_a;
+      std::vector<double> times, ways;
       for (unsigned int k = 0; k <= n_times; ++k)
       {
-        const double time     = stage.begin + (stage.end - stage.begin) * k / n_times;
-        const double travel_a = a.travel(time), travel_b = b.travel(time);
-        if (travel_a == last_a && travel_b == last_b)
-          continue;
-        last_a = travel_a;
-        last_b = travel_b;
-        Overlap overlap;
-        add(a, travel_a, b, travel_b, reach, overlap);
-        add(b, travel_b, a, travel_a, reach, overlap);
-        if (overlap.depth > tolerance)
-          return {time, overlap};
+        times.push_back(stage.begin + (stage.end - stage.begin) * k / n_times);
+        const Tensor1 way = a.travel(times[k]) * a.direction() - b.travel(times[k]) * b.direction();
+        ways.push_back(way * a.direction());
       }
+      // Tools have no back: on one line, what overlaps at all does so where they have come closest to each other.
+      const bool on_one_line = std::abs(std::abs(a.direction() * b.direction()) - 1.) < 1e-12;
+      const auto range       = std::minmax_element(ways.begin(), ways.end());
+      const auto free_at     = [&](const auto place)
+      { return overlap_at(a, b, times[static_cast<std::size_t>(place - ways.begin())], reach).depth <= tolerance; };
+      if (on_one_line && free_at(range.first) && (*range.first == *range.second || free_at(range.second)))
+        return {};
+      for (const double time : times)
+        if (const Overlap overlap = overlap_at(a, b, time, reach); overlap.depth > tolerance)
+          return {time, overlap};
       return {};
     }
   } // namespace

@@ -3,7 +3,7 @@
     same_history.py PROGRAM SCENE FOLDER --launcher MPIRUN [--np 1,2,4] [--solvers "klu,cg amg"] [--paths off,automatic]
                     [--tolerance 1e-8] [--factorizations N] [--ignore COLUMN,...] [--set ENTRY=VALUE]...
 
-Every number may differ from that of the first run by the tolerance times the largest of its column (an error of the energy:
+Every number may differ from that of the first run by the tolerance times the largest of its column (an error of energies or forces:
 by the tolerance). Costs (iterations of linear solvers) are not compared. With --factorizations, the last run
 must have needed that many. The comparison must be able to say no: a change of one number by ten times the tolerance
 has to be found.
@@ -38,7 +38,7 @@ def difference(first, other, tolerance, ignored=()):
             continue
         numbers = [abs(float(row[column])) for row in first]
         # An error of the energy is relative already.
-        scale = 1. if column == "energy_error" else max(number for number in numbers if not math.isnan(number))
+        scale = 1. if column in ("energy_error", "balance_error") else max(number for number in numbers if not math.isnan(number))
         for a, b in zip(first, other):
             if a[column] == b[column]:  # also if both say nan: not known yet
                 continue

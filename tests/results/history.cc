@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(columns_are_those_of_the_contract)
   BOOST_TEST(lines[0] == "# Cup");
   BOOST_TEST(lines[1] == "# deltaform 0.1.0, units: in, tonf, tonf/in^2");
   BOOST_TEST(lines[2] == "# units: 1,1,time,in,tonf,tonf,in,tonf,tonf,1,1,1,1,in,1,in,tonf/in,tonf/in,1,1,in,"
-                         "tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,1");
+                         "tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,tonf*in,1,1");
   // Part of the interface: add, do not rename.
   BOOST_TEST(lines[3] ==
              "increment,stage,time,punch_travel,punch_force_z,punch_force_r,"
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(columns_are_those_of_the_contract)
              "max_penetration,max_penetration_over_delta,max_penetration_between_nodes,"
              "min_epsilon,max_epsilon,floor_share,contact_pairs,min_thickness,"
              "tool_work,elastic_energy,plastic_energy,friction_energy,contact_energy,"
-             "epsilon_work,thickness_work,load_work,energy_error");
+             "epsilon_work,thickness_work,load_work,energy_error,balance_error");
 }
 
 BOOST_AUTO_TEST_CASE(condition_numbers_only_where_asked)
@@ -129,9 +129,10 @@ BOOST_AUTO_TEST_CASE(a_row_is_on_disk_when_it_is_known)
   one.thickness_work                = 22;
   one.load_work                     = 23;
   one.energy_error                  = 24;
+  one.balance_error                 = 25;
   history.append(one);
   BOOST_TEST(lines_of(path).back() ==
-             "1,\"form, slowly\",0.3333333333,1,2,3,5,6,65,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24");
+             "1,\"form, slowly\",0.3333333333,1,2,3,5,6,65,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25");
 }
 
 BOOST_AUTO_TEST_CASE(a_resumed_history_goes_on_after_the_increment)

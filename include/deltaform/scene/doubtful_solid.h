@@ -16,6 +16,7 @@ namespace deltaform
     Side side     = Side::top; ///< of the blank that the tool touches
     double r      = 0;         ///< place of the wall [length]
     double length = 0;         ///< along z [length]; infinite if it goes on for ever
+    bool outward  = false;     ///< does it face growing r? The blank is on that side of it.
   };
 
   /// The walls along z of a tool's shape.
@@ -23,7 +24,7 @@ namespace deltaform
 
   /**
    * What the results of a solid cannot be trusted in, as sentences for the user; empty if nothing is found. Found is:
-   * two tools on opposite sides whose walls are closer than the blank is thick [length], both longer than five
+   * two tools on opposite sides whose walls face each other closer than the blank is thick [length], both longer than five
    * thicknesses. They iron the blank and then grip it elastically all along, with a force that meshes of usual
    * fineness do not find (doc/theory/solid.md).
    */
