@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(a_promise_is_kept_by_corrections)
                              input.previous_epsilon     = factor;
                              input.previous_penetration = input.penetration;
                            }
-                           BOOST_TEST(round < 15u);
+                           BOOST_TEST(round < 30u);
                            BOOST_TEST(input.penetration <= input.delta);
                          }
                        });
