@@ -47,6 +47,8 @@ class Table:
 
     def column(self, name):
         if name not in self._columns:
+            if name not in self.names:
+                raise NoRun(f"'{self.path}' has no column '{name}'")
             k = self.names.index(name)
             cells = [row[k] for row in self.rows]
             try:
