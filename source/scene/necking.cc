@@ -29,12 +29,12 @@ namespace deltaform
     if (finding().empty())
     {
       n_necking_ = 0;
-      thinned_   = 0.;
+      lost_      = 0.;
       return;
     }
     const std::size_t i = thinnest(now_);
     ++n_necking_;
-    thinned_ += now_[i].thinning - before_[i].thinning;
+    lost_ += 1. - force(now_[i]) / force(before_[i]);
   }
 
 

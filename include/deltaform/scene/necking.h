@@ -25,11 +25,12 @@ namespace deltaform
     /// "node 12 at R0 = 0.9 necks: ...", or empty if the last increment shows no neck.
     std::string finding() const;
 
-    /// Has the sheet necked in so many increments in a row, and thinned there by so much meanwhile, that it is torn? A
-    /// neck of a single increment may be an uneven step; a hundredth of thickness strain is none any more.
+    /// Is the sheet torn? Then it has necked in so many increments in a row, and the section there has lost so much of
+    /// its force meanwhile. A smaller loss may be made up for: friction and bending can hold a section a little past
+    /// its maximum.
     bool torn() const
     {
-      return n_necking_ >= enough_increments && thinned_ >= enough_thinning;
+      return n_necking_ >= enough_increments && lost_ >= enough_loss;
     }
 
     template <class Archive>
@@ -37,15 +38,15 @@ namespace deltaform
     {
       archive_plain(archive, before_);
       archive_plain(archive, now_);
-      archive &n_necking_ &thinned_;
+      archive &n_necking_ &lost_;
     }
 
   private:
     static constexpr unsigned int enough_increments = 5;
-    static constexpr double enough_thinning         = .01;
+    static constexpr double enough_loss             = .01;
 
     std::vector<SheetSection> before_, now_;
     unsigned int n_necking_ = 0; ///< increments in a row with a finding
-    double thinned_         = 0; ///< thickness strain of the thinnest section in them
+    double lost_            = 0; ///< share of the section force that was lost in them
   };
 } // namespace deltaform
