@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
 """Run the cup to a travel of .1 with four pictures, and the undeformed blank before them, and look at them as ParaView would.
 
-    pictures.py PROGRAM CUP.prm FOLDER
+    pictures.py PROGRAM CUP.prm FOLDER THICK_SPHERE.prm
 
 scene.pvd must name every picture, at the asked times, with the blank and each tool under its name; no other file may lie about, although another run
 with more pictures went into the same folder before. The pole of the
 blank follows the punch: from picture to picture its faces move by the travel between them, but for what bending and
 thinning add (at most 3 % at this depth, where the punch touches on a ring; 5 % are allowed, a picture too early or too
 late is 30 % off). In the first picture nothing has moved and the punch touches the blank. The plastic strain tensor of the last keeps
-the volume, and is one that VTK knows: six components. Exit status 1 if not.
+the volume, and is one that VTK knows: six components. The sphere's pressure, 0 to 250 and back to 0 at times 0, 1, 2, is shown at the nodes
+of its inner face, at no others. Exit status 1 if not.
 """
 import base64
+import math
 import shutil
 import struct
 import subprocess
@@ -72,6 +74,21 @@ def check_tensor(path):
     return [] if largest > 1e-3 and max(traces) < 1e-5 * largest else [f"plastic strains to {largest}, traces to {max(traces)}"]
 
 
+def check_load_pressure(program, scene, folder):
+    """What is wrong with the pressure of the sphere in its pictures."""
+    subprocess.run([program, scene, "--quiet", "--output", str(folder), "--set", "Output/Pictures=4"], check=True)
+    failures, inner = [], None
+    for entry in xml.parse(folder / "scene.pvd").getroot().iter("DataSet"):
+        time, path = float(entry.get("timestep")), folder / entry.get("file")
+        place, pressure = points(path), numbers(field(path, "load_pressure"))
+        radii = [math.hypot(r, z) for r, z in zip(place[0::3], place[1::3])]
+        inner = inner or [radius < min(radii) * (1 + 1e-6) for radius in radii]  # of the undeformed sphere
+        expected = 250 * (time if time <= 1 else 2 - time)
+        if any(abs(p - expected * on) > 1e-4 for p, on in zip(pressure, inner)):
+            failures.append(f"pressure at time {time}: {min(pressure)} to {max(pressure)}, asked for was {expected}")
+    return failures
+
+
 def main():
     program, scene, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
     shutil.rmtree(folder, ignore_errors=True)
@@ -105,6 +122,7 @@ def main():
             for one, other in zip(before, after):
                 if abs(abs(other - one) - travel) > .05 * travel:
                     failures.append(f"the pole moves from {one} to {other}, the punch by {travel}")
+    failures += check_load_pressure(program, sys.argv[4], folder.with_name(folder.name + "_sphere"))
     print("\n".join(failures) or f"{len(times)} pictures, complete and in order")
     return 1 if failures else 0
 
