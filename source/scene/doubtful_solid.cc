@@ -1,4 +1,4 @@
-#include <deltaform/base/brief.h>
+#include <deltaform/base/text.h>
 #include <deltaform/scene/doubtful_solid.h>
 #include <deltaform/tools/shape.h>
 
@@ -40,7 +40,7 @@ namespace deltaform
             std::min(inner.length, outer.length) <= shortest * thickness)
           continue;
         findings.push_back("tools '" + inner.tool + "' and '" + outer.tool + "' iron the blank, which is " +
-                           text::brief(thickness) + " thick, to " + text::brief(gap) +
+                           text::rounded(thickness) + " thick, to " + text::rounded(gap) +
                            " between long parallel walls. Behind the ironing zone they grip it elastically, and a mesh "
                            "of a few cells across does not find that force: with degree 1 it is much too large, with "
                            "degree 2 too small. Let the die open behind a land of a few thicknesses, as ironing rings "

@@ -1,4 +1,4 @@
-#include <deltaform/base/brief.h>
+#include <deltaform/base/text.h>
 #include <deltaform/scene/doubtful_solid.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/overlapping_tools.h>
@@ -51,8 +51,8 @@ namespace deltaform
         }
       if (shortest < .25 * h * (1. - 1e-9))
         result.push_back(
-          "Blank: the shortest element, at r = " + text::brief(place[0]) + ", is " + text::brief(shortest) +
-          " long, less than a quarter of the thickness " + text::brief(h) +
+          "Blank: the shortest element, at r = " + text::rounded(place[0]) + ", is " + text::rounded(shortest) +
+          " long, less than a quarter of the thickness " + text::rounded(h) +
           ". A shell knows no such detail: contact forces alternate from node to node, and thinning shows "
           "spikes. Take fewer Elements, a milder Grading, or a solid.");
     }
@@ -62,8 +62,8 @@ namespace deltaform
       const double flow = blank.initial_flow_stress();
       if (std::isfinite(flow) && blank.modulus() < 100. * flow)
         result.push_back(
-          "Material: Young's modulus " + text::brief(blank.modulus()) + " is only " +
-          text::brief(blank.modulus() / flow) + " times the initial flow stress " + text::brief(flow) +
+          "Material: Young's modulus " + text::rounded(blank.modulus()) + " is only " +
+          text::rounded(blank.modulus() / flow) + " times the initial flow stress " + text::rounded(flow) +
           "; of metals it is 200 to 1000 times. Elastic strains are taken to be small: look at the units.");
     }
 
@@ -72,7 +72,7 @@ namespace deltaform
       for (const auto &tool : actors.tools)
         if (tool->friction_coefficient() > 1.)
           result.push_back(
-            "Tools/" + tool->name() + "/Friction coefficient = " + text::brief(tool->friction_coefficient()) +
+            "Tools/" + tool->name() + "/Friction coefficient = " + text::rounded(tool->friction_coefficient()) +
             ": metals on tools have .02 to .5, and no more than .58 of the flow stress is ever carried.");
     }
     void gripped_solid(const Actors &actors, Texts &result)

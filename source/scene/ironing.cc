@@ -1,4 +1,4 @@
-#include <deltaform/base/brief.h>
+#include <deltaform/base/text.h>
 #include <deltaform/scene/ironing.h>
 
 namespace deltaform
@@ -13,9 +13,9 @@ namespace deltaform
       if (!(section.flow_stress > 0. && section.squeeze > worst * section.flow_stress))
         continue;
       worst  = section.squeeze / section.flow_stress;
-      worst_ = "node " + std::to_string(i) + " at R0 = " + text::brief(section.place) +
-               " is pressed on both faces with " + text::brief(section.squeeze) + ", more than its flow stress of " +
-               text::brief(section.flow_stress) +
+      worst_ = "node " + std::to_string(i) + " at R0 = " + text::rounded(section.place) +
+               " is pressed on both faces with " + text::rounded(section.squeeze) + ", more than its flow stress of " +
+               text::rounded(section.flow_stress) +
                ": the tools iron the sheet here, and a shell does not flow through its thickness";
     }
     n_pressed_ = worst_.empty() ? 0 : n_pressed_ + 1;

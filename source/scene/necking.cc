@@ -1,4 +1,5 @@
-#include <deltaform/base/brief.h>
+#include <deltaform/base/percent.h>
+#include <deltaform/base/text.h>
 #include <deltaform/scene/necking.h>
 
 #include <algorithm>
@@ -59,8 +60,8 @@ namespace deltaform
       node.stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9 && fall <= 1.001 * stretch;
     if (!softens || !(thinned > 3 * median))
       return "";
-    return "node " + std::to_string(i) + " at R0 = " + text::brief(node.place) + " necks: its thickness is " +
-           text::brief(node.thickness) + ", in the last increment it stretched by " + text::brief(stretch) +
+    return "node " + std::to_string(i) + " at R0 = " + text::rounded(node.place) + " necks: its thickness is " +
+           text::rounded(node.thickness) + ", in the last increment it stretched by " + text::rounded(stretch) +
            " while its section force fell by " + text::percent(fall) + " (past Considere's maximum)";
   }
 } // namespace deltaform

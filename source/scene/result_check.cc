@@ -1,5 +1,6 @@
-#include <deltaform/base/brief.h>
 #include <deltaform/base/command_line.h>
+#include <deltaform/base/percent.h>
+#include <deltaform/base/text.h>
 #include <deltaform/scene/result_check.h>
 
 #include <cmath>
@@ -93,10 +94,10 @@ namespace deltaform
                        "increment in Steps/<stage>.");
     if (worst_balance_ > largest_imbalance)
       result.push_back("force balance: the forces of tools, supports and loads leave " + text::percent(worst_balance_) +
-                       " of the largest of them unbalanced at time " + text::brief(balance_time_) +
+                       " of the largest of them unbalanced at time " + text::rounded(balance_time_) +
                        ". Set a smaller Solver/Force tolerance.");
     if (actors_.blank->is_sheet() && thinnest_ < thinnest_ratio * actors_.blank->initial_thickness())
-      result.push_back("thickness: the sheet is " + text::brief(thinnest_) + " thin at its thinnest point, " +
+      result.push_back("thickness: the sheet is " + text::rounded(thinnest_) + " thin at its thinnest point, " +
                        text::percent(thinnest_ / actors_.blank->initial_thickness()) +
                        " of what it was. A real sheet has torn before.");
     if (exit_status == exit_status::done)
@@ -107,7 +108,7 @@ namespace deltaform
     if (n_snaps_ > 0)
       result.push_back("snap: in " + std::to_string(n_snaps_) +
                        " increments the blank snapped to another equilibrium, and nodes turned by up to " +
-                       text::brief(largest_turn_) + " rad (the most at time " + text::brief(snap_time_) +
+                       text::rounded(largest_turn_) + " rad (the most at time " + text::rounded(snap_time_) +
                        "), more than Solver/Largest rotation increment. Look at the pictures before and after: which "
                        "equilibrium the blank snaps to is not certain.");
     return result;

@@ -1,4 +1,4 @@
-#include <deltaform/base/brief.h>
+#include <deltaform/base/text.h>
 #include <deltaform/scene/rigid_motions.h>
 
 #include <Eigen/Dense>
@@ -71,7 +71,7 @@ namespace deltaform
         {
           const double r = basis(0, 0) / size, z = basis(1, 0) / size;
           if (std::abs(r) > 1e-6 && std::abs(z) > 1e-6)
-            return {"along the direction (" + text::brief(r) + ", " + text::brief(z) + ")"};
+            return {"along the direction (" + text::rounded(r) + ", " + text::rounded(z) + ")"};
         }
         constexpr std::array<const char *, 3> names{{"along r", "along z", "a rotation"}};
         std::vector<std::string> result;

@@ -1,4 +1,3 @@
-#include <deltaform/base/brief.h>
 #include <deltaform/base/command_line.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/text.h>
@@ -125,7 +124,8 @@ namespace deltaform
         problem_.begin_increment(time_);
         return stop(stage,
                     (cause.empty() ? "" : cause + "; ") + "in increment " + std::to_string(increment_ + 1) + ": " +
-                      failure + ". The smallest increment, " + text::brief(stage.smallest_increment) + ", was reached",
+                      failure + ". The smallest increment, " + text::rounded(stage.smallest_increment) +
+                      ", was reached",
                     promise_failed_ ? exit_status::promise_broken : exit_status::not_converged,
                     checkpoint());
       }
@@ -240,8 +240,8 @@ namespace deltaform
     dq -= problem_.committed();
     const auto [strain, rotation] = scene_.actors.blank->increment_size(dq);
     if (strain > scene_.steps->largest_strain)
-      return "the largest strain increment is " + text::brief(strain) + ", allowed are " +
-             text::brief(scene_.steps->largest_strain) + " (Solver/Largest strain increment)";
+      return "the largest strain increment is " + text::rounded(strain) + ", allowed are " +
+             text::rounded(scene_.steps->largest_strain) + " (Solver/Largest strain increment)";
     // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong.
     if (time <= time_ || rotation <= scene_.steps->largest_rotation)
       return "";
@@ -251,14 +251,14 @@ namespace deltaform
       snap_rotation_ = rotation;
       return "";
     }
-    return "the largest rotation increment is " + text::brief(rotation) + ", allowed are " +
-           text::brief(scene_.steps->largest_rotation) + " (Solver/Largest rotation increment)";
+    return "the largest rotation increment is " + text::rounded(rotation) + ", allowed are " +
+           text::rounded(scene_.steps->largest_rotation) + " (Solver/Largest rotation increment)";
   }
 
 
   int Simulation::stop(const Stage &stage, const std::string &why, const int status, std::optional<Checkpoint> state)
   {
-    message_ = "stage '" + stage.name + "' stopped at time " + text::brief(time_) + ": " + why + ".";
+    message_ = "stage '" + stage.name + "' stopped at time " + text::rounded(time_) + ": " + why + ".";
     journal_.warning(message_);
     before_giving_up_ = std::move(state);
     return status;

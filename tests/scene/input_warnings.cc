@@ -47,10 +47,10 @@ namespace
                          "Supports/symmetry rotation/Component=rotation"};
 
   const Entries bottom{"Supports/Names=symmetry r, symmetry rotation, floor",
-                      "Supports/floor/Boundary=start",
-                      "Supports/floor/Component=z",
-                      "Supports/floor/Hold=true",
-                      "Supports/floor/Stages=release"};
+                       "Supports/floor/Boundary=start",
+                       "Supports/floor/Component=z",
+                       "Supports/floor/Hold=true",
+                       "Supports/floor/Stages=release"};
 
   std::vector<std::string> warnings(const Entries &entries)
   {

@@ -24,8 +24,8 @@ namespace deltaform
 
   /**
    * What the results of a solid cannot be trusted in, as sentences for the user; empty if nothing is found. Found is:
-   * two tools on opposite sides whose walls face each other closer than the blank is thick [length], both longer than five
-   * thicknesses. They iron the blank and then grip it elastically all along, with a force that meshes of usual
+   * two tools on opposite sides whose walls face each other closer than the blank is thick [length], both longer than
+   * five thicknesses. They iron the blank and then grip it elastically all along, with a force that meshes of usual
    * fineness do not find (doc/theory/solid.md).
    */
   std::vector<std::string> doubtful_solid(double thickness, const std::vector<ToolWall> &walls);

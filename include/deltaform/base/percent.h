@@ -7,15 +7,7 @@ namespace deltaform
 {
   namespace text
   {
-    /// A number for a sentence, with four digits; files get all of them by format().
-    inline std::string brief(const double value)
-    {
-      char buffer[32];
-      std::snprintf(buffer, sizeof buffer, "%.4g", value);
-      return buffer;
-    }
-
-    /// A share as "12 %", with two digits.
+    /// A share as "12 %" for a sentence, with two digits.
     inline std::string percent(const double share)
     {
       char buffer[32];
