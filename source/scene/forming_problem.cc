@@ -55,13 +55,12 @@ namespace deltaform
 
   double FormingProblem::balance_error() const
   {
-    Tensor1 sum;
-    double largest   = 0.;
+    Tensor1 sum, largest;
     const auto count = [&](const Tensor1 &force)
     {
       sum += force;
-      for (unsigned int d = actors_.blank->axisymmetric() ? 1 : 0; d < 2; ++d)
-        largest = std::max(largest, std::abs(force[d]));
+      for (unsigned int d = 0; d < 2; ++d)
+        largest[d] = std::max(largest[d], std::abs(force[d]));
     };
     for (const auto &force : tool_forces_)
       count(-force);
@@ -88,10 +87,12 @@ namespace deltaform
       count(force);
     }
     // What is left of much larger forces, of the run or within the blank, is round-off.
-    const double size = std::max({largest, 1e-3 * largest_resultant_, 1e-2 * largest_force_});
-    if (!(size > 0.))
-      return 0.;
-    return (actors_.blank->axisymmetric() ? std::abs(sum[1]) : sum.norm()) / size;
+    const double floor = 1e-3 * std::max(largest_resultant_, largest_force_);
+    double error       = 0.;
+    for (unsigned int d = actors_.blank->axisymmetric() ? 1 : 0; d < 2; ++d)
+      if (const double size = std::max(largest[d], floor); size > 0.)
+        error = std::max(error, std::abs(sum[d]) / size);
+    return error;
   }
 
 

@@ -181,8 +181,8 @@ namespace deltaform
     }
 
     /**
-     * How far the forces on the blank in the committed state are from balance, over the largest of them: sum along z
-     * and, in plane strain, along x of the forces of tools, supports and loads as they are reported.
+     * How far the forces on the blank in the committed state are from balance: sum of the forces of tools, supports and
+     * loads as they are reported over the largest of them, along z and, in plane strain, along x (the larger counts).
      */
     double balance_error() const;
 
