@@ -95,7 +95,7 @@ namespace deltaform
     if (worst_balance_ > largest_imbalance)
       result.push_back("force balance: the forces of tools, supports and loads leave " + text::percent(worst_balance_) +
                        " of the largest of them unbalanced at time " + text::rounded(balance_time_) +
-                       ". Set a smaller Solver/Force tolerance.");
+                       ". Set smaller Solver/Force tolerance and Relaxed force tolerance.");
     if (actors_.blank->is_sheet() && thinnest_ < thinnest_ratio * actors_.blank->initial_thickness())
       result.push_back("thickness: the sheet is " + text::rounded(thinnest_) + " thin at its thinnest point, " +
                        text::percent(thinnest_ / actors_.blank->initial_thickness()) +
