@@ -16,6 +16,7 @@ VARIANTS = {
     "tight": ["Contact/Allowed penetration=1e-5*thickness"],
     "constant": ["Contact/Penalty rule=constant", "Contact/Penalty factor=1e5"],
     "element stiffness": ["Contact/Penalty rule=element stiffness"],
+    "paper": ["Contact/Penalty rule=paper"],
     "proportional": ["Contact/Penalty rule=proportional"],
     "gap driven": ["Contact/Penalty rule=gap driven"],
     "augmented": ["Contact/Enforcement=augmented Lagrangian"],
