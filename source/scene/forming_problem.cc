@@ -86,8 +86,8 @@ namespace deltaform
         force[d] = reaction(i);
       count(force);
     }
-    // What is left of much larger forces, of the run or within the blank, is round-off.
-    const double floor = 1e-3 * std::max(largest_resultant_, largest_force_);
+    // What is left of much larger forces is round-off.
+    const double floor = 1e-3 * largest_resultant_;
     double error       = 0.;
     for (unsigned int d = actors_.blank->axisymmetric() ? 1 : 0; d < 2; ++d)
       if (const double size = std::max(largest[d], floor); size > 0.)

@@ -150,6 +150,9 @@ namespace deltaform
       Collector own(committed_.size());
       actors_.loads[i].assemble(*actors_.blank, q, time_, own);
       load_resultants_[i] = -1. * resultant(own.residual);
+      // A moment counts by the thickness.
+      for (unsigned int k = 0; k < actors_.blank->n_dofs(); ++k)
+        largest_resultant_ = std::max(largest_resultant_, std::abs(own.residual[k]) / scale_[k]);
     }
     for (unsigned int i = 0; i < committed_.size(); ++i)
     {
@@ -182,8 +185,8 @@ namespace deltaform
       for (const auto &force : *forces)
         largest_resultant_ = std::max({largest_resultant_, std::abs(force[0]), std::abs(force[1])});
     for (unsigned int i = 0; i < actors_.supports.size(); ++i)
-      if (actors_.supports[i].component != Component::rotation)
-        largest_resultant_ = std::max(largest_resultant_, std::abs(reaction(i)));
+      if (const Support &support = actors_.supports[i]; !support.dofs.empty())
+        largest_resultant_ = std::max(largest_resultant_, std::abs(reaction(i)) / scale_[support.dofs.front()]);
 
     double square = 0.;
     for (unsigned int i = 0; i < scale_.size(); ++i)
