@@ -23,6 +23,10 @@ if [[ $what == all || $what == --format ]]; then
     else
       echo "${#files[@]} files are formatted"
     fi
+    if grep -nE '.{121,}' "${files[@]}"; then
+      echo "These lines have more than 120 columns."
+      status=1
+    fi
   fi
 fi
 

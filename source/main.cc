@@ -37,8 +37,7 @@ main(int argc, char *argv[])
   using namespace deltaform;
   // Which processes a run has, and that they end together, is known only between the start and the end of MPI.
   std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
-  const auto end = [](const int status, const std::string &message)
-  {
+  const auto end = [](const int status, const std::string &message) {
     if (ranks::end_together(status, true, message))
       std::cerr << "deltaform: " << message << '\n';
     return status;

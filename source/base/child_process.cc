@@ -52,7 +52,7 @@ namespace deltaform
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, console.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    pid_t process   = 0;
+    pid_t process = 0;
     const int error = posix_spawn(&process, pointers[0], &actions, nullptr, pointers.data(), environment.data());
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0)
@@ -66,10 +66,10 @@ namespace deltaform
     // POSIX has no waitpid with a limit. Asking now and then is exact enough where processes take tenths of a second.
     constexpr std::chrono::milliseconds pause(5);
     const bool limited = std::isfinite(seconds);
-    const auto begin   = std::chrono::steady_clock::now();
+    const auto begin = std::chrono::steady_clock::now();
     while (true)
     {
-      int status          = 0;
+      int status = 0;
       const pid_t process = waitpid(-1, &status, limited ? WNOHANG : 0);
       if (process > 0)
         return EndedProcess{process, WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status)};

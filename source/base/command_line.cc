@@ -9,7 +9,7 @@ namespace deltaform
 {
   namespace
   {
-    namespace po  = boost::program_options;
+    namespace po = boost::program_options;
     using Command = CommandLine::Command;
     using Strings = std::vector<std::string>;
 
@@ -47,8 +47,8 @@ namespace deltaform
           if (option->long_name() != "words")
             known.push_back("--" + option->long_name());
         const std::string unknown = error.get_option_name();
-        const auto is_opening     = [&unknown](const std::string &name) { return name.find(unknown) == 0; };
-        const auto longer         = std::find_if(known.begin(), known.end(), is_opening);
+        const auto is_opening = [&unknown](const std::string &name) { return name.find(unknown) == 0; };
+        const auto longer = std::find_if(known.begin(), known.end(), is_opening);
         throw UsageError("Unknown option '" + unknown + "'; the nearest known one is '" +
                          (longer != known.end() ? *longer : text::nearest(unknown, known)) + "'.");
       }
@@ -73,8 +73,8 @@ namespace deltaform
       {
         // Values with commas of their own, such as tables, are separated by semicolons.
         const std::string values = text.substr(equals + 1);
-        const char separator     = values.find(';') != std::string::npos ? ';' : ',';
-        result                   = {text::trim(text.substr(0, equals)), text::split(values, separator)};
+        const char separator = values.find(';') != std::string::npos ? ';' : ',';
+        result = {text::trim(text.substr(0, equals)), text::split(values, separator)};
         if (separator == ';' && result.values.size() > 1 && result.values.back().empty())
           result.values.pop_back(); // "0: 0, 1: 1;" is one value
       }
@@ -91,8 +91,8 @@ namespace deltaform
                                                                       {"list", Command::list},
                                                                       {"print-parameters", Command::print_parameters},
                                                                       {"check", Command::check}};
-      Command command                                              = sweep ? Command::sweep : Command::run;
-      std::string name                                             = sweep ? "sweep" : "";
+      Command command = sweep ? Command::sweep : Command::run;
+      std::string name = sweep ? "sweep" : "";
       for (const auto &[option, meaning] : commands)
         if (values[option].as<bool>())
         {
@@ -100,7 +100,7 @@ namespace deltaform
             return meaning;
           if (!name.empty())
             throw UsageError(name + " and --" + option + " exclude each other.");
-          name    = std::string("--") + option;
+          name = std::string("--") + option;
           command = meaning;
         }
       return command;
@@ -110,17 +110,17 @@ namespace deltaform
   CommandLine CommandLine::parse(const int argc, const char *const *const argv)
   {
     const auto values = read_options(argc, argv);
-    Strings words     = value_or(values, "words", Strings());
-    const bool sweep  = !words.empty() && words.front() == "sweep";
+    Strings words = value_or(values, "words", Strings());
+    const bool sweep = !words.empty() && words.front() == "sweep";
     if (sweep)
       words.erase(words.begin());
 
     CommandLine line;
     line.command = chosen_command(values, sweep);
-    line.sets    = value_or(values, "set", Strings());
-    line.output  = value_or(values, "output", std::string());
-    line.quiet   = values["quiet"].as<bool>();
-    line.resume  = values["resume"].as<bool>();
+    line.sets = value_or(values, "set", Strings());
+    line.output = value_or(values, "output", std::string());
+    line.quiet = values["quiet"].as<bool>();
+    line.resume = values["resume"].as<bool>();
     for (const auto &text : value_or(values, "vary", Strings()))
     {
       line.variations.push_back(variation(text));
@@ -137,7 +137,7 @@ namespace deltaform
     if (values.count("output") > 0 && line.output.empty())
       throw UsageError("--output needs the name of a folder.");
 
-    const bool computes    = line.command == Command::run || sweep;
+    const bool computes = line.command == Command::run || sweep;
     const bool needs_scene = computes || line.command == Command::check;
     const bool takes_scene = needs_scene || line.command == Command::print_parameters;
     if (words.empty() && needs_scene)
@@ -157,7 +157,7 @@ namespace deltaform
     const int jobs = value_or(values, "jobs", 1);
     if (jobs < 1)
       throw UsageError("--jobs needs a number of at least 1.");
-    line.jobs    = static_cast<unsigned int>(jobs);
+    line.jobs = static_cast<unsigned int>(jobs);
     line.seconds = value_or(values, "seconds", infinity);
     if (!(line.seconds > 0))
       throw UsageError("--seconds needs a positive number.");

@@ -40,7 +40,8 @@ namespace deltaform
     }
   } // namespace
 
-  Expression::Expression(const std::string &text, const Constants &constants) : parser_(std::make_shared<Parser>())
+  Expression::Expression(const std::string &text, const Constants &constants)
+    : parser_(std::make_shared<Parser>())
   {
     auto &parser = parser_->parser;
     try
@@ -79,7 +80,7 @@ namespace deltaform
     const std::string number = text::trim(text);
     if (number.empty())
       throw std::invalid_argument("a number is missing");
-    char *end    = nullptr;
+    char *end = nullptr;
     double value = std::strtod(number.c_str(), &end);
     if (*end != '\0')
     {

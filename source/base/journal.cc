@@ -15,8 +15,8 @@ namespace deltaform
     /// A longer line would wrap, and only its last part be rewritten.
     std::string fit_to_terminal(const std::string &line)
     {
-      winsize size      = {};
-      const bool known  = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+      winsize size = {};
+      const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
       std::size_t space = known ? size.ws_col - 1u : 79u;
       std::size_t bytes = 0;
       while (bytes < line.size())
@@ -30,7 +30,8 @@ namespace deltaform
     }
   } // namespace
 
-  Journal::Journal(const Console console) : Journal(console, std::cout, std::cerr)
+  Journal::Journal(const Console console)
+    : Journal(console, std::cout, std::cerr)
   {
     if (console == Console::automatic && isatty(STDOUT_FILENO) != 0)
       console_ = Console::terminal;

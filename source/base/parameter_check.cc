@@ -39,7 +39,7 @@ namespace deltaform
         if (section.entry(list) == nullptr)
           continue;
         const auto names = text::split(text::unquoted(value_of(list)), ',');
-        const bool all   = std::all_of(
+        const bool all = std::all_of(
           names.begin(), names.end(), [&](const std::string &name) { return section.section(name) != nullptr; });
         if (list == "Names" || (all && !names.empty()))
           return "subsection '" + unknown + "' is not in " + to_string(path, list) +
@@ -65,9 +65,9 @@ namespace deltaform
         where = subsection->origin.to_string();
         break;
       }
-    const Node *const section            = find(path);
+    const Node *const section = find(path);
     const Declaration *const declaration = section == nullptr ? nullptr : section->entry(entry);
-    const std::string value              = declaration == nullptr ? "" : " = " + declaration->value + " (the default)";
+    const std::string value = declaration == nullptr ? "" : " = " + declaration->value + " (the default)";
     throw SceneError(where + ": " + who + value + ": " + message);
   }
 
@@ -95,7 +95,7 @@ namespace deltaform
       const bool misspelt =
         entry.path == path && section->entry(entry.name) == nullptr && text::similar(entry.name, declaration.name);
       const Node *const there = find(entry.path);
-      const bool misplaced    = entry.path != path && entry.name == declaration.name && path.size() < 2 &&
+      const bool misplaced = entry.path != path && entry.name == declaration.name && path.size() < 2 &&
                              (there == nullptr || there->entry(entry.name) == nullptr);
       if (misspelt || misplaced)
         message += " Is it meant by " + to_string(entry.path, entry.name) + " (" + entry.origin.to_string() + ")?";
@@ -106,7 +106,7 @@ namespace deltaform
   std::string ParameterTree::complain_about(const SceneFile::Entry &entry) const
   {
     const std::string opening = entry.origin.to_string() + ": unknown entry " + to_string(entry.path, entry.name);
-    SectionPath known_path    = entry.path;
+    SectionPath known_path = entry.path;
     while (find(known_path) == nullptr)
       known_path.pop_back();
     const Node &section = *find(known_path);
@@ -116,7 +116,7 @@ namespace deltaform
       for (const auto &candidate : section.sections)
         known.push_back(candidate->name);
       const std::string &unknown = entry.path[known_path.size()];
-      const std::string missing  = missing_in_list(
+      const std::string missing = missing_in_list(
         section, known_path, unknown, [&](const std::string &list) { return value(known_path, *section.entry(list)); });
       if (!missing.empty())
         return opening + ": " + missing;
@@ -129,17 +129,16 @@ namespace deltaform
     std::string complaint = opening + "." + nearest_known(entry.name, known, "entry");
 
     const std::function<void(const Node &, const SectionPath &)> look_for_it =
-      [&](const Node &there, const SectionPath &path)
-    {
-      if (const Declaration *const same = there.entry(entry.name))
-        complaint += " Wrong section? '" + same->name + "' belongs to " + section_title(path) + ".";
-      for (const auto &inner : there.sections)
-      {
-        SectionPath inner_path = path;
-        inner_path.push_back(inner->name);
-        look_for_it(*inner, inner_path);
-      }
-    };
+      [&](const Node &there, const SectionPath &path) {
+        if (const Declaration *const same = there.entry(entry.name))
+          complaint += " Wrong section? '" + same->name + "' belongs to " + section_title(path) + ".";
+        for (const auto &inner : there.sections)
+        {
+          SectionPath inner_path = path;
+          inner_path.push_back(inner->name);
+          look_for_it(*inner, inner_path);
+        }
+      };
     look_for_it(root_, {});
     return complaint;
   }
@@ -174,8 +173,8 @@ namespace deltaform
     for (const auto &entry : scene_.entries)
     {
       const Node *const section = find(entry.path);
-      const bool known          = section != nullptr && section->entry(entry.name) != nullptr;
-      const bool covered        = section == nullptr && scene_.find(entry.path) != nullptr;
+      const bool known = section != nullptr && section->entry(entry.name) != nullptr;
+      const bool covered = section == nullptr && scene_.find(entry.path) != nullptr;
       if (!known && !covered)
         complaints.push_back(complain_about(entry));
     }

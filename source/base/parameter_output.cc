@@ -78,7 +78,8 @@ namespace deltaform
       if (!first)
         out << '\n';
       first = false;
-      out << indent << "subsection " << section->name << '\n' << content.str() << indent << "end\n";
+      out << indent << "subsection " << section->name << '\n'
+          << content.str() << indent << "end\n";
     }
   }
 

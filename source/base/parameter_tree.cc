@@ -66,7 +66,8 @@ namespace deltaform
     }
   } // namespace
 
-  ParameterTree::ParameterTree(SceneFile scene) : ParameterTree(std::move(scene), false)
+  ParameterTree::ParameterTree(SceneFile scene)
+    : ParameterTree(std::move(scene), false)
   {
   }
 
@@ -180,11 +181,11 @@ namespace deltaform
     for (const auto &name : path)
     {
       const auto same_name = [&name](const std::unique_ptr<Node> &candidate) { return candidate->name == name; };
-      auto next            = std::find_if(node->sections.begin(), node->sections.end(), same_name);
+      auto next = std::find_if(node->sections.begin(), node->sections.end(), same_name);
       if (next == node->sections.end())
       {
         node->sections.push_back(std::make_unique<Node>());
-        next          = std::prev(node->sections.end());
+        next = std::prev(node->sections.end());
         (*next)->name = name;
       }
       node = next->get();

@@ -129,15 +129,15 @@ namespace deltaform::ranks
     // Causes are literals; one that arrives from elsewhere is kept for the rest of the run.
     static std::set<std::string> causes;
     const bool mine_is_worst = static_cast<int>(own.outcome) == worst_outcome;
-    const auto texts         = gather(mine_is_worst ? std::string(own.cause) : std::string());
-    const auto places        = gather(std::vector<unsigned int>{own.place});
-    const auto outcomes      = gather(std::vector<int>{static_cast<int>(own.outcome)});
+    const auto texts = gather(mine_is_worst ? std::string(own.cause) : std::string());
+    const auto places = gather(std::vector<unsigned int>{own.place});
+    const auto outcomes = gather(std::vector<int>{static_cast<int>(own.outcome)});
     const auto who =
       static_cast<std::size_t>(std::find(outcomes.begin(), outcomes.end(), worst_outcome) - outcomes.begin());
     Status result;
     result.outcome = static_cast<decltype(result.outcome)>(worst_outcome);
-    result.cause   = causes.insert(texts[who]).first->c_str();
-    result.place   = places[who];
+    result.cause = causes.insert(texts[who]).first->c_str();
+    result.place = places[who];
     return result;
   }
 
@@ -154,7 +154,7 @@ namespace deltaform::ranks
       return first();
     }
     const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-    int done            = 0;
+    int done = 0;
     for (; done == 0 && std::chrono::steady_clock::now() < patience;
          std::this_thread::sleep_for(std::chrono::milliseconds(5)))
       MPI_Test(&request, &done, MPI_STATUS_IGNORE);

@@ -122,7 +122,7 @@ namespace deltaform
         for (auto &entry : scene_.entries)
           if (entry.path == path_ && entry.name == name)
           {
-            entry.value  = value;
+            entry.value = value;
             entry.origin = origin_;
             return;
           }
@@ -131,12 +131,12 @@ namespace deltaform
 
       void include(const std::string &relative_name)
       {
-        namespace fs                = std::filesystem;
-        const fs::path resolved     = fs::path(relative_name).is_absolute()
-                                        ? fs::path(relative_name)
-                                        : fs::path(origin_.file).parent_path() / relative_name;
+        namespace fs = std::filesystem;
+        const fs::path resolved = fs::path(relative_name).is_absolute()
+                                    ? fs::path(relative_name)
+                                    : fs::path(origin_.file).parent_path() / relative_name;
         const std::string file_name = resolved.lexically_normal().string();
-        const std::string opening   = origin_.to_string() + ": include " + relative_name;
+        const std::string opening = origin_.to_string() + ": include " + relative_name;
         for (const auto &file : files_)
           if (fs::weakly_canonical(file) == fs::weakly_canonical(file_name))
             throw SceneError(opening + " closes a cycle: " + text::join(files_, " -> ") + " -> " + file_name + ".");
@@ -186,11 +186,11 @@ namespace deltaform
   void SceneFile::override_entry(const std::string &assignment)
   {
     const auto equals = assignment.find('=');
-    auto path         = text::split(assignment.substr(0, equals), '/');
+    auto path = text::split(assignment.substr(0, equals), '/');
     if (equals == std::string::npos || path.empty() || path.back().empty())
       throw SceneError("--set \"" + assignment + "\": expected \"Section/Entry=value\".");
     const std::string entry_name = tidy(path.back());
-    const std::string value      = text::trim(assignment.substr(equals + 1));
+    const std::string value = text::trim(assignment.substr(equals + 1));
     // Otherwise the scene that is echoed into the output folder would not read back.
     if (value.find_first_of("#\n\r") != std::string::npos || (!value.empty() && value.back() == '\\'))
       throw SceneError("--set \"" + assignment + "\": a value is one line without '#' and without '\\' at its end.");
@@ -200,7 +200,7 @@ namespace deltaform
     for (auto &entry : entries)
       if (entry.path == path && entry.name == entry_name)
       {
-        entry.value  = value;
+        entry.value = value;
         entry.origin = {"--set", 0};
         return;
       }

@@ -24,7 +24,7 @@ namespace deltaform
     auto
     read(ParameterTree &tree, const SectionPath &path, ParameterTree::Declaration declaration, const Convert &convert)
     {
-      declaration.check      = [convert](const std::string &value) { convert(value); };
+      declaration.check = [convert](const std::string &value) { convert(value); };
       const std::string text = tree.declare(path, declaration);
       try
       {
@@ -66,7 +66,8 @@ namespace deltaform
     return (open_below ? "(" : "[") + text::format(lower) + ", " + text::format(upper) + (open_above ? ")" : "]");
   }
 
-  Section::Section(ParameterTree &tree, std::vector<std::string> path) : tree_(&tree), path_(std::move(path))
+  Section::Section(ParameterTree &tree, std::vector<std::string> path)
+    : tree_(&tree), path_(std::move(path))
   {
     tree_->declare_section(path_);
   }
@@ -101,8 +102,7 @@ namespace deltaform
     return read(*tree_,
                 path_,
                 {name, std::to_string(value), false, "", "integer in " + range.to_string(), sentence, {}},
-                [range](const std::string &text)
-                {
+                [range](const std::string &text) {
                   const double number = number_in(text, range);
                   if (number != std::floor(number) || std::abs(number) > INT_MAX)
                     throw std::invalid_argument("must be an integer in " + range.to_string());
@@ -115,8 +115,7 @@ namespace deltaform
     return read(*tree_,
                 path_,
                 {name, value ? "true" : "false", false, "", "true or false", sentence, {}},
-                [](const std::string &text)
-                {
+                [](const std::string &text) {
                   if (text == "true" || text == "yes" || text == "on")
                     return true;
                   if (text == "false" || text == "no" || text == "off")
@@ -131,8 +130,7 @@ namespace deltaform
     return read(*tree_,
                 path_,
                 {name, value.value, required, "", "", sentence, {}},
-                [required](const std::string &text)
-                {
+                [required](const std::string &text) {
                   if (required && text.empty())
                     throw std::invalid_argument("must not be empty");
                   return text;
@@ -148,8 +146,7 @@ namespace deltaform
     return read(*tree_,
                 path_,
                 {name, value, false, "", allowed, sentence, {}},
-                [choices, allowed](const std::string &text)
-                {
+                [choices, allowed](const std::string &text) {
                   if (std::find(choices.begin(), choices.end(), text) == choices.end())
                     throw std::invalid_argument("must be " + allowed + " (nearest: " + text::nearest(text, choices) +
                                                 ")");
@@ -163,8 +160,7 @@ namespace deltaform
     return read(*tree_,
                 path_,
                 {name, value, false, "", "names separated by commas", sentence, {}},
-                [](const std::string &text)
-                {
+                [](const std::string &text) {
                   const auto result = text::split(text::unquoted(text), ',');
                   for (auto i = result.begin(); i != result.end(); ++i)
                   {
@@ -185,8 +181,7 @@ namespace deltaform
     return read(*tree_,
                 path_,
                 {name, value, false, unit, "numbers separated by commas", sentence, {}},
-                [](const std::string &text)
-                {
+                [](const std::string &text) {
                   std::vector<double> result;
                   for (const auto &piece : text::split(text::unquoted(text), ','))
                     result.push_back(evaluate_number(piece));
@@ -200,13 +195,12 @@ namespace deltaform
                                                  const std::string &unit,
                                                  const std::string &sentence)
   {
-    const bool required    = value.required;
+    const bool required = value.required;
     const std::string form = "rows of " + std::to_string(columns) + " numbers separated by semicolons";
     return read(*tree_,
                 path_,
                 {name, value.value, required, unit, form, sentence, {}},
-                [columns, form, required](const std::string &text)
-                {
+                [columns, form, required](const std::string &text) {
                   std::vector<std::vector<double>> result;
                   auto pieces = text::split(text::unquoted(text), ';');
                   if (!pieces.empty() && pieces.back().empty()) // "0 0; 1 0;"

@@ -14,7 +14,7 @@ namespace deltaform
     std::string trim(const std::string &text)
     {
       const char *const white = " \t\r\n\v\f";
-      const auto first        = text.find_first_not_of(white);
+      const auto first = text.find_first_not_of(white);
       if (first == std::string::npos)
         return {};
       return text.substr(first, text.find_last_not_of(white) - first + 1);
@@ -68,12 +68,12 @@ namespace deltaform
       }
       // As many digits as the shortest number that is read back as the value.
       const char *const end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
-      const auto digits     = std::count_if(static_cast<const char *>(buffer),
+      const auto digits = std::count_if(static_cast<const char *>(buffer),
                                         std::find(static_cast<const char *>(buffer), end, 'e'),
                                         [](const char c) { return c >= '0' && c <= '9'; });
       std::snprintf(buffer, sizeof buffer, "%.*g", static_cast<int>(digits), value);
       // 1e7 rather than 1e+07.
-      std::string result  = buffer;
+      std::string result = buffer;
       const auto exponent = result.find('e');
       if (exponent != std::string::npos)
         result = result.substr(0, exponent + 1) + std::to_string(std::atoi(result.c_str() + exponent + 1));
@@ -99,7 +99,7 @@ namespace deltaform
         for (std::size_t j = 1; j <= b.size(); ++j)
         {
           const unsigned int replace = above[j - 1] + (lower(a[i - 1]) != lower(b[j - 1]));
-          row[j]                     = std::min({above[j] + 1, row[j - 1] + 1, replace});
+          row[j] = std::min({above[j] + 1, row[j - 1] + 1, replace});
           if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]))
             row[j] = std::min(row[j], before[j - 2] + 1);
         }
@@ -111,8 +111,9 @@ namespace deltaform
 
     std::string nearest(const std::string &name, const std::vector<std::string> &candidates)
     {
-      const auto closer = [&name](const std::string &a, const std::string &b)
-      { return edit_distance(name, a) < edit_distance(name, b); };
+      const auto closer = [&name](const std::string &a, const std::string &b) {
+        return edit_distance(name, a) < edit_distance(name, b);
+      };
       const auto best = std::min_element(candidates.begin(), candidates.end(), closer);
       return best == candidates.end() ? std::string() : *best;
     }

@@ -15,7 +15,7 @@ namespace deltaform
 {
   struct TimeFunction::Implementation
   {
-    virtual ~Implementation()               = default;
+    virtual ~Implementation() = default;
     virtual double value(double time) const = 0;
     /// Increasing times from @p from to @p to between which the function is expected to be monotone.
     virtual std::vector<double> knots(double from, double to) const = 0;
@@ -23,7 +23,8 @@ namespace deltaform
 
   struct TimeFunction::FromExpression : TimeFunction::Implementation
   {
-    explicit FromExpression(Expression e) : expression(std::move(e))
+    explicit FromExpression(Expression e)
+      : expression(std::move(e))
     {
     }
 
@@ -70,7 +71,7 @@ namespace deltaform
         return values.front();
       if (upper == times.end())
         return values.back();
-      const auto i        = static_cast<std::size_t>(upper - times.begin());
+      const auto i = static_cast<std::size_t>(upper - times.begin());
       const double weight = (time - times[i - 1]) / (times[i] - times[i - 1]);
       return (1. - weight) * values[i - 1] + weight * values[i];
     }
@@ -93,7 +94,8 @@ namespace deltaform
     std::vector<double> times, values;
   };
 
-  TimeFunction::TimeFunction(const double value) : text_(text::format(value)), constant_(value)
+  TimeFunction::TimeFunction(const double value)
+    : text_(text::format(value)), constant_(value)
   {
   }
 
@@ -127,19 +129,20 @@ namespace deltaform
   double TimeFunction::inverse(const double value, const double from, const double to) const
   {
     const auto nowhere = std::numeric_limits<double>::quiet_NaN();
-    const auto equal   = [](const double difference, const double scale)
-    { return std::abs(difference) <= 1e-13 * scale; };
+    const auto equal = [](const double difference, const double scale) {
+      return std::abs(difference) <= 1e-13 * scale;
+    };
     if (implementation_ == nullptr)
       return equal(constant_ - value, std::abs(value)) ? from : nowhere;
 
     const auto difference = [&](const double time) { return implementation_->value(time) - value; };
-    const auto times      = implementation_->knots(from, to);
+    const auto times = implementation_->knots(from, to);
     std::vector<double> differences(times.size());
     double scale = std::abs(value);
     for (std::size_t i = 0; i < times.size(); ++i)
     {
       differences[i] = difference(times[i]);
-      scale          = std::max(scale, std::abs(differences[i]));
+      scale = std::max(scale, std::abs(differences[i]));
     }
     for (std::size_t i = 0; i < times.size(); ++i)
     {
@@ -148,7 +151,7 @@ namespace deltaform
       if (i + 1 < times.size() && !equal(differences[i + 1], scale) && differences[i] * differences[i + 1] < 0.)
       {
         std::uintmax_t iterations = 100;
-        const auto bracket        = boost::math::tools::toms748_solve(difference,
+        const auto bracket = boost::math::tools::toms748_solve(difference,
                                                                times[i],
                                                                times[i + 1],
                                                                differences[i],

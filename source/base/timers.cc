@@ -16,7 +16,8 @@ namespace deltaform
     }
   } // namespace
 
-  Timers::Timers() : start_(Clock::now())
+  Timers::Timers()
+    : start_(Clock::now())
   {
   }
 

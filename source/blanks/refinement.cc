@@ -11,22 +11,22 @@ namespace deltaform
                      "Which cells of a solid are refined during the run: none; those with contact edges that are too "
                      "long for the radius of the tool; besides, those in which the stresses differ most from recovered "
                      "ones (Zienkiewicz and Zhu).");
-    active   = criterion != "none";
+    active = criterion != "none";
     by_error = criterion == "recovery";
     if (!active && !section.documentation())
       return;
-    share  = section.number("Error share",
+    share = section.number("Error share",
                            .5,
                            Range::above_to(0, 1),
                            "1",
                            "The cells with the largest errors that together hold this share of the squared error are "
-                            "refined (Criterion = recovery).");
+                           "refined (Criterion = recovery).");
     target = section.number("Target error",
                             0.,
                             Range::from_to_below(0, 1),
                             "1",
                             "Estimated relative error in energy below which the error asks for no more cells.");
-    every  = section.integer("Every", 1, 1, 1000000, "Refine after so many increments.");
+    every = section.integer("Every", 1, 1, 1000000, "Refine after so many increments.");
     passes = section.integer("Passes", 1, 1, 30, "Refinements at the same time, each followed by a new equilibrium.");
     levels = section.integer("Maximal level", 3, 1, 20, "How many times a cell of the first mesh may be halved.");
     edge_share =

@@ -281,20 +281,20 @@ namespace deltaform
                            const ContactThickness thickness,
                            ContactNode &result) const
   {
-    const double h              = thickness == ContactThickness::current   ? node_thickness_[node]
-                                  : thickness == ContactThickness::initial ? thickness_
-                                                                           : 0.;
-    result.node                 = node;
-    result.dofs                 = node_dofs_[node];
-    result.x                    = position(q, node);
-    result.area                 = node_area_[node];
+    const double h = thickness == ContactThickness::current   ? node_thickness_[node]
+                     : thickness == ContactThickness::initial ? thickness_
+                                                              : 0.;
+    result.node = node;
+    result.dofs = node_dofs_[node];
+    result.x = position(q, node);
+    result.area = node_area_[node];
     result.reference_coordinate = mesh_.nodes()[node][0];
-    result.arc_coordinate       = mesh_.arc_length()[node];
-    result.thickness            = node_thickness_[node];
-    result.squeeze              = result.area > 0 ? .5 * h / (modulus() * result.area) : 0.;
-    result.relief               = thickness == ContactThickness::current ? node_relief_[node] : 0.;
-    result.jacobian[0]          = Tensor1({1., 0.});
-    result.jacobian[1]          = Tensor1({0., 1.});
+    result.arc_coordinate = mesh_.arc_length()[node];
+    result.thickness = node_thickness_[node];
+    result.squeeze = result.area > 0 ? .5 * h / (modulus() * result.area) : 0.;
+    result.relief = thickness == ContactThickness::current ? node_relief_[node] : 0.;
+    result.jacobian[0] = Tensor1({1., 0.});
+    result.jacobian[1] = Tensor1({0., 1.});
     if (contact_point_ == ContactPoint::normal_offset)
     {
       result.n_dofs = 2;
@@ -302,13 +302,13 @@ namespace deltaform
       return;
     }
     const double theta = node_angle_[node] + rotation(q, node);
-    const double arm   = side == Side::top ? .5 * h : -.5 * h;
+    const double arm = side == Side::top ? .5 * h : -.5 * h;
     const Tensor1 d({-std::sin(theta), std::cos(theta)}), t({std::cos(theta), std::sin(theta)});
     result.n_dofs = 3;
     result.offset = 0.;
     result.x += arm * d;
     result.jacobian[2] = -arm * t;
-    result.second[2]   = -arm * d;
+    result.second[2] = -arm * d;
   }
 
 

@@ -23,10 +23,10 @@ namespace deltaform
   Status Shell::assemble_cells(const Vector &q, AssemblyTarget &target)
   {
     constexpr unsigned int n_dofs = 3 * n_nodes;
-    const unsigned int n_cells    = mesh_.cells().size();
-    const unsigned int per_cell   = n_points_per_cell_ * n_layers_;
-    const bool tangent            = target.wants_tangent();
-    const double shear_stiffness  = membrane ? 0. : shear_factor_ * material_->shear_modulus() * thickness_;
+    const unsigned int n_cells = mesh_.cells().size();
+    const unsigned int per_cell = n_points_per_cell_ * n_layers_;
+    const bool tangent = target.wants_tangent();
+    const double shear_stiffness = membrane ? 0. : shear_factor_ * material_->shear_modulus() * thickness_;
 
     std::vector<double> layer_tangent(tangent ? per_cell * 16 : 0);
     std::vector<std::array<double, 4>> layer_geometry(per_cell); // 1/a1, 1/a2, zeta, weight
@@ -51,36 +51,36 @@ namespace deltaform
         const ShellPoint &point = points_[c * n_points_per_cell_ + p];
         strains.push_back(shell_strain<n_nodes, membrane>(point, cell, mesh_.nodes(), q, dofs.data(), axisymmetric_));
         const ShellStrain &strain = strains.back();
-        const double ratio        = thickness_ratio_[c * n_points_per_cell_ + p];
+        const double ratio = thickness_ratio_[c * n_points_per_cell_ + p];
         for (unsigned int l = 0; l < n_layers_; ++l)
         {
           const unsigned int i = p * n_layers_ + l;
-          const double zeta    = ratio * layer_position_[l];
-          const double a1      = strain.lambda - zeta * strain.theta_prime;
-          const double a2      = axisymmetric_ ? strain.r + zeta * strain.d_r() : 1.;
+          const double zeta = ratio * layer_position_[l];
+          const double a1 = strain.lambda - zeta * strain.theta_prime;
+          const double a2 = axisymmetric_ ? strain.r + zeta * strain.d_r() : 1.;
           const double a1_zero = point.lambda - layer_position_[l] * point.angle_prime;
           const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * std::sin(point.angle) : 1.;
           if (!(a1 > 0) || !(a2 > 0))
             return Status::shorten("a layer of the shell is turned inside out", c);
-          Mandel &e         = strain_[first + i];
-          e[0]              = std::log(a1 / a1_zero);
-          e[1]              = axisymmetric_ ? std::log(a2 / a2_zero) : 0.;
-          e[3]              = 0.;
+          Mandel &e = strain_[first + i];
+          e[0] = std::log(a1 / a1_zero);
+          e[1] = axisymmetric_ ? std::log(a2 / a2_zero) : 0.;
+          e[3] = 0.;
           layer_geometry[i] = {{1. / a1, 1. / a2, zeta, point.weight * layer_weight_[l] * a1_zero * a2_zero}};
         }
       }
 
       MaterialBatch batch;
-      batch.n_points        = per_cell;
+      batch.n_points = per_cell;
       batch.third_direction = ThirdDirection::stress_given;
-      batch.strain          = &strain_[first];
-      batch.third_stress    = &third_stress_[first];
-      batch.committed       = history_.committed(first);
-      batch.carried         = carried_.at(first);
-      batch.trial           = history_.trial(first);
-      batch.stress          = &stress_[first];
-      batch.tangent         = tangent ? layer_tangent.data() : nullptr;
-      Status cell_status    = material_->update(batch);
+      batch.strain = &strain_[first];
+      batch.third_stress = &third_stress_[first];
+      batch.committed = history_.committed(first);
+      batch.carried = carried_.at(first);
+      batch.trial = history_.trial(first);
+      batch.stress = &stress_[first];
+      batch.tangent = tangent ? layer_tangent.data() : nullptr;
+      Status cell_status = material_->update(batch);
       if (!cell_status.good())
       {
         cell_status.place = c;
@@ -93,25 +93,25 @@ namespace deltaform
         matrix.fill(0.);
       for (unsigned int p = 0; p < n_points_per_cell_; ++p)
       {
-        const ShellPoint &point   = points_[c * n_points_per_cell_ + p];
+        const ShellPoint &point = points_[c * n_points_per_cell_ + p];
         const ShellStrain &strain = strains[p];
         Resultants total;
         auto &n = total.n;
         auto &g = total.g;
         for (unsigned int l = 0; l < n_layers_; ++l)
         {
-          const unsigned int i               = p * n_layers_ + l;
+          const unsigned int i = p * n_layers_ + l;
           const auto &[i1, i2, zeta, weight] = layer_geometry[i];
-          const Mandel &tau                  = stress_[first + i];
-          const double s1                    = weight * tau[0] * i1;
-          const double s2                    = axisymmetric_ ? weight * tau[1] * i2 : 0.;
+          const Mandel &tau = stress_[first + i];
+          const double s1 = weight * tau[0] * i1;
+          const double s2 = axisymmetric_ ? weight * tau[1] * i2 : 0.;
           n[ShellStrain::stretch] += s1;
           n[ShellStrain::curvature] -= zeta * s1;
           n[ShellStrain::radius] += s2;
           n[ShellStrain::director_r] += zeta * s2;
           if (tangent)
           {
-            const double *t  = &layer_tangent[16 * i];
+            const double *t = &layer_tangent[16 * i];
             const double k11 = weight * (t[0] - tau[0]) * i1 * i1;
             g[0][0] += k11;
             g[0][1] -= zeta * k11;
@@ -130,9 +130,9 @@ namespace deltaform
             }
           }
         }
-        const double shear    = shear_stiffness * point.weight * point.radius;
+        const double shear = shear_stiffness * point.weight * point.radius;
         n[ShellStrain::shear] = shear * (strain.gamma - point.gamma);
-        g[4][4]               = shear;
+        g[4][4] = shear;
         for (unsigned int i = 1; i < 4; ++i)
           for (unsigned int j = 0; j < i; ++j)
             g[i][j] = g[j][i];
@@ -160,7 +160,7 @@ namespace deltaform
                                 AssemblyTarget &target) const
   {
     const unsigned int n_nodes = degree_ + 1, n_dofs = 3 * n_nodes;
-    const bool tangent  = target.wants_tangent() && following;
+    const bool tangent = target.wants_tangent() && following;
     const double factor = axisymmetric_ ? 2 * dealii::numbers::PI : 1.;
     std::array<DofIndex, 9> dofs;
     std::array<double, 9> residual;

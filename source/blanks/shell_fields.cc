@@ -117,8 +117,9 @@ namespace deltaform
         stress[p] += w * committed_stress_[i][0];
       }
     const auto mean_stretch = to_nodes(stretch), mean_stress = to_nodes(stress);
-    const auto squeeze = [&](const unsigned int i)
-    { return std::min(contact_pressure_[0][i], contact_pressure_[1][i]); };
+    const auto squeeze = [&](const unsigned int i) {
+      return std::min(contact_pressure_[0][i], contact_pressure_[1][i]);
+    };
     std::vector<SheetSection> result(node_dofs_.size());
     for (unsigned int i = 0; i < result.size(); ++i)
       result[i] = {mesh_.nodes()[i][0],

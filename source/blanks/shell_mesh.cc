@@ -11,7 +11,7 @@ namespace deltaform
     double density(const TimeFunction &grading, const double a, const double b)
     {
       constexpr unsigned int n = 64;
-      double sum               = 0;
+      double sum = 0;
       for (unsigned int k = 0; k <= n; ++k)
         sum += (k == 0 || k == n ? .5 : 1.) / grading(a + (b - a) * k / n);
       return sum * (b - a) / n;
@@ -25,11 +25,11 @@ namespace deltaform
       for (unsigned int given = weights.size(); given < n_cells; ++given)
       {
         unsigned int neediest = 0;
-        double lack           = -1;
+        double lack = -1;
         for (unsigned int i = 0; i < weights.size(); ++i)
           if (weights[i] / total * n_cells / result[i] > lack)
           {
-            lack     = weights[i] / total * n_cells / result[i];
+            lack = weights[i] / total * n_cells / result[i];
             neediest = i;
           }
         ++result[neediest];
@@ -50,7 +50,7 @@ namespace deltaform
                    "director points to the left of it: upwards for a flat blank that starts at the axis.");
     auto radii = section.numbers(
       "Fillet radii", "", "length", "Radius of the fillet at each corner (0: a kink); empty: no fillets.");
-    const int n_cells  = section.integer("Elements", 50, 1, 1000000, "Number of elements along the meridian.");
+    const int n_cells = section.integer("Elements", 50, 1, 1000000, "Number of elements along the meridian.");
     const auto grading = section.function(
       "Grading",
       Default<std::string>("1"),
@@ -102,8 +102,9 @@ namespace deltaform
                              const double total_length,
                              const unsigned int degree)
   {
-    const auto place = [&](const double fraction)
-    { return (piece.arc_start + fraction * piece.length) / total_length; };
+    const auto place = [&](const double fraction) {
+      return (piece.arc_start + fraction * piece.length) / total_length;
+    };
     const double whole = density(grading, place(0), place(1));
 
     // Ends of the cells: equal shares of the density, found by bisection.
@@ -119,14 +120,13 @@ namespace deltaform
       double low = ends[c - 1], high = 1.;
       while (high - low > 1e-14)
       {
-        const double middle                                                            = .5 * (low + high);
+        const double middle = .5 * (low + high);
         (density(grading, place(0), place(middle)) < whole * c / n_cells ? low : high) = middle;
       }
       ends[c] = .5 * (low + high);
     }
 
-    const auto add_node = [&](const double fraction)
-    {
+    const auto add_node = [&](const double fraction) {
       nodes_.push_back(piece.point_at(fraction * piece.length));
       arc_length_.push_back(piece.arc_start + fraction * piece.length);
       return static_cast<unsigned int>(nodes_.size() - 1);
@@ -141,9 +141,9 @@ namespace deltaform
       if (degree == 2)
         cell.nodes[2] = add_node(middle);
       cell.nodes[1] = add_node(ends[c + 1]);
-      cell.angle    = {{piece.angle_at(ends[c] * piece.length),
-                        piece.angle_at(ends[c + 1] * piece.length),
-                        piece.angle_at(middle * piece.length)}};
+      cell.angle = {{piece.angle_at(ends[c] * piece.length),
+                     piece.angle_at(ends[c + 1] * piece.length),
+                     piece.angle_at(middle * piece.length)}};
       cells_.push_back(cell);
     }
   }

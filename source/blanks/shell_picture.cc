@@ -63,9 +63,9 @@ namespace deltaform
         drawing.points.push_back(x + s * node_thickness_[i] * d);
     }
     const std::size_t n_points = drawing.points.size();
-    double *displacement       = add_field(drawing, "displacement", "length", true, 2, n_points);
-    double *thickness          = add_field(drawing, "thickness", "length", true, 1, n_points);
-    double *thinning           = add_field(drawing, "thickness_strain", "1", true, 1, n_points);
+    double *displacement = add_field(drawing, "displacement", "length", true, 2, n_points);
+    double *thickness = add_field(drawing, "thickness", "length", true, 1, n_points);
+    double *thinning = add_field(drawing, "thickness_strain", "1", true, 1, n_points);
     for (unsigned int i = 0; i < n_nodes; ++i)
     {
       const double strain = std::log(node_thickness_[i] / thickness_);
@@ -73,8 +73,8 @@ namespace deltaform
       {
         *displacement++ = q[node_dofs_[i][0]];
         *displacement++ = q[node_dofs_[i][1]];
-        *thickness++    = node_thickness_[i];
-        *thinning++     = strain;
+        *thickness++ = node_thickness_[i];
+        *thinning++ = strain;
       }
     }
     for (const auto &field : nodal)
@@ -92,24 +92,25 @@ namespace deltaform
   {
     // Cells of degree 2 are drawn in two halves, each with the values of the nearer quadrature point.
     const std::size_t n_cells = mesh_.cells().size() * degree_ * n_layers_;
-    const auto add            = [&](const char *name, const char *unit, const unsigned int components)
-    { return add_field(drawing, name, unit, false, components, n_cells); };
-    double *strain_1   = add("strain_meridional", "1", 1);
-    double *strain_2   = add("strain_hoop", "1", 1);
+    const auto add = [&](const char *name, const char *unit, const unsigned int components) {
+      return add_field(drawing, name, unit, false, components, n_cells);
+    };
+    double *strain_1 = add("strain_meridional", "1", 1);
+    double *strain_2 = add("strain_hoop", "1", 1);
     double *equivalent = add("equivalent_plastic_strain", "1", 1);
-    double *stress_1   = add("stress_meridional", "stress", 1);
-    double *stress_2   = add("stress_hoop", "stress", 1);
-    double *mises      = add("stress_von_mises", "stress", 1);
-    double *pressure   = add("hydrostatic_pressure", "stress", 1);
-    double *strain     = add("strain", "1", 4);
-    double *plastic    = material_->history_size() > 0 ? add("plastic_strain", "1", 4) : nullptr;
+    double *stress_1 = add("stress_meridional", "stress", 1);
+    double *stress_2 = add("stress_hoop", "stress", 1);
+    double *mises = add("stress_von_mises", "stress", 1);
+    double *pressure = add("hydrostatic_pressure", "stress", 1);
+    double *strain = add("strain", "1", 4);
+    double *plastic = material_->history_size() > 0 ? add("plastic_strain", "1", 4) : nullptr;
 
     const unsigned int n_levels = n_layers_ + 1;
     drawing.cells.reserve(4 * n_cells);
     for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
       for (unsigned int part = 0; part < degree_; ++part)
       {
-        const auto &nodes    = mesh_.cells()[c].nodes;
+        const auto &nodes = mesh_.cells()[c].nodes;
         const unsigned int a = part == 0 ? nodes[0] : nodes[2];
         const unsigned int b = part + 1 == degree_ ? nodes[1] : nodes[2];
         const Tensor1 chord = position(q, b) - position(q, a), along = chord / chord.norm();
@@ -119,15 +120,15 @@ namespace deltaform
                {a * n_levels + l, b * n_levels + l, b * n_levels + l + 1, a * n_levels + l + 1})
             drawing.cells.push_back(corner);
           const unsigned int i = (c * n_points_per_cell_ + part) * n_layers_ + l;
-          const Mandel &tau    = committed_stress_[i];
-          *strain_1++          = committed_strain_[i][0];
-          *strain_2++          = committed_strain_[i][1];
-          *equivalent++        = material_->equivalent_plastic_strain(history_.committed(i));
-          *stress_1++          = tau[0];
-          *stress_2++          = tau[1];
-          *mises++             = mises_of(tau);
-          *pressure++          = -(tau[0] + tau[1] + tau[2]) / 3.;
-          strain               = write_turned(committed_strain_[i], along, strain);
+          const Mandel &tau = committed_stress_[i];
+          *strain_1++ = committed_strain_[i][0];
+          *strain_2++ = committed_strain_[i][1];
+          *equivalent++ = material_->equivalent_plastic_strain(history_.committed(i));
+          *stress_1++ = tau[0];
+          *stress_2++ = tau[1];
+          *mises++ = mises_of(tau);
+          *pressure++ = -(tau[0] + tau[1] + tau[2]) / 3.;
+          strain = write_turned(committed_strain_[i], along, strain);
           if (plastic)
             plastic = write_turned(material_->plastic_strain(history_.committed(i)), along, plastic);
         }

@@ -18,7 +18,7 @@ namespace deltaform
     double r = 0, rotation = 0, rotation_prime = 0;
     for (unsigned int a = 0; a < n_nodes; ++a)
     {
-      const Point2 &X  = nodes[cell.nodes[a]];
+      const Point2 &X = nodes[cell.nodes[a]];
       const double x_r = X[0] + q[dofs[3 * a]], x_z = X[1] + q[dofs[3 * a + 1]];
       x_prime[0] += point.gradient[a] * x_r;
       x_prime[1] += point.gradient[a] * x_z;
@@ -53,7 +53,7 @@ namespace deltaform
                  Matrix &matrix)
   {
     constexpr unsigned int n_dofs = 3 * n_nodes;
-    constexpr unsigned int size   = ShellStrain::size;
+    constexpr unsigned int size = ShellStrain::size;
 
     std::array<std::array<double, n_dofs>, size> b;
     for (unsigned int a = 0; a < n_nodes; ++a)

@@ -60,12 +60,11 @@ namespace deltaform
     std::array<DofIndex, 9> dofs{};
     for (unsigned int a = 0; a <= degree_; ++a)
       std::copy(node_dofs_[nodes[a]].begin(), node_dofs_[nodes[a]].end(), dofs.begin() + 3ul * a);
-    const auto evaluate = [&](auto n_nodes, auto membrane)
-    {
+    const auto evaluate = [&](auto n_nodes, auto membrane) {
       return shell_strain<n_nodes, membrane>(
         points_[point], mesh_.cells()[cell], mesh_.nodes(), q, dofs.data(), axisymmetric_);
     };
-    using Two   = std::integral_constant<unsigned int, 2>;
+    using Two = std::integral_constant<unsigned int, 2>;
     using Three = std::integral_constant<unsigned int, 3>;
     if (membrane_)
       return degree_ == 1 ? evaluate(Two(), std::true_type()) : evaluate(Three(), std::true_type());
@@ -76,8 +75,8 @@ namespace deltaform
   double Shell::membrane_angle(const Vector &q, const unsigned int node) const
   {
     const unsigned int before = node > 0 ? node - 1 : node,
-                       after  = std::min<unsigned int>(node + 1, node_dofs_.size() - 1);
-    const Tensor1 chord       = position(q, after) - position(q, before);
+                       after = std::min<unsigned int>(node + 1, node_dofs_.size() - 1);
+    const Tensor1 chord = position(q, after) - position(q, before);
     return std::atan2(chord[1], chord[0]);
   }
 
@@ -113,17 +112,17 @@ namespace deltaform
       for (unsigned int p = 0; p < n_points_per_cell_; ++p)
       {
         const unsigned int place = c * n_points_per_cell_ + p;
-        const ShellPoint &point  = points_[place];
-        const double sine        = energy_ && axisymmetric_ ? std::sin(point.angle) : 0.;
-        double thickness         = 0.;
+        const ShellPoint &point = points_[place];
+        const double sine = energy_ && axisymmetric_ ? std::sin(point.angle) : 0.;
+        double thickness = 0.;
         for (unsigned int l = 0; l < n_layers_; ++l, ++i)
         {
           thickness += layer_weight_[l] * std::exp(strain_[i][2]);
           if (!energy_)
             continue;
           const double volume = volumes[l] = layer_volume(point, sine, l);
-          const Mandel before              = material_->plastic_strain(history_.committed(i));
-          const Mandel after               = material_->plastic_strain(history_.trial(i));
+          const Mandel before = material_->plastic_strain(history_.committed(i));
+          const Mandel after = material_->plastic_strain(history_.trial(i));
           const Mandel &start = committed_stress_[i], &end = stress_[i];
           double work = 0.;
           for (unsigned int k = 0; k < 4; ++k)
@@ -135,7 +134,7 @@ namespace deltaform
         if (energy_)
         {
           const ShellStrain strain = strain_at(q, c, place);
-          const double gamma       = strain.gamma - point.gamma;
+          const double gamma = strain.gamma - point.gamma;
           normal += thickness_strain_work(place, strain, thickness / thickness_, volumes.data());
           elastic += .5 * shear * point.weight * point.radius * gamma * gamma;
         }
@@ -186,8 +185,8 @@ namespace deltaform
     // The mean stress across the thickness does not follow a pressure that varies over less than a thickness: average
     // it over that length. On meshes coarser than the thickness this changes nothing; on finer ones the force of a
     // single node is otherwise taken for a pressure far above the flow stress.
-    auto &mean          = contact_pressure_[static_cast<unsigned int>(side)];
-    const auto &arc     = mesh_.arc_length();
+    auto &mean = contact_pressure_[static_cast<unsigned int>(side)];
+    const auto &arc = mesh_.arc_length();
     const double window = .5 * thickness_ * (1 + 1e-9);
     for (unsigned int i = 0, first = 0, next_loaded = 0; i < mean.size(); ++i)
     {
@@ -214,7 +213,7 @@ namespace deltaform
       for (unsigned int p = 0; p < n_points_per_cell_; ++p)
       {
         const unsigned int place = c * n_points_per_cell_ + p;
-        double sum               = 0.;
+        double sum = 0.;
         for (unsigned int a = 0; a <= degree_; ++a)
         {
           const unsigned int node = mesh_.cells()[c].nodes[a];

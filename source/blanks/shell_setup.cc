@@ -37,7 +37,7 @@ namespace deltaform
       {
         const auto [component, node] = element_->system_to_component_index(i);
         node_dofs_[mesh_.cells()[cell->active_cell_index()].nodes[node]][component] = dofs[i];
-        is_rotation_[dofs[i]]                                                       = component == 2;
+        is_rotation_[dofs[i]] = component == 2;
       }
     }
     for (const auto &cell : mesh_.cells())
@@ -51,7 +51,7 @@ namespace deltaform
     const dealii::FE_Q<1> shapes(degree_);
     const dealii::QGauss<1> quadrature(degree_), load_quadrature(degree_ + 1);
     const double factor = axisymmetric_ ? 2 * PI : 1.;
-    n_points_per_cell_  = quadrature.size();
+    n_points_per_cell_ = quadrature.size();
 
     for (const auto &cell : mesh_.cells())
       for (unsigned int p = 0; p < quadrature.size(); ++p)
@@ -61,7 +61,7 @@ namespace deltaform
         double radius = 0, angle_xi = 0;
         for (unsigned int a = 0; a < n_nodes; ++a)
         {
-          point.shape[a]    = shapes.shape_value(a, quadrature.point(p));
+          point.shape[a] = shapes.shape_value(a, quadrature.point(p));
           point.gradient[a] = shapes.shape_grad(a, quadrature.point(p))[0];
           X_xi += point.gradient[a] * mesh_.nodes()[cell.nodes[a]];
           radius += point.shape[a] * mesh_.nodes()[cell.nodes[a]][0];
@@ -72,13 +72,13 @@ namespace deltaform
         for (auto &gradient : point.gradient)
           gradient /= dS;
         point.angle_prime = membrane_ ? 0. : angle_xi / dS;
-        point.radius      = axisymmetric_ ? radius : 1.;
-        point.weight      = factor * dS * quadrature.weight(p);
+        point.radius = axisymmetric_ ? radius : 1.;
+        point.weight = factor * dS * quadrature.weight(p);
         if (membrane_)
           point.angle = std::atan2(X_xi[1], X_xi[0]);
         const ShellStrain reference(X_xi / dS, point.angle, point.angle_prime, point.radius);
         point.lambda = reference.lambda;
-        point.gamma  = reference.gamma;
+        point.gamma = reference.gamma;
         points_.push_back(point);
       }
 
@@ -88,14 +88,14 @@ namespace deltaform
       point.weight = load_quadrature.weight(p);
       for (unsigned int a = 0; a < n_nodes; ++a)
       {
-        point.shape[a]    = shapes.shape_value(a, load_quadrature.point(p));
+        point.shape[a] = shapes.shape_value(a, load_quadrature.point(p));
         point.gradient[a] = shapes.shape_grad(a, load_quadrature.point(p))[0];
       }
       load_quadrature_.push_back(point);
     }
 
     const unsigned int n = points_.size() * n_layers_;
-    history_             = PointHistory(n, material_->history_size());
+    history_ = PointHistory(n, material_->history_size());
     if (material_->two_steps())
       carried_ = CarriedFlow(n, material_->history_size());
     strain_.assign(n, Mandel{});

@@ -18,7 +18,8 @@ namespace deltaform
     class Nowhere : public AssemblyTarget
     {
     public:
-      explicit Nowhere(const bool tangent) : tangent_(tangent)
+      explicit Nowhere(const bool tangent)
+        : tangent_(tangent)
       {
       }
       void add(const DofIndex *, unsigned int, const double *, const double *) override
@@ -39,7 +40,7 @@ namespace deltaform
   Status Solid::assemble_cells(const Vector &q, AssemblyTarget &target)
   {
     constexpr unsigned int n = 2 * n_nodes;
-    const bool tangent       = target.wants_tangent();
+    const bool tangent = target.wants_tangent();
     std::array<DofIndex, n> dofs;
     std::array<double, n> residual, u;
     std::array<double, n * n> matrix;
@@ -61,14 +62,14 @@ namespace deltaform
       constant_matrices_.clear();
     for (unsigned int c = 0; c < cells_.size(); ++c)
     {
-      const auto &cell         = cells_[c];
+      const auto &cell = cells_[c];
       const unsigned int first = c * n_points;
-      const double *project    = &projection_[c * n_points * n_points];
+      const double *project = &projection_[c * n_points * n_points];
       for (unsigned int a = 0; a < n_nodes; ++a)
         for (unsigned int k = 0; k < 2; ++k)
         {
           dofs[2 * a + k] = node_dofs_[cell[a]][k];
-          u[2 * a + k]    = values[dofs[2 * a + k]];
+          u[2 * a + k] = values[dofs[2 * a + k]];
         }
 
       // Trial elastic strain of all points
@@ -84,15 +85,15 @@ namespace deltaform
           h_zz += point.gradient_z[a] * u[2 * a + 1];
           h_tt += point.shape[a] * u[2 * a];
         }
-        h_tt                    = axisymmetric_ ? h_tt / point.radius : 0.;
-        Deformation &F          = deformation_[first + p];
-        F.f                     = {{1. + h_rr, h_rz, h_zr, 1. + h_zz}};
-        F.hoop                  = 1. + h_tt;
+        h_tt = axisymmetric_ ? h_tt / point.radius : 0.;
+        Deformation &F = deformation_[first + p];
+        F.f = {{1. + h_rr, h_rz, h_zr, 1. + h_zz}};
+        F.hoop = 1. + h_tt;
         const double round_part = axisymmetric_ ? 1. / point.radius : 0.;
-        Mandel &e               = strain_[first + p];
+        Mandel &e = strain_[first + p];
         if (!finite_)
         {
-          e             = {{h_rr, h_zz, h_tt, root_half * (h_rz + h_zr)}};
+          e = {{h_rr, h_zz, h_tt, root_half * (h_rz + h_zr)}};
           volumetric[p] = h_rr + h_zz + h_tt;
           for (unsigned int a = 0; a < n_nodes; ++a)
           {
@@ -102,7 +103,7 @@ namespace deltaform
           }
           continue;
         }
-        const auto &f     = F.f;
+        const auto &f = F.f;
         const double in_j = f[0] * f[3] - f[1] * f[2];
         if (!(in_j > 0) || !(F.hoop > 0))
           return Status::shorten("a cell of the solid is turned inside out", c);
@@ -113,13 +114,13 @@ namespace deltaform
           g[p].z[a] = inverse * (f[0] * point.gradient_z[a] - f[1] * point.gradient_r[a]);
           g[p].t[a] = around * point.shape[a];
         }
-        const auto &cp       = plastic_metric_[first + p];
-        b[p].xx              = f[0] * f[0] * cp[0] + 2 * f[0] * f[1] * cp[3] + f[1] * f[1] * cp[1];
-        b[p].yy              = f[2] * f[2] * cp[0] + 2 * f[2] * f[3] * cp[3] + f[3] * f[3] * cp[1];
-        b[p].xy              = f[0] * f[2] * cp[0] + (f[0] * f[3] + f[1] * f[2]) * cp[3] + f[1] * f[3] * cp[1];
-        b[p].zz              = F.hoop * F.hoop * cp[2];
-        e                    = LogarithmicStrain::strain(b[p]);
-        volumetric[p]        = std::log(in_j * F.hoop);
+        const auto &cp = plastic_metric_[first + p];
+        b[p].xx = f[0] * f[0] * cp[0] + 2 * f[0] * f[1] * cp[3] + f[1] * f[1] * cp[1];
+        b[p].yy = f[2] * f[2] * cp[0] + 2 * f[2] * f[3] * cp[3] + f[3] * f[3] * cp[1];
+        b[p].xy = f[0] * f[2] * cp[0] + (f[0] * f[3] + f[1] * f[2]) * cp[3] + f[1] * f[3] * cp[1];
+        b[p].zz = F.hoop * F.hoop * cp[2];
+        e = LogarithmicStrain::strain(b[p]);
+        volumetric[p] = std::log(in_j * F.hoop);
         const Mandel plastic = material_->plastic_strain(history_.committed(first + p));
         for (unsigned int k = 0; k < 4; ++k)
           e[k] += plastic[k]; // the material subtracts it
@@ -134,15 +135,15 @@ namespace deltaform
       }
 
       MaterialBatch batch;
-      batch.n_points        = n_points;
+      batch.n_points = n_points;
       batch.third_direction = ThirdDirection::strain_given;
-      batch.strain          = &strain_[first];
-      batch.committed       = history_.committed(first);
-      batch.carried         = carried_.at(first);
-      batch.trial           = history_.trial(first);
-      batch.stress          = &stress_[first];
-      batch.tangent         = tangent ? moduli.data() : nullptr;
-      Status status         = material_->update(batch);
+      batch.strain = &strain_[first];
+      batch.committed = history_.committed(first);
+      batch.carried = carried_.at(first);
+      batch.trial = history_.trial(first);
+      batch.stress = &stress_[first];
+      batch.tangent = tangent ? moduli.data() : nullptr;
+      Status status = material_->update(batch);
       if (!status.good())
       {
         status.place = c;
@@ -156,8 +157,8 @@ namespace deltaform
       {
         // The stress that does work: deviator here, projected mean stress
         const Mandel &tau = stress_[first + p];
-        const double w    = points_[first + p].weight;
-        double shift      = -mean[p];
+        const double w = points_[first + p].weight;
+        double shift = -mean[p];
         for (unsigned int k = 0; k < n_points; ++k)
           shift += project[p * n_points + k] * mean[k];
         const double t_rr = w * (tau[0] + shift), t_zz = w * (tau[1] + shift), t_tt = w * (tau[2] + shift);
@@ -228,7 +229,7 @@ namespace deltaform
       for (unsigned int i = 0; i < n; ++i)
       {
         dofs[i] = node_dofs_[cells_[c][i / 2]][i % 2];
-        u[i]    = values[dofs[i]];
+        u[i] = values[dofs[i]];
       }
       for (unsigned int i = 0; i < n; ++i)
       {
@@ -272,7 +273,7 @@ namespace deltaform
   {
     // |d F F^-1| below one half keeps the determinant positive.
     constexpr double largest_strain = .4;
-    double factor                   = 1.;
+    double factor = 1.;
     Vector storage, step_storage;
     const Vector &u = with_hanging(q, storage), &du = with_hanging(dq, step_storage);
     for (unsigned int c = 0; c < cells_.size(); ++c)
@@ -281,11 +282,11 @@ namespace deltaform
         const Deformation F = deformation(u, c, p), G = deformation(du, c, p);
         const std::array<double, 4> h{{G.f[0] - 1., G.f[1], G.f[2], G.f[3] - 1.}};
         const double inverse = 1. / (F.f[0] * F.f[3] - F.f[1] * F.f[2]);
-        const double l[4]    = {inverse * (h[0] * F.f[3] - h[1] * F.f[2]),
-                                inverse * (h[1] * F.f[0] - h[0] * F.f[1]),
-                                inverse * (h[2] * F.f[3] - h[3] * F.f[2]),
-                                inverse * (h[3] * F.f[0] - h[2] * F.f[1])};
-        const double size    = std::sqrt(l[0] * l[0] + l[1] * l[1] + l[2] * l[2] + l[3] * l[3]);
+        const double l[4] = {inverse * (h[0] * F.f[3] - h[1] * F.f[2]),
+                             inverse * (h[1] * F.f[0] - h[0] * F.f[1]),
+                             inverse * (h[2] * F.f[3] - h[3] * F.f[2]),
+                             inverse * (h[3] * F.f[0] - h[2] * F.f[1])};
+        const double size = std::sqrt(l[0] * l[0] + l[1] * l[1] + l[2] * l[2] + l[3] * l[3]);
         factor = std::min(factor, largest_strain / std::max({size, std::abs(G.hoop - 1.) / F.hoop, 1e-300}));
       }
     return ranks::min(factor);

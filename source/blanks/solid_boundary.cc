@@ -22,22 +22,21 @@ namespace deltaform
     /// Gauss rule with three points: exact for shape function, radius and length of a straight edge of degree 2.
     const std::array<EdgePoint, 3> &edge_quadrature(const unsigned int degree)
     {
-      static const auto make = [](const unsigned int n)
-      {
+      static const auto make = [](const unsigned int n) {
         std::array<EdgePoint, 3> result;
         const double distance = .5 * std::sqrt(.6);
         for (unsigned int k = 0; k < 3; ++k)
         {
-          const double x   = .5 + (k - 1.) * distance;
+          const double x = .5 + (k - 1.) * distance;
           result[k].weight = k == 1 ? 4. / 9. : 5. / 18.;
           if (n == 1)
           {
-            result[k].shape    = {{1 - x, x, 0.}};
+            result[k].shape = {{1 - x, x, 0.}};
             result[k].gradient = {{-1., 1., 0.}};
           }
           else
           {
-            result[k].shape    = {{(1 - x) * (1 - 2 * x), x * (2 * x - 1), 4 * x * (1 - x)}};
+            result[k].shape = {{(1 - x) * (1 - 2 * x), x * (2 * x - 1), 4 * x * (1 - x)}};
             result[k].gradient = {{4 * x - 3, 4 * x - 1, 4 - 8 * x}};
           }
         }
@@ -130,7 +129,7 @@ namespace deltaform
     for (unsigned int p = 0; p < points_.size(); ++p)
       for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
       {
-        const DofIndex dof  = node_dofs_[cells_[p / n_points_per_cell_][a]][static_cast<unsigned int>(component)];
+        const DofIndex dof = node_dofs_[cells_[p / n_points_per_cell_][a]][static_cast<unsigned int>(component)];
         const double weight = points_[p].shape[a] * points_[p].weight;
         if (dof < n_free_)
           own.push_back({dof, weight});
@@ -222,18 +221,18 @@ namespace deltaform
                            ContactThickness,
                            ContactNode &result) const
   {
-    const ContactFace &face     = faces_[static_cast<unsigned int>(side)];
-    const unsigned int own      = face.nodes[node];
-    result.node                 = own;
-    result.n_dofs               = 2;
-    result.dofs                 = {{node_dofs_[own][0], node_dofs_[own][1], 0}};
-    result.x                    = position(q, own);
-    result.offset               = 0.;
-    result.area                 = face.area[node];
+    const ContactFace &face = faces_[static_cast<unsigned int>(side)];
+    const unsigned int own = face.nodes[node];
+    result.node = own;
+    result.n_dofs = 2;
+    result.dofs = {{node_dofs_[own][0], node_dofs_[own][1], 0}};
+    result.x = position(q, own);
+    result.offset = 0.;
+    result.area = face.area[node];
     result.reference_coordinate = nodes_[own][0];
-    result.arc_coordinate       = face.arc[node];
-    result.thickness            = shortest_edge_;
-    result.jacobian             = {{Tensor1({1., 0.}), Tensor1({0., 1.}), Tensor1()}};
-    result.second               = {};
+    result.arc_coordinate = face.arc[node];
+    result.thickness = shortest_edge_;
+    result.jacobian = {{Tensor1({1., 0.}), Tensor1({0., 1.}), Tensor1()}};
+    result.second = {};
   }
 } // namespace deltaform

@@ -22,8 +22,7 @@ namespace deltaform
     std::vector<Node> own;
     std::vector<bool> seen(dof_handler_.n_dofs(), false);
     std::vector<DofIndex> dofs(element_->n_dofs_per_cell());
-    const auto each_node = [&](const auto &action)
-    {
+    const auto each_node = [&](const auto &action) {
       for (const auto &cell : dof_handler_.active_cell_iterators())
         if (cell->is_locally_owned())
         {
@@ -37,11 +36,10 @@ namespace deltaform
         }
     };
     each_node(
-      [&](const auto &cell, const unsigned int a, const DofIndex r, const DofIndex z)
-      {
+      [&](const auto &cell, const unsigned int a, const DofIndex r, const DofIndex z) {
         if (seen[r] || !owned.is_element(r))
           return;
-        seen[r]        = true;
+        seen[r] = true;
         const Point2 p = mapping.transform_unit_to_real_cell(cell, scalar.unit_support_point(a));
         const Point2 X = places ? places(cells_.size() - 1, a) : mesh_.place(p);
         own.push_back({r, z, {{p[0], p[1]}}, {{X[0], X[1]}}});
@@ -58,7 +56,8 @@ namespace deltaform
       node_dofs_.push_back({{number[r], number[z]}});
     }
     cells_.clear();
-    each_node([&](const auto &, const unsigned int a, const DofIndex r, const DofIndex)
-              { cells_.back()[a] = node_of_dof[r]; });
+    each_node([&](const auto &, const unsigned int a, const DofIndex r, const DofIndex) {
+      cells_.back()[a] = node_of_dof[r];
+    });
   }
 } // namespace deltaform

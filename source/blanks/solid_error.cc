@@ -43,8 +43,7 @@ namespace deltaform
       std::copy_if(samples.begin(),
                    samples.end(),
                    std::back_inserter(shared),
-                   [&](const Sample &sample)
-                   {
+                   [&](const Sample &sample) {
                      const auto &c = sample.corners;
                      return std::any_of(c.begin(), c.end(), [&](const unsigned int node) { return all[node] > 1.; });
                    });
@@ -63,9 +62,9 @@ namespace deltaform
   {
     // Stresses and equivalent plastic strain, fitted by polynomials on the cells around every vertex (O.C. Zienkiewicz,
     // J.Z. Zhu, Int. J. Numer. Methods Eng. 33 (1992) 1331 and 1365), and blended between the vertices of a cell.
-    using Fit                   = Eigen::MatrixXd;
+    using Fit = Eigen::MatrixXd;
     const unsigned int n_points = n_points_per_cell_;
-    const unsigned int n_terms  = degree_ == 1 ? 3 : 6;
+    const unsigned int n_terms = degree_ == 1 ? 3 : 6;
     const double young = material_->young_modulus(), nu = material_->poisson_ratio();
 
     std::vector<Sample> samples(points_.size());
@@ -90,8 +89,7 @@ namespace deltaform
 
     std::vector<Fit> fits(nodes_.size());
     std::vector<double> size(nodes_.size(), 0.);
-    const auto terms = [&](const unsigned int node, const Point2 &X)
-    {
+    const auto terms = [&](const unsigned int node, const Point2 &X) {
       const Tensor1 d = (X - nodes_[node]) / size[node];
       Eigen::VectorXd result(n_terms);
       result.head(3) << 1., d[0], d[1];
@@ -110,20 +108,18 @@ namespace deltaform
       for (unsigned int k = 0; k < A.rows(); ++k)
       {
         const unsigned int i = patch[k / n_points] + k % n_points;
-        A.row(k)             = terms(node, place(i)).transpose();
-        b.row(k)             = Eigen::Map<const Eigen::RowVectorXd>(samples[i].values.data(), n_values);
+        A.row(k) = terms(node, place(i)).transpose();
+        b.row(k) = Eigen::Map<const Eigen::RowVectorXd>(samples[i].values.data(), n_values);
       }
       fits[node] = A.colPivHouseholderQr().solve(b);
     }
 
     // The modulus of a plastic point is the secant one: small differences of plastic strain cost little work.
-    const auto secant = [&](const unsigned int i)
-    {
+    const auto secant = [&](const unsigned int i) {
       const double stress = mises(committed_stress_[i]), plastic = samples[i].values[4];
       return plastic > 0 ? stress / (stress / young + plastic) : 0.;
     };
-    const auto energy = [&](const Mandel &t)
-    {
+    const auto energy = [&](const Mandel &t) {
       const double trace = t[0] + t[1] + t[2];
       return (1 + nu) / young * (t[0] * t[0] + t[1] * t[1] + t[2] * t[2] + t[3] * t[3]) - nu / young * trace * trace;
     };
@@ -132,7 +128,7 @@ namespace deltaform
     double all = 0., errors = 0.;
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
-      const auto &cell          = cells_[i / n_points];
+      const auto &cell = cells_[i / n_points];
       Eigen::RowVectorXd smooth = Eigen::RowVectorXd::Zero(n_values);
       for (unsigned int v = 0; v < 4; ++v)
         smooth += corner_shape(i % n_points, v) * (terms(cell[v], place(i)).transpose() * fits[cell[v]]);
@@ -145,7 +141,7 @@ namespace deltaform
       errors += square;
       all += w * (energy(committed_stress_[i]) + secant(i) * samples[i].values[4] * samples[i].values[4]);
     }
-    all             = ranks::sum(all);
+    all = ranks::sum(all);
     result.relative = all > 0 ? std::sqrt(ranks::sum(errors) / all) : 0.;
     // Cells that are alike by symmetry stay so: the last digits depend on the number of processes.
     for (auto &square : result.squares)

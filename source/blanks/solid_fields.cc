@@ -35,7 +35,7 @@ namespace deltaform
                    "u_z_bottom",
                    "u_r_top",
                    "u_z_top"};
-    table.units = {"length", "length", "length", "length", "1",      "1",      "1",      "1",
+    table.units = {"length", "length", "length", "length", "1", "1", "1", "1",
                    "stress", "stress", "stress", "stress", "length", "length", "length", "length",
                    "stress", "stress", "stress", "stress", "length", "length", "length", "length"};
 
@@ -77,8 +77,7 @@ namespace deltaform
         for (const auto node : face.nodes)
           groups.push_back({node});
 
-    const auto middle = [&](const std::vector<unsigned int> &nodes, const bool deformed) -> Point2
-    {
+    const auto middle = [&](const std::vector<unsigned int> &nodes, const bool deformed) -> Point2 {
       const auto at = [&](const unsigned int i) { return deformed ? position(q, i) : nodes_[i]; };
       return at(nodes.front()) + .5 * (at(nodes.back()) - at(nodes.front()));
     };
@@ -90,17 +89,17 @@ namespace deltaform
       // Of the middle line, by the neighbours.
       const auto &before = groups[g == 0 ? 0 : g - 1], &after = groups[std::min<std::size_t>(g + 1, groups.size() - 1)];
       const Tensor1 tangent = middle(after, true) - middle(before, true);
-      const double stretch  = tangent.norm() / middle(after, false).distance(middle(before, false));
-      const bool strip      = mesh_.is_strip();
+      const double stretch = tangent.norm() / middle(after, false).distance(middle(before, false));
+      const bool strip = mesh_.is_strip();
       // Infinite where tools touch one face only: there is no thickness but the entry.
-      const double across      = strip ? position(q, nodes.back()).distance(position(q, nodes.front()))
-                                       : distance(q, x, g < faces_[0].nodes.size() ? Side::top : Side::bottom);
-      const double thickness   = std::isfinite(across) ? across : mesh_.thickness();
+      const double across = strip ? position(q, nodes.back()).distance(position(q, nodes.front()))
+                                  : distance(q, x, g < faces_[0].nodes.size() ? Side::top : Side::bottom);
+      const double thickness = std::isfinite(across) ? across : mesh_.thickness();
       const double thickness_0 = strip ? nodes_[nodes.back()].distance(nodes_[nodes.front()]) : thickness;
-      const double hoop        = !axisymmetric_ ? 0.
-                                 : X[0] > 1e-9 * mesh_.thickness()
-                                   ? std::log(x[0] / X[0])
-                                   : std::log(middle(after, true)[0] / middle(after, false)[0]);
+      const double hoop = !axisymmetric_ ? 0.
+                          : X[0] > 1e-9 * mesh_.thickness()
+                            ? std::log(x[0] / X[0])
+                            : std::log(middle(after, true)[0] / middle(after, false)[0]);
       double plastic_mean = 0, share = 0;
       std::array<double, 4> mean{};
       for (unsigned int k = 0; k < nodes.size(); ++k)
@@ -115,8 +114,7 @@ namespace deltaform
         share += w;
       }
       const auto displacement = [&](const unsigned int i, const unsigned int k) { return q[node_dofs_[i][k]]; };
-      const auto meridional   = [&](const unsigned int i)
-      {
+      const auto meridional = [&](const unsigned int i) {
         const Tensor1 t = tangent / tangent.norm();
         return t[0] * t[0] * stress[0][i] + t[1] * t[1] * stress[1][i] + 2 * t[0] * t[1] * stress[3][i];
       };

@@ -54,7 +54,7 @@ namespace deltaform
     dealii::AffineConstraints<double> constraints;
     hanging_constraints(constraints);
     const DofIndex n = dof_handler_.n_dofs();
-    n_free_          = n - constraints.n_constraints();
+    n_free_ = n - constraints.n_constraints();
     hanging_.clear();
     std::vector<DofIndex> number(n);
     DofIndex next = 0, next_hanging = n_free_;
@@ -107,8 +107,7 @@ namespace deltaform
     // T^T R and T^T K T with u_cell = T q
     std::vector<DofIndex> own;
     std::vector<std::vector<std::pair<unsigned int, double>>> rows(n);
-    const auto place = [&](const DofIndex dof) -> unsigned int
-    {
+    const auto place = [&](const DofIndex dof) -> unsigned int {
       const auto found = std::find(own.begin(), own.end(), dof);
       if (found != own.end())
         return found - own.begin();

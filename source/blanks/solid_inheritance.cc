@@ -27,8 +27,7 @@ namespace deltaform
     {
       const auto n = static_cast<unsigned int>(std::lround(std::sqrt(points.size())));
       std::vector<double> result;
-      const auto line = [&](const unsigned int i, const double x)
-      {
+      const auto line = [&](const unsigned int i, const double x) {
         double product = 1.;
         for (unsigned int k = 0; k < n; ++k)
           if (k != i)
@@ -57,7 +56,7 @@ namespace deltaform
     {
       const double *const history = history_.committed(i);
       data.insert(data.end(), history, history + material_->history_size());
-      const auto &cp      = plastic_metric_[i];
+      const auto &cp = plastic_metric_[i];
       const Mandel metric = LogarithmicStrain::strain({cp[0], cp[1], cp[2], cp[3]});
       data.insert(data.end(), metric.begin(), metric.end());
     }
@@ -76,8 +75,8 @@ namespace deltaform
       for (unsigned int a = 0; a < n; ++a)
       {
         const double weight = shapes.shape_value(a, in_parent(shapes.unit_support_point(b), child));
-        const double round  = std::round(weight);
-        weights[b][a]       = std::abs(weight - round) < 1e-13 ? round : weight; // old nodes keep their numbers exactly
+        const double round = std::round(weight);
+        weights[b][a] = std::abs(weight - round) < 1e-13 ? round : weight; // old nodes keep their numbers exactly
       }
     CellData result(parent.size(), 0.);
     for (unsigned int v = 0; v < n_vectors; ++v)
@@ -92,13 +91,13 @@ namespace deltaform
     // strain would leave the range that a linear one with these values has at the points of the children, or get
     // negative. The logarithm of C_p^-1 has no trace, whatever the weights.
     const double *const states = &parent[2 * n_vectors * n];
-    const auto equivalent      = [&](const double *const state) { return material_->equivalent_plastic_strain(state); };
+    const auto equivalent = [&](const double *const state) { return material_->equivalent_plastic_strain(state); };
     CellData mean(n_state, 0.), state(n_state);
     double least = equivalent(states), most = least;
     for (unsigned int p = 0; p < n_points; ++p)
     {
       least = std::min(least, equivalent(states + p * n_state));
-      most  = std::max(most, equivalent(states + p * n_state));
+      most = std::max(most, equivalent(states + p * n_state));
       for (unsigned int k = 0; k < n_state; ++k)
         mean[k] += states[p * n_state + k] / n_points;
     }
@@ -145,7 +144,7 @@ namespace deltaform
         &data[i / n_points_per_cell_][2 * (fields.size() + 1) * n + i % n_points_per_cell_ * (n_history + 4)];
       std::copy_n(state, n_history, history_.trial(i));
       state += n_history;
-      const auto b       = LogarithmicStrain::inverse({{state[0], state[1], state[2], state[3]}});
+      const auto b = LogarithmicStrain::inverse({{state[0], state[1], state[2], state[3]}});
       plastic_metric_[i] = {{b.xx, b.yy, b.zz, b.xy}};
     }
     history_.commit();
@@ -156,7 +155,7 @@ namespace deltaform
     Vector q = fields.empty() ? Vector(n_free_) : fields.front();
     update_stress(q);
     constant_matrices_.clear();
-    committed_stress_      = stress_;
+    committed_stress_ = stress_;
     committed_deformation_ = deformation_;
     if (energy_)
     {

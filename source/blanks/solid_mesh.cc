@@ -22,7 +22,7 @@ namespace deltaform
     {
       std::vector<double> result{-.5};
       constexpr unsigned int n_samples = 8192;
-      double total                     = 0;
+      double total = 0;
       for (unsigned int k = 0; k < n_samples; ++k)
         total += 1. / grading((k + .5) / n_samples);
       double passed = 0;
@@ -30,7 +30,7 @@ namespace deltaform
       {
         const double step = 1. / grading((k + .5) / n_samples);
         for (double wanted = total * result.size() / n; result.size() < n && wanted <= passed + step;
-             wanted        = total * result.size() / n)
+             wanted = total * result.size() / n)
           result.push_back(grading.is_constant() ? static_cast<double>(result.size()) / n - .5
                                                  : (k + (wanted - passed) / step) / n_samples - .5);
         passed += step;
@@ -95,11 +95,10 @@ namespace deltaform
                                                  "middle",
                                                  {"middle", "bottom", "top"},
                                                  "Which line of the strip Points and Fillet radii describe.");
-    const double offset         = reference == "middle" ? 0. : reference == "bottom" ? .5 : -.5;
+    const double offset = reference == "middle" ? 0. : (reference == "bottom" ? .5 : -.5);
     const ShellMesh line(section, degree);
     const double length = line.arc_length().back();
-    const auto height   = [&](const unsigned int node)
-    {
+    const auto height = [&](const unsigned int node) {
       const double result = variation(line.arc_length()[node] / length);
       if (!(result > 0))
         section.fail("Thickness variation", "must be positive on [0, 1]");
@@ -107,17 +106,17 @@ namespace deltaform
     };
 
     // At a kink, and where the meridian meets the axis at an angle, the director halves the angle (a mitre).
-    stations_per_cell_   = degree;
+    stations_per_cell_ = degree;
     const unsigned int n = line.cells().size();
     for (unsigned int c = 0; c <= n; ++c)
     {
-      const auto &cell   = line.cells()[std::min(c, n - 1)];
+      const auto &cell = line.cells()[std::min(c, n - 1)];
       const Point2 point = line.nodes()[cell.nodes[c < n ? 0 : 1]];
-      const double own   = cell.angle[c < n ? 0 : 1];
+      const double own = cell.angle[c < n ? 0 : 1];
       // Not if the meridian runs along the axis.
-      const bool on_axis  = axisymmetric && std::abs(point[0]) < 1e-12 * thickness_ && std::abs(std::cos(own)) > 1e-6;
-      const double before = c == n ? own : c > 0 ? line.cells()[c - 1].angle[1] : on_axis ? -own : own;
-      const double after  = c == n && on_axis ? 2 * std::acos(-1.) - own : own;
+      const bool on_axis = axisymmetric && std::abs(point[0]) < 1e-12 * thickness_ && std::abs(std::cos(own)) > 1e-6;
+      const double before = c == n ? own : (c > 0 ? line.cells()[c - 1].angle[1] : (on_axis ? -own : own));
+      const double after = c == n && on_axis ? 2 * std::acos(-1.) - own : own;
       const double half_turn = .5 * (after - before), angle = .5 * (after + before);
       const Tensor1 direction =
         height(cell.nodes[c < n ? 0 : 1]) / std::cos(half_turn) * Tensor1({-std::sin(angle), std::cos(angle)});
@@ -141,7 +140,7 @@ namespace deltaform
       {
         dealii::CellData<2> data;
         const unsigned int corner = c * column + l;
-        data.vertices             = {corner, corner + column, corner + 1, corner + column + 1};
+        data.vertices = {corner, corner + column, corner + 1, corner + column + 1};
         cells.push_back(data);
       }
     triangulation_->create_triangulation(vertices, cells, dealii::SubCellData());
@@ -149,7 +148,7 @@ namespace deltaform
     for (const auto &cell : triangulation_->active_cell_iterators())
       for (unsigned int f = 0; f < 4; ++f)
         if (cell->face(f)->at_boundary())
-          cell->face(f)->set_boundary_id(f == 2 ? 0 : f == 3 ? 1 : f == 0 ? 2 : 3);
+          cell->face(f)->set_boundary_id(f == 2 ? 0 : (f == 3 ? 1 : (f == 0 ? 2 : 3)));
   }
 
 
@@ -199,7 +198,7 @@ namespace deltaform
     double low = 1e300, high = -1e300;
     for (const auto &vertex : triangulation_->get_vertices())
     {
-      low  = std::min(low, vertex[1]);
+      low = std::min(low, vertex[1]);
       high = std::max(high, vertex[1]);
     }
     thickness_ = section.number("Thickness",
@@ -229,13 +228,13 @@ namespace deltaform
   {
     const double radius =
       section.number("Radius", required(1.), Range::positive(), "length", "Radius of the disc segment.");
-    const double height   = section.number("Centre z",
+    const double height = section.number("Centre z",
                                          Default<double>(0.),
                                          Range::any(),
                                          "length",
                                          "Height of the centre of the disc segment, on the axis.");
     const int refinements = section.integer("Refinements", 3, 0, 10, "Each halves the cells of the disc segment.");
-    thickness_            = radius;
+    thickness_ = radius;
     dealii::GridGenerator::quarter_hyper_ball(*triangulation_, Point2(), radius);
     dealii::GridTools::rotate(-.5 * std::acos(-1.), *triangulation_);
     dealii::GridTools::shift(Tensor1({0., height}), *triangulation_);

@@ -53,7 +53,7 @@ namespace deltaform
     if (!finite_)
       return material_->plastic_strain(history_.committed(point));
     const auto &inverse = plastic_metric_[point];
-    Mandel result       = LogarithmicStrain::strain({inverse[0], inverse[1], inverse[2], inverse[3]});
+    Mandel result = LogarithmicStrain::strain({inverse[0], inverse[1], inverse[2], inverse[3]});
     for (double &component : result)
       component = -component;
     return turned(result, F.f);
@@ -62,26 +62,25 @@ namespace deltaform
 
   void Solid::draw_cells(const Vector &q, Drawing &drawing) const
   {
-    const auto add_field = [&](const std::string &name, const std::string &unit, const unsigned int components)
-    {
+    const auto add_field = [&](const std::string &name, const std::string &unit, const unsigned int components) {
       drawing.fields.push_back({name, unit, false, components, {}});
       return &drawing.fields.back().values;
     };
     drawing.fields.reserve(drawing.fields.size() + 10);
-    auto *const equivalent                            = add_field("equivalent_plastic_strain", "1", 1);
+    auto *const equivalent = add_field("equivalent_plastic_strain", "1", 1);
     const std::array<std::vector<double> *, 4> stress = {{add_field("stress_rr", "stress", 1),
                                                           add_field("stress_zz", "stress", 1),
                                                           add_field("stress_hoop", "stress", 1),
                                                           add_field("stress_rz", "stress", 1)}};
-    auto *const von_mises                             = add_field("stress_von_mises", "stress", 1);
-    auto *const mean                                  = add_field("stress_mean", "stress", 1);
-    auto *const pressure                              = add_field("hydrostatic_pressure", "stress", 1);
-    auto *const strain                                = add_field("strain", "1", 4);
+    auto *const von_mises = add_field("stress_von_mises", "stress", 1);
+    auto *const mean = add_field("stress_mean", "stress", 1);
+    auto *const pressure = add_field("hydrostatic_pressure", "stress", 1);
+    auto *const strain = add_field("strain", "1", 4);
     auto *const plastic = material_->history_size() > 0 ? add_field("plastic_strain", "1", 4) : nullptr;
 
     // A cell of degree 2 is drawn in four quarters, each with the values of its own corner's quadrature point.
-    constexpr unsigned int quarters[4][4]  = {{0, 6, 8, 4}, {6, 1, 5, 8}, {4, 8, 7, 2}, {8, 5, 3, 7}};
-    constexpr unsigned int whole[4]        = {0, 1, 3, 2};
+    constexpr unsigned int quarters[4][4] = {{0, 6, 8, 4}, {6, 1, 5, 8}, {4, 8, 7, 2}, {8, 5, 3, 7}};
+    constexpr unsigned int whole[4] = {0, 1, 3, 2};
     constexpr unsigned int corner_point[4] = {0, 2, 6, 8};
     for (unsigned int c = 0; c < cells_.size(); ++c)
       for (unsigned int part = 0; part < (degree_ == 1 ? 1 : 4); ++part)
@@ -89,14 +88,14 @@ namespace deltaform
         for (const auto corner : degree_ == 1 ? whole : quarters[part])
           drawing.cells.push_back(cells_[c][corner]);
         CellValues values;
-        const unsigned int n     = degree_ == 1 ? n_points_per_cell_ : 1;
+        const unsigned int n = degree_ == 1 ? n_points_per_cell_ : 1;
         const unsigned int first = degree_ == 1 ? 0 : corner_point[part];
         for (unsigned int p = first; p < first + n; ++p)
         {
           const unsigned int i = c * n_points_per_cell_ + p;
-          const Deformation F  = deformation(q, c, p);
-          const Mandel e       = total_strain(F);
-          const Mandel e_p     = plastic ? plastic_strain(i, F) : Mandel{};
+          const Deformation F = deformation(q, c, p);
+          const Mandel e = total_strain(F);
+          const Mandel e_p = plastic ? plastic_strain(i, F) : Mandel{};
           values.equivalent += material_->equivalent_plastic_strain(history_.committed(i)) / n;
           for (unsigned int k = 0; k < 4; ++k)
           {

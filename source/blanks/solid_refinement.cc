@@ -29,14 +29,14 @@ namespace deltaform
 
   bool Solid::mark(const std::array<std::vector<double>, 2> &longest_edges)
   {
-    auto &triangulation     = mesh_.triangulation();
-    estimated_error_        = std::numeric_limits<double>::quiet_NaN();
+    auto &triangulation = mesh_.triangulation();
+    estimated_error_ = std::numeric_limits<double>::quiet_NaN();
     const int highest_level = mesh_.first_level() + static_cast<int>(refinement_.levels);
     std::vector<bool> marked(cells_.size(), false);
     if (refinement_.by_error)
     {
       const ErrorEstimate estimate = estimate_error();
-      estimated_error_             = estimate.relative;
+      estimated_error_ = estimate.relative;
       if (estimate.relative > refinement_.target)
       {
         const double threshold = error_threshold(estimate.squares);
@@ -53,7 +53,7 @@ namespace deltaform
         if (own != edge_cells_.end() && A.distance(B) > longest_edges[side][e])
           marked[own->second] = true;
       }
-    bool any       = false;
+    bool any = false;
     unsigned int c = 0;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned() && marked[c++] && cell->level() < highest_level)
@@ -70,7 +70,7 @@ namespace deltaform
   {
     // The largest that together hold the share. All processes sort the same numbers, so that a mesh does not depend on
     // how many they are (the bisection of deal.II's distributed marking would).
-    auto all           = ranks::gather(squares);
+    auto all = ranks::gather(squares);
     const double total = std::accumulate(all.begin(), all.end(), 0.);
     std::sort(all.begin(), all.end(), std::greater<>());
     double sum = 0.;
@@ -101,8 +101,9 @@ namespace deltaform
       old.push_back(pack(c, fields));
     const std::vector<CellData> data = divide_cells(old);
 
-    set_up_dofs([&](const unsigned int cell, const std::size_t a)
-                { return Point2(data[cell][2 * a], data[cell][2 * a + 1]); });
+    set_up_dofs([&](const unsigned int cell, const std::size_t a) {
+      return Point2(data[cell][2 * a], data[cell][2 * a + 1]);
+    });
     set_up_points();
     set_up_boundary();
     for (unsigned int side = 0; side < 2; ++side)
@@ -117,10 +118,9 @@ namespace deltaform
 
   std::vector<std::vector<double>> Solid::divide_cells(const std::vector<std::vector<double>> &own)
   {
-    using Cell          = dealii::Triangulation<2>::cell_iterator;
+    using Cell = dealii::Triangulation<2>::cell_iterator;
     auto &triangulation = mesh_.triangulation();
-    const auto divide   = [this](const Cell &, const CellData &parent)
-    {
+    const auto divide = [this](const Cell &, const CellData &parent) {
       std::vector<CellData> children;
       for (unsigned int child = 0; child < 4; ++child)
         children.push_back(inherit(parent, child));
@@ -167,14 +167,13 @@ namespace deltaform
     for (const auto node : faces_[static_cast<unsigned int>(side)].nodes)
     {
       std::array<unsigned int, 2> best{{0, 0}};
-      double nearest      = std::numeric_limits<double>::infinity();
-      const auto consider = [&](const unsigned int a, const unsigned int b)
-      {
+      double nearest = std::numeric_limits<double>::infinity();
+      const auto consider = [&](const unsigned int a, const unsigned int b) {
         const double distance = nodes_[node].distance(old_places[a] + .5 * (old_places[b] - old_places[a]));
         if (distance < nearest)
         {
           nearest = distance;
-          best    = {{a, b}};
+          best = {{a, b}};
         }
       };
       for (unsigned int i = 0; i < old_places.size(); ++i)

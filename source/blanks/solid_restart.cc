@@ -61,7 +61,7 @@ namespace deltaform
     archive_plain(archive, committed_stress_);
     archive_plain(archive, committed_deformation_);
     archive_plain(archive, plastic_metric_);
-    stress_      = committed_stress_;
+    stress_ = committed_stress_;
     deformation_ = committed_deformation_;
   }
 } // namespace deltaform

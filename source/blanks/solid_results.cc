@@ -45,10 +45,10 @@ namespace deltaform
     const auto &a = deformation_[point].f, &b = committed_deformation_[point].f;
     const double inverse = 1. / (b[0] * b[3] - b[1] * b[2]);
     Deformation result;
-    result.f    = {{inverse * (a[0] * b[3] - a[1] * b[2]),
-                    inverse * (a[1] * b[0] - a[0] * b[1]),
-                    inverse * (a[2] * b[3] - a[3] * b[2]),
-                    inverse * (a[3] * b[0] - a[2] * b[1])}};
+    result.f = {{inverse * (a[0] * b[3] - a[1] * b[2]),
+                 inverse * (a[1] * b[0] - a[0] * b[1]),
+                 inverse * (a[2] * b[3] - a[3] * b[2]),
+                 inverse * (a[3] * b[0] - a[2] * b[1])}};
     result.hoop = deformation_[point].hoop / committed_deformation_[point].hoop;
     return result;
   }
@@ -62,7 +62,7 @@ namespace deltaform
     for (unsigned int i = 0; i < spin_.size(); ++i)
     {
       double *const flow = carried_.at(i);
-      const Mandel now   = turned({{flow[0], flow[1], flow[2], flow[3]}}, turn(spin_[i], ratio));
+      const Mandel now = turned({{flow[0], flow[1], flow[2], flow[3]}}, turn(spin_[i], ratio));
       std::copy(now.begin(), now.end(), flow);
     }
   }
@@ -80,7 +80,7 @@ namespace deltaform
       error.add(points_[i].weight * flow, start, stress_[i]);
     }
     error.astray = ranks::sum(error.astray);
-    error.flow   = ranks::sum(error.flow);
+    error.flow = ranks::sum(error.flow);
     return error.value();
   }
 
@@ -94,12 +94,12 @@ namespace deltaform
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
       // Where the law is linear points are visited at the commit only, and no strain is too large.
-      const Deformation d   = linear_ ? deformation(du, i / n_points_per_cell_, i % n_points_per_cell_) : increment(i);
-      const auto &f         = d.f;
+      const Deformation d = linear_ ? deformation(du, i / n_points_per_cell_, i % n_points_per_cell_) : increment(i);
+      const auto &f = d.f;
       const double own_sine = std::abs(f[2] - f[1]), own_cosine = f[0] + f[3];
       if (own_sine * cosine > sine * own_cosine)
       {
-        sine   = own_sine;
+        sine = own_sine;
         cosine = own_cosine;
       }
       if (finite_)
@@ -107,7 +107,7 @@ namespace deltaform
         const double xx = f[0] * f[0] + f[1] * f[1], yy = f[2] * f[2] + f[3] * f[3], xy = f[0] * f[2] + f[1] * f[3];
         const double j = f[0] * f[3] - f[1] * f[2], hoop = d.hoop * d.hoop;
         const double longest = .5 * (xx + yy) + std::sqrt(.25 * (xx - yy) * (xx - yy) + xy * xy);
-        most                 = std::max({most, longest, longest / (j * j), hoop, 1. / hoop});
+        most = std::max({most, longest, longest / (j * j), hoop, 1. / hoop});
         continue;
       }
       if (linear_)
@@ -116,7 +116,7 @@ namespace deltaform
       const auto &a = now.f, &b = before.f;
       const Mandel e{{a[0] - b[0], a[3] - b[3], now.hoop - before.hoop, (a[1] - b[1] + a[2] - b[2]) / root_2}};
       const double radius = std::hypot(.5 * (e[0] - e[1]), e[3] / root_2);
-      strain              = std::max({strain, .5 * std::abs(e[0] + e[1]) + radius, std::abs(e[2])});
+      strain = std::max({strain, .5 * std::abs(e[0] + e[1]) + radius, std::abs(e[2])});
     }
     return {ranks::max(finite_ ? .5 * std::log(most) : strain), ranks::max(std::atan2(sine, cosine))};
   }
@@ -132,15 +132,15 @@ namespace deltaform
   {
     // C_p^-1 = F^-1 exp(2 e) F^-T with the elastic strain e: its deviator is known from the stress; its trace is ln J,
     // as plastic flow preserves the volume, and not that of the stress, which the volume of the cell has a part in.
-    const auto &f     = deformation_[point].f;
+    const auto &f = deformation_[point].f;
     const double hoop = deformation_[point].hoop, in_j = f[0] * f[3] - f[1] * f[2];
-    Mandel e          = material_->elastic_strain(stress_[point]);
+    Mandel e = material_->elastic_strain(stress_[point]);
     const double mean = (std::log(in_j * hoop) - e[0] - e[1] - e[2]) / 3.;
     for (unsigned int k = 0; k < 3; ++k)
       e[k] += mean;
-    const AxialTensor b    = LogarithmicStrain::inverse(e);
-    const double inverse   = 1. / in_j;
-    const double g[4]      = {inverse * f[3], -inverse * f[1], -inverse * f[2], inverse * f[0]};
+    const AxialTensor b = LogarithmicStrain::inverse(e);
+    const double inverse = 1. / in_j;
+    const double g[4] = {inverse * f[3], -inverse * f[1], -inverse * f[2], inverse * f[0]};
     plastic_metric_[point] = {{g[0] * g[0] * b.xx + 2 * g[0] * g[1] * b.xy + g[1] * g[1] * b.yy,
                                g[2] * g[2] * b.xx + 2 * g[2] * g[3] * b.xy + g[3] * g[3] * b.yy,
                                b.zz / (hoop * hoop),
@@ -164,7 +164,7 @@ namespace deltaform
       if (!spin_.empty())
         spin_[i] = by;
       const Mandel before = material_->plastic_strain(history_.committed(i));
-      const Mandel after  = material_->plastic_strain(history_.trial(i));
+      const Mandel after = material_->plastic_strain(history_.trial(i));
       if (before == after)
         continue;
       if (energy_)
@@ -198,7 +198,7 @@ namespace deltaform
     for (unsigned int p = 0; p < points_.size(); ++p)
       for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
       {
-        const double share      = std::abs(points_[p].shape[a]) * points_[p].weight;
+        const double share = std::abs(points_[p].shape[a]) * points_[p].weight;
         const unsigned int node = cells_[p / n_points_per_cell_][a];
         result[node] += share * point_values[p];
         volume[node] += share;
@@ -214,13 +214,13 @@ namespace deltaform
   double Solid::distance(const Vector &q, const Point2 &x, const Side side) const
   {
     const auto &face = faces_[static_cast<unsigned int>(side)];
-    double nearest   = std::numeric_limits<double>::infinity();
+    double nearest = std::numeric_limits<double>::infinity();
     for (const auto &edge : face.edges)
     {
       const Point2 a = position(q, face.nodes[edge[0]]), b = position(q, face.nodes[edge[1]]);
       const Tensor1 along = b - a;
-      const double t      = std::clamp(((x - a) * along) / along.norm_square(), 0., 1.);
-      nearest             = std::min(nearest, (x - (a + t * along)).norm_square());
+      const double t = std::clamp(((x - a) * along) / along.norm_square(), 0., 1.);
+      nearest = std::min(nearest, (x - (a + t * along)).norm_square());
     }
     return std::sqrt(nearest);
   }

@@ -19,7 +19,7 @@ namespace deltaform
     if (!element_)
       element_ = std::make_unique<dealii::FESystem<2>>(dealii::FE_Q<2>(degree_), 2);
     dof_handler_.distribute_dofs(*element_);
-    n_nodes_per_cell_                  = (degree_ + 1) * (degree_ + 1);
+    n_nodes_per_cell_ = (degree_ + 1) * (degree_ + 1);
     const std::vector<DofIndex> number = set_up_hanging_nodes();
     cells_.clear();
     nodes_.clear();
@@ -64,7 +64,7 @@ namespace deltaform
     const dealii::QGauss<2> quadrature(degree_ + 1);
     const unsigned int n = quadrature.size(), n_modes = degree_ == 1 ? 1 : 3;
     n_points_per_cell_ = n;
-    quadrature_        = quadrature.get_points();
+    quadrature_ = quadrature.get_points();
 
     // The same on every cell: values and gradients of the shapes on the unit square.
     std::vector<std::array<double, 9>> values(n);
@@ -72,7 +72,7 @@ namespace deltaform
     for (unsigned int p = 0; p < n; ++p)
       for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
       {
-        values[p][a]    = shapes.shape_value(a, quadrature.point(p));
+        values[p][a] = shapes.shape_value(a, quadrature.point(p));
         gradients[p][a] = shapes.shape_grad(a, quadrature.point(p));
       }
 
@@ -91,23 +91,23 @@ namespace deltaform
         for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
         {
           const Point2 &X = nodes_[cell[a]];
-          point.shape[a]  = values[p][a];
+          point.shape[a] = values[p][a];
           radius += point.shape[a] * X[0];
           for (unsigned int i = 0; i < 2; ++i)
             for (unsigned int j = 0; j < 2; ++j)
               jacobian[i][j] += X[i] * gradients[p][a][j];
         }
         const double determinant = dealii::determinant(jacobian);
-        point.radius             = axisymmetric_ ? radius : 1.;
-        point.weight             = (axisymmetric_ ? 2 * PI * radius : 1.) * determinant * quadrature.weight(p);
+        point.radius = axisymmetric_ ? radius : 1.;
+        point.weight = (axisymmetric_ ? 2 * PI * radius : 1.) * determinant * quadrature.weight(p);
         if (point.weight > 0)
         {
           const Tensor2 inverse = dealii::invert(jacobian);
           for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
           {
             const Tensor1 gradient = gradients[p][a] * inverse;
-            point.gradient_r[a]    = gradient[0];
-            point.gradient_z[a]    = gradient[1];
+            point.gradient_r[a] = gradient[0];
+            point.gradient_z[a] = gradient[1];
           }
         }
         points_.push_back(point);
@@ -135,7 +135,7 @@ namespace deltaform
       spin_.assign(points_.size(), Turn());
     }
     strain_.assign(points_.size(), Mandel{});
-    stress_           = strain_;
+    stress_ = strain_;
     committed_stress_ = strain_;
     deformation_.assign(points_.size(), Deformation());
     committed_deformation_ = deformation_;
@@ -148,9 +148,9 @@ namespace deltaform
     std::array<double, 32> moduli;
     MaterialBatch batch;
     batch.n_points = 2;
-    batch.strain   = strain.data();
-    batch.stress   = stress.data();
-    batch.tangent  = moduli.data();
+    batch.strain = strain.data();
+    batch.stress = stress.data();
+    batch.tangent = moduli.data();
     linear_ = material_->update(batch).good() && std::equal(moduli.begin(), moduli.begin() + 16, moduli.begin() + 16);
   }
 
@@ -237,14 +237,13 @@ namespace deltaform
         for (auto &edge : chain)
           std::swap(edge[0], edge[1]);
       }
-      const auto add = [&](const unsigned int node)
-      {
+      const auto add = [&](const unsigned int node) {
         face.arc.push_back(face.nodes.empty() ? 0.
                                               : face.arc.back() + nodes_[node].distance(nodes_[face.nodes.back()]));
         face.nodes.push_back(node);
         return static_cast<unsigned int>(face.nodes.size() - 1);
       };
-      const bool closed       = chain.size() > 1 && chain.front()[0] == chain.back()[1];
+      const bool closed = chain.size() > 1 && chain.front()[0] == chain.back()[1];
       const unsigned int head = add(chain.front()[0]);
       for (const auto &edge : chain)
       {

@@ -23,7 +23,7 @@ namespace deltaform
   {
   public:
     static constexpr int padded = n_nodes + n_nodes % 2;
-    using Columns               = Eigen::Array<double, padded, 1>;
+    using Columns = Eigen::Array<double, padded, 1>;
 
     /// Spatial gradients and N/r of all nodes at a point; the padding is zero.
     struct Gradients
@@ -39,7 +39,8 @@ namespace deltaform
 
     using AllGradients = std::array<Gradients, n_points>;
 
-    explicit SolidTangent(const AllGradients &gradients) : g_(gradients)
+    explicit SolidTangent(const AllGradients &gradients)
+      : g_(gradients)
     {
     }
 
@@ -62,7 +63,7 @@ namespace deltaform
     void set_stress_rate(const unsigned int p, const double *D, const LogarithmicStrain::Rate &rate)
     {
       const Gradients &g = g_[p];
-      trace_[p]          = {{Columns::Zero(), Columns::Zero()}};
+      trace_[p] = {{Columns::Zero(), Columns::Zero()}};
       for (unsigned int s = 0; s < 4; ++s)
       {
         std::array<double, 5> m{};
@@ -70,8 +71,8 @@ namespace deltaform
           for (unsigned int k = 0; k < 5; ++k)
             m[k] += D[4 * s + i] * rate[i][k];
         const double bulk = D[4 * s] + D[4 * s + 1] + D[4 * s + 2];
-        rate_[p][s][0]    = m[0] * g.r + m[1] * g.z + m[4] * g.t + bulk * volume_[p][0];
-        rate_[p][s][1]    = m[2] * g.r + m[3] * g.z + bulk * volume_[p][1];
+        rate_[p][s][0] = m[0] * g.r + m[1] * g.z + m[4] * g.t + bulk * volume_[p][0];
+        rate_[p][s][1] = m[2] * g.r + m[3] * g.z + bulk * volume_[p][1];
         if (s < 3)
           for (unsigned int k = 0; k < 2; ++k)
             trace_[p][k] += rate_[p][s][k];
@@ -85,7 +86,7 @@ namespace deltaform
                   double *matrix) const
     {
       constexpr double root_half = .70710678118654752440;
-      constexpr int n            = 2 * n_nodes;
+      constexpr int n = 2 * n_nodes;
       // Derivatives of t_rr, t_rz, t_tt, t_zr, t_zz
       std::array<std::array<std::array<Columns, 5>, 2>, n_points> t;
       for (unsigned int p = 0; p < n_points; ++p)
@@ -123,7 +124,7 @@ namespace deltaform
           }
           for (unsigned int c = 0; c < n_nodes; ++c)
           {
-            matrix[2 * a * n + 2 * c + k]       = row_r[c];
+            matrix[2 * a * n + 2 * c + k] = row_r[c];
             matrix[(2 * a + 1) * n + 2 * c + k] = row_z[c];
           }
         }

@@ -17,9 +17,9 @@ namespace deltaform
       NormalResponse respond(const PairState &state, const double gap, const double multiplier) const override
       {
         NormalResponse response;
-        response.tied     = multiplier - weight(state) * gap >= 0;
+        response.tied = multiplier - weight(state) * gap >= 0;
         response.touching = response.tied;
-        response.force    = response.tied ? multiplier : 0.;
+        response.force = response.tied ? multiplier : 0.;
         return response;
       }
 

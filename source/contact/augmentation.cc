@@ -7,7 +7,8 @@
 
 namespace deltaform
 {
-  Augmentation::Augmentation(const unsigned int depth, const unsigned int patience) : depth_(depth), patience_(patience)
+  Augmentation::Augmentation(const unsigned int depth, const unsigned int patience)
+    : depth_(depth), patience_(patience)
   {
   }
 
@@ -30,7 +31,7 @@ namespace deltaform
   unsigned int Augmentation::update(const std::vector<ContactPair *> &pairs)
   {
     Values shift, force;
-    bool exact              = true;
+    bool exact = true;
     const double relaxation = std::pow(10., rounds_ / patience_);
     for (const auto *pair : pairs)
       exact &= pair->augmentation(shift, force, relaxation);
@@ -51,8 +52,7 @@ namespace deltaform
     loaded_ = loaded;
     if (depth_ > 0 && last_shift_.size() == n)
     {
-      const auto difference = [n](const Values &a, const Values &b)
-      {
+      const auto difference = [n](const Values &a, const Values &b) {
         Values result(n);
         std::transform(a.begin(), a.end(), b.begin(), result.begin(), std::minus<double>());
         return result;
@@ -74,12 +74,12 @@ namespace deltaform
       const Eigen::Map<const Eigen::VectorXd> f(change.data(), n);
       Eigen::ColPivHouseholderQR<Eigen::MatrixXd> least_squares(dF);
       least_squares.setThreshold(1e-10);
-      const Eigen::VectorXd weights    = least_squares.solve(f);
+      const Eigen::VectorXd weights = least_squares.solve(f);
       const Eigen::VectorXd correction = (dX + dF) * weights;
       for (unsigned int i = 0; i < n; ++i)
         next[i] = force[i] > 0 ? std::max(0., force[i] - correction[i]) : 0.;
     }
-    last_shift_  = shift;
+    last_shift_ = shift;
     last_change_ = change;
     for (unsigned int i = 0; i < n; ++i)
       if (!std::isfinite(next[i]))

@@ -42,17 +42,17 @@ namespace deltaform
   PenaltyInput ContactPair::input(const unsigned int i, const PairState &state, const double coupling) const
   {
     PenaltyInput result;
-    result.force                = state.force;
-    result.penetration          = state.penetration();
+    result.force = state.force;
+    result.penetration = state.penetration();
     result.previous_penetration = state.last_penetration;
-    result.previous_epsilon     = state.epsilon;
-    result.stiffness            = state.stiffness;
-    result.coupling             = coupling;
-    result.area                 = area_[i];
-    result.thickness            = thickness_of_[i];
-    result.modulus              = surface_.modulus();
-    result.delta                = state.delta;
-    result.neighbour            = neighbour_factor(i);
+    result.previous_epsilon = state.epsilon;
+    result.stiffness = state.stiffness;
+    result.coupling = coupling;
+    result.area = area_[i];
+    result.thickness = thickness_of_[i];
+    result.modulus = surface_.modulus();
+    result.delta = state.delta;
+    result.neighbour = neighbour_factor(i);
     return result;
   }
 
@@ -77,7 +77,7 @@ namespace deltaform
   void ContactPair::touch(const unsigned int i, const ContactNode &node, const Projection &projection)
   {
     PairState &state = trial_[i];
-    state.stiffness  = nodal_stiffness(i, node, projection.normal);
+    state.stiffness = nodal_stiffness(i, node, projection.normal);
     if (settings_.enforcement->uses_penalty() && state.epsilon == 0)
       state.epsilon = settings_.rule->predict(input(i, state, 0.));
     if (friction_)
@@ -97,7 +97,7 @@ namespace deltaform
       if (trial_[i].touching)
       {
         const ContactNode description = node(q, i);
-        const Projection projection   = tool_.project(description.x - shift, 0., hint_[i]);
+        const Projection projection = tool_.project(description.x - shift, 0., hint_[i]);
         // C points into the tool
         for (unsigned int k = 0; k < description.n_dofs; ++k)
           direction[description.dofs[k]] -=
@@ -119,11 +119,11 @@ namespace deltaform
         continue;
       }
       const ContactNode description = node(q, i);
-      const Projection projection   = tool_.project(description.x - shift, 0., hint_[i]);
-      state.stiffness               = nodal_stiffness(i, description, projection.normal);
-      area_[i]                      = description.area;
-      thickness_of_[i]              = description.thickness;
-      double product                = 0.;
+      const Projection projection = tool_.project(description.x - shift, 0., hint_[i]);
+      state.stiffness = nodal_stiffness(i, description, projection.normal);
+      area_[i] = description.area;
+      thickness_of_[i] = description.thickness;
+      double product = 0.;
       if (coupling)
         for (unsigned int k = 0; k < description.n_dofs; ++k)
           product -= (description.jacobian[k] * projection.normal) * (*coupling)[description.dofs[k]];
@@ -136,7 +136,7 @@ namespace deltaform
       if (friction_)
         state.epsilon_tangential = tangential_factor(state, nodal_stiffness(i, description, projection.tangent));
       state.last_penetration = state.penetration();
-      state.shift            = settings_.enforcement->start_shift(state);
+      state.shift = settings_.enforcement->start_shift(state);
     }
   }
 
@@ -164,9 +164,9 @@ namespace deltaform
       bool change = false;
       if (!augmented)
       {
-        const double epsilon   = settings_.rule->correct(what);
-        change                 = epsilon != state.epsilon;
-        state.epsilon          = epsilon;
+        const double epsilon = settings_.rule->correct(what);
+        change = epsilon != state.epsilon;
+        state.epsilon = epsilon;
         state.last_penetration = state.penetration();
       }
       if (friction_ && settings_.tangential_factor == 0 && state.sticking)
@@ -191,7 +191,7 @@ namespace deltaform
     // tool, so that contact is never what the result suffers from.
     const auto project = [&](const unsigned int i) { return tool_.project(committed_x_[i], 0., hint_[i]); };
     std::vector<bool> concerned(committed_.size());
-    bool any         = false;
+    bool any = false;
     double thickness = 0.;
     for (unsigned int i = 0; i < committed_.size(); ++i)
     {
@@ -203,11 +203,11 @@ namespace deltaform
     {
       // Nothing touches yet: where it will.
       unsigned int closest = 0;
-      double least         = std::numeric_limits<double>::infinity();
+      double least = std::numeric_limits<double>::infinity();
       for (unsigned int i = 0; i < committed_.size(); ++i)
         if (const double distance = project(i).distance; distance < least)
         {
-          least   = distance;
+          least = distance;
           closest = i;
         }
       concerned[closest] = true;
@@ -239,11 +239,11 @@ namespace deltaform
   ContactPair::augmentation(std::vector<double> &shifts, std::vector<double> &forces, const double relaxation) const
   {
     const double allowed = std::min(1., relaxation * settings_.enforcement->augmentation_tolerance());
-    bool exact           = true;
+    bool exact = true;
     for (unsigned int i = 0; i < trial_.size(); ++i)
     {
       const PairState &state = trial_[i];
-      const double force     = state.touching ? std::max(state.force, 0.) : 0.;
+      const double force = state.touching ? std::max(state.force, 0.) : 0.;
       shifts.push_back(state.shift);
       forces.push_back(force);
       const double gap = force > 0 ? std::abs(state.gap) : std::max(-state.gap, 0.);
@@ -277,7 +277,7 @@ namespace deltaform
   bool ContactPair::governed_by_floor(const unsigned int i) const
   {
     const PenaltyInput what = input(i, committed_[i], 0.);
-    const double floor      = settings_.rule->floor(what);
+    const double floor = settings_.rule->floor(what);
     return floor > 0 && committed_[i].epsilon <= floor * (1 + 1e-9);
   }
 } // namespace deltaform

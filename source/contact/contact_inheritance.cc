@@ -36,7 +36,7 @@ namespace deltaform
     const unsigned int a = edge[0], b = edge[1];
     const Point2 &A = committed_x_[a], &B = committed_x_[b];
     const double length = A.distance(B);
-    double radius       = std::numeric_limits<double>::infinity();
+    double radius = std::numeric_limits<double>::infinity();
     const std::array<Projection, 2> feet{{tool_.project(A, 0., hint_[a]), tool_.project(B, 0., hint_[b])}};
     for (const unsigned int k : {0, 1})
     {
@@ -52,13 +52,13 @@ namespace deltaform
     const double between = tool_.shape().smallest_radius(feet[0].arc_length, feet[1].arc_length);
     if (!(between < radius))
       return radius;
-    const double nearness            = .25 * length * std::min(1., length / between);
-    bool near                        = committed_[a].touching && committed_[b].touching;
+    const double nearness = .25 * length * std::min(1., length / between);
+    bool near = committed_[a].touching && committed_[b].touching;
     constexpr unsigned int n_samples = 8;
     for (unsigned int k = 1; k < n_samples && !near; ++k)
     {
       const Projection foot = tool_.project(A + (k / static_cast<double>(n_samples)) * (B - A), 0.);
-      near                  = foot.turning != 0. && foot.distance < nearness;
+      near = foot.turning != 0. && foot.distance < nearness;
     }
     return near ? between : radius;
   }
@@ -128,16 +128,15 @@ namespace deltaform
       else if (!(old_area[b] > 0))
         b = a;
       const ContactNode description = node(q, i);
-      committed_x_[i]               = description.x - shift;
-      area_[i]                      = description.area;
-      thickness_of_[i]              = description.thickness;
-      hint_[i]                      = old_hint[a];
+      committed_x_[i] = description.x - shift;
+      area_[i] = description.area;
+      thickness_of_[i] = description.thickness;
+      hint_[i] = old_hint[a];
       if (!old[a].touching || !old[b].touching || !(description.area > 0))
         continue;
       // What belongs to an area is interpolated per area, the rest as it is.
-      const auto mean    = [&](const auto member) { return .5 * (old[a].*member + old[b].*member); };
-      const auto by_area = [&](const auto member)
-      {
+      const auto mean = [&](const auto member) { return .5 * (old[a].*member + old[b].*member); };
+      const auto by_area = [&](const auto member) {
         double sum = 0., count = 0.;
         for (const auto k : {a, b})
           if (old_area[k] > 0)
@@ -148,8 +147,8 @@ namespace deltaform
         return count > 0 ? sum / count * description.area : 0.;
       };
       PairState &state = committed_[i];
-      state            = old[a];
-      state.sticking   = old[a].sticking && old[b].sticking;
+      state = old[a];
+      state.sticking = old[a].sticking && old[b].sticking;
       for (const auto member : {&PairState::force,
                                 &PairState::previous_force,
                                 &PairState::multiplier,

@@ -24,8 +24,8 @@ namespace deltaform
     {
       if (offset == 0. || projection.slip_rate == 0.)
         return {projection.slip_rate, -projection.turning * projection.slip_rate, 0., projection.slip_rate};
-      const double k       = shape.mean_curvature(projection.arc_length, offset);
-      const double s       = 1. / (1. + k * projection.distance);
+      const double k = shape.mean_curvature(projection.arc_length, offset);
+      const double s = 1. / (1. + k * projection.distance);
       const double k_point = projection.turning / (1. - projection.turning * projection.distance);
       return {s,
               -s * s * k,
@@ -48,9 +48,9 @@ namespace deltaform
                           {"current", "initial", "none"},
                           "Thickness that keeps the tool from the mid-surface of a shell: as last "
                           "accepted, initial (a tool with a fixed gap to another), or none.");
-    thickness_                = thickness == "current"   ? ContactThickness::current
-                                : thickness == "initial" ? ContactThickness::initial
-                                                         : ContactThickness::none;
+    thickness_ = thickness == "current"   ? ContactThickness::current
+                 : thickness == "initial" ? ContactThickness::initial
+                                          : ContactThickness::none;
     const std::string squeeze = tool_section.choice(
       "Squeeze",
       "on",
@@ -75,7 +75,7 @@ namespace deltaform
 
   void ContactPair::set_dofs(const DofIndex travel, const DofIndex first_multiplier)
   {
-    travel_dof_       = travel;
+    travel_dof_ = travel;
     first_multiplier_ = first_multiplier;
   }
 
@@ -106,14 +106,14 @@ namespace deltaform
 
   void ContactPair::begin_stage(const Vector &q, const double time)
   {
-    time_ = last_time_  = time;
-    last_step_          = 0.;
+    time_ = last_time_ = time;
+    last_step_ = 0.;
     const Tensor1 shift = travel(q) * tool_.direction();
     for (unsigned int i = 0; i < committed_.size(); ++i)
     {
       const ContactNode description = node(q, i);
-      committed_x_[i]               = description.x - shift;
-      thickness_of_[i]              = description.thickness;
+      committed_x_[i] = description.x - shift;
+      thickness_of_[i] = description.thickness;
     }
     std::fill(projected_gap_.begin(), projected_gap_.end(), -1.);
   }
@@ -121,18 +121,18 @@ namespace deltaform
 
   void ContactPair::begin_increment(const double time)
   {
-    time_                   = time;
-    softening_              = 1.;
-    at_start_               = true;
-    slack_                  = 0.;
-    slip_limit_             = settings_.allowed_slip(time);
-    trial_                  = committed_;
+    time_ = time;
+    softening_ = 1.;
+    at_start_ = true;
+    slack_ = 0.;
+    slip_limit_ = settings_.allowed_slip(time);
+    trial_ = committed_;
     const TimeFunction *own = tool_.allowed_penetration();
-    const double asked      = own ? (*own)(time) : settings_.allowed_penetration(time);
-    const double delta      = asked < 0 ? -asked * automatic_delta() : asked;
+    const double asked = own ? (*own)(time) : settings_.allowed_penetration(time);
+    const double delta = asked < 0 ? -asked * automatic_delta() : asked;
     for (auto &state : trial_)
     {
-      state.delta      = delta;
+      state.delta = delta;
       state.multiplier = state.touching ? state.force : 0.;
     }
 
@@ -158,12 +158,12 @@ namespace deltaform
 
   void ContactPair::assemble(const Vector &q, AssemblyTarget &target)
   {
-    tool_force_             = Tensor1();
-    status_changed_         = false;
+    tool_force_ = Tensor1();
+    status_changed_ = false;
     const double travel_now = travel(q);
-    const Tensor1 shift     = travel_now * tool_.direction();
-    const bool own_unknown  = settings_.enforcement->has_multiplier();
-    const unsigned int n    = trial_.size();
+    const Tensor1 shift = travel_now * tool_.direction();
+    const bool own_unknown = settings_.enforcement->has_multiplier();
+    const unsigned int n = trial_.size();
 
     if (tool_.force_driven())
     {
@@ -174,22 +174,22 @@ namespace deltaform
     for (unsigned int i = 0; i < n; ++i)
     {
       describe(q, i, node);
-      PairState &state      = trial_[i];
+      PairState &state = trial_[i];
       const Point2 relative = node.x - shift;
-      x_[i]                 = relative;
-      area_[i]              = node.area;
-      thickness_of_[i]      = node.thickness;
+      x_[i] = relative;
+      area_[i] = node.area;
+      thickness_of_[i] = node.thickness;
       if (!(node.area > 0) ||
           (!own_unknown && !(state.multiplier > 0) && !(state.shift > 0) && certainly_clear(i, relative, node.offset)))
       {
         status_changed_ |= state.touching;
         state.touching = false;
         state.force = state.tangential_force = 0.;
-        state.gap                            = projected_gap_[i] - node.offset;
+        state.gap = projected_gap_[i] - node.offset;
         if (own_unknown)
         {
           // A node without area has no pair, but its multiplier needs an equation: lambda = 0.
-          const DofIndex dof    = first_multiplier_ + i;
+          const DofIndex dof = first_multiplier_ + i;
           const double residual = q[dof], one = 1.;
           target.add(&dof, 1, target.wants_tangent() ? &one : nullptr, &residual);
         }
@@ -197,17 +197,17 @@ namespace deltaform
       }
 
       const Projection projection = tool_.project(relative, 0., hint_[i]);
-      hint_[i]                    = projection.segment;
-      projected_x_[i]             = relative;
-      projected_gap_[i]           = std::isfinite(projection.distance) ? projection.distance : -1.;
-      double gap                  = projection.distance - node.offset;
+      hint_[i] = projection.segment;
+      projected_x_[i] = relative;
+      projected_gap_[i] = std::isfinite(projection.distance) ? projection.distance : -1.;
+      double gap = projection.distance - node.offset;
       // A blank that just rests on a tool touches it, whatever the last digit says.
       const double size =
         relative.norm() + node.offset + (projection.turning != 0 ? 1 / std::abs(projection.turning) : 0.);
       noise_[i] = 8 * std::numeric_limits<double>::epsilon() * size;
       if (gap > 0 && gap < 2 * noise_[i])
         gap = 0.;
-      state.gap        = gap;
+      state.gap = gap;
       state.arc_length = projection.arc_length;
       if ((gap <= 0 || own_unknown || state.multiplier > 0) && !(state.stiffness > 0))
         touch(i, node, projection);
@@ -215,9 +215,9 @@ namespace deltaform
       if (own_unknown)
         state.multiplier = q[first_multiplier_ + i];
       const double compliance = node.squeeze;
-      const double share      = spring_share(state, compliance);
-      const double left       = share * (gap + compliance * state.shift);
-      NormalResponse normal   = respond(i, own_unknown ? gap : left);
+      const double share = spring_share(state, compliance);
+      const double left = share * (gap + compliance * state.shift);
+      NormalResponse normal = respond(i, own_unknown ? gap : left);
       normal.derivative *= share;
       if (own_unknown)
         normal.compliance = compliance;
@@ -233,24 +233,24 @@ namespace deltaform
       if (friction_ && normal.touching)
       {
         const PairState &before = committed_[i];
-        const double start      = before.touching ? before.arc_length : state.slip_start;
+        const double start = before.touching ? before.arc_length : state.slip_start;
         // The cone belongs to the estimate of lambda; what the iterate's force differs from it enters linearly.
         const double lambda = std::max(state.multiplier, 0.);
-        friction            = friction_->update(lambda,
+        friction = friction_->update(lambda,
                                      before.touching ? before.tangential_force : 0.,
                                      tool_.shape().slip(start, projection.arc_length, node.offset),
                                      state.epsilon_tangential);
         friction.force += friction.force_rate * (normal.force - lambda);
       }
       status_changed_ |= state.touching != normal.touching;
-      state.touching         = normal.touching;
-      state.force            = normal.force;
+      state.touching = normal.touching;
+      state.force = normal.force;
       state.tangential_force = friction.force;
-      state.sticking         = friction.sticking;
+      state.sticking = friction.sticking;
       if (normal.touching)
       {
         description_[i] = node;
-        normal_[i]      = projection.normal;
+        normal_[i] = projection.normal;
       }
       if (normal.touching || own_unknown)
         add_pair(i, node, projection, normal, friction, target);
@@ -275,23 +275,23 @@ namespace deltaform
     // What moves the point relative to the tool: the node's unknowns, and the tool itself backwards.
     for (; n < node.n_dofs; ++n)
     {
-      dofs[n]     = node.dofs[n];
+      dofs[n] = node.dofs[n];
       jacobian[n] = node.jacobian[n];
     }
     if (tool_.force_driven())
     {
-      dofs[n]       = travel_dof_;
+      dofs[n] = travel_dof_;
       jacobian[n++] = -tool_.direction();
     }
     const unsigned int n_motion = n;
-    const bool own_unknown      = settings_.enforcement->has_multiplier();
+    const bool own_unknown = settings_.enforcement->has_multiplier();
     if (own_unknown)
       dofs[n++] = first_multiplier_ + i;
 
     const auto &N = projection.normal, &tau = projection.tangent;
     const SlipTransfer slip = friction_ ? slip_transfer(tool_.shape(), node.offset, projection) : SlipTransfer();
-    const double s          = slip.share;
-    const Tensor1 force     = normal.force * N - friction.force * s * tau;
+    const double s = slip.share;
+    const Tensor1 force = normal.force * N - friction.force * s * tau;
     if (normal.touching)
       tool_force_ -= force;
 
@@ -330,7 +330,7 @@ namespace deltaform
     {
       const unsigned int m = n_motion;
       const Tensor1 dforce = N - friction.force_rate * s * tau;
-      matrix[m * n + m]    = normal.tied ? -normal.compliance : 1.;
+      matrix[m * n + m] = normal.tied ? -normal.compliance : 1.;
       if (normal.tied)
         for (unsigned int k = 0; k < n_motion; ++k)
         {

@@ -48,9 +48,10 @@ namespace deltaform
   double ContactPair::dissipate(const PairState &before, const PairState &now, const double slip)
   {
     const double first = before.touching ? before.tangential_force : 0.,
-                 last  = now.touching ? now.tangential_force : 0.;
-    const auto stored  = [](const PairState &s, const double t)
-    { return s.touching && s.epsilon_tangential > 0 ? .5 * t * t / s.epsilon_tangential : 0.; };
+                 last = now.touching ? now.tangential_force : 0.;
+    const auto stored = [](const PairState &s, const double t) {
+      return s.touching && s.epsilon_tangential > 0 ? .5 * t * t / s.epsilon_tangential : 0.;
+    };
     energy_->friction += .5 * (first + last) * slip - (stored(now, last) - stored(before, first));
     return (last - first) * slip;
   }
@@ -64,9 +65,9 @@ namespace deltaform
       // The trial states are those of the last assembly.
       Assert(x_[i].distance(node(q, i).x - travel(q) * tool_.direction()) <= 1e-12 * (1. + x_[i].norm()),
              dealii::ExcInternalError());
-      PairState &state        = trial_[i];
+      PairState &state = trial_[i];
       const PairState &before = committed_[i];
-      state.previous_force    = before.touching ? before.force : 0.;
+      state.previous_force = before.touching ? before.force : 0.;
       if (!state.touching)
         state.epsilon = state.epsilon_tangential = state.stiffness = state.shift = state.last_penetration = 0.;
 
@@ -88,9 +89,9 @@ namespace deltaform
     // middle. Where it was is as good as random: the error is evenly spread between half the growth and its negative.
     if (energy_)
       energy_->friction_variance += growth * growth / 12.;
-    last_step_          = time_ - last_time_;
-    last_time_          = time_;
-    committed_          = trial_;
+    last_step_ = time_ - last_time_;
+    last_time_ = time_;
+    committed_ = trial_;
     committed_residual_ = residual_;
     committed_x_.swap(x_);
     if (energy_)
@@ -146,7 +147,7 @@ namespace deltaform
       if (committed_[i].touching)
       {
         const ContactNode description = node(q, i);
-        result[i]                     = description.area > 0 ? committed_[i].force / description.area : 0.;
+        result[i] = description.area > 0 ? committed_[i].force / description.area : 0.;
       }
     return result;
   }
@@ -173,8 +174,8 @@ namespace deltaform
 
   double ContactPair::penetration_between_nodes(const Vector &q) const
   {
-    const Tensor1 shift    = travel(q) * tool_.direction();
-    double deepest         = 0.;
+    const Tensor1 shift = travel(q) * tool_.direction();
+    double deepest = 0.;
     unsigned int last_node = invalid_index; // whose projection is
     Projection last{};
     for (const auto &edge : surface_.contact_edges(tool_.side()))
@@ -186,20 +187,19 @@ namespace deltaform
       const ContactNode middle = m == invalid_index ? start : node(q, m);
       const double a_face = face(start, committed_[a]), b_face = face(end, committed_[b]);
       const double m_face = m == invalid_index ? 0. : face(middle, committed_[m]);
-      const auto gap      = [&](const double xi)
-      {
+      const auto gap = [&](const double xi) {
         const std::array<double, 3> N =
           m == invalid_index ? std::array<double, 3>{{1 - xi, xi, 0.}}
                              : std::array<double, 3>{{(1 - xi) * (1 - 2 * xi), xi * (2 * xi - 1), 4 * xi * (1 - xi)}};
-        Point2 x            = start.x - shift;
+        Point2 x = start.x - shift;
         const double offset = N[0] * a_face + N[1] * b_face + N[2] * m_face;
         x += N[1] * (end.x - start.x) + N[2] * (middle.x - start.x);
         return tool_.project(x, 0., hint_[a]).distance - offset;
       };
       const Projection first = last_node == a ? last : tool_.project(start.x - shift, 0., hint_[a]);
-      last                   = tool_.project(end.x - shift, 0., hint_[a]);
-      last_node              = b;
-      deepest                = std::max({deepest, a_face - first.distance, b_face - last.distance});
+      last = tool_.project(end.x - shift, 0., hint_[a]);
+      last_node = b;
+      deepest = std::max({deepest, a_face - first.distance, b_face - last.distance});
       // A straight edge over one part of the tool that is straight or hollow is deepest at one of its ends.
       if (m == invalid_index && first.segment == last.segment && (start.x[0] < 0) == (end.x[0] < 0))
       {

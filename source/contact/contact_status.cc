@@ -16,7 +16,7 @@ namespace deltaform
 
   NormalResponse ContactPair::respond(const unsigned int i, const double gap) const
   {
-    const PairState &state   = trial_[i];
+    const PairState &state = trial_[i];
     const bool is_multiplier = settings_.enforcement->has_multiplier();
     if (!std::isfinite(gap))
       return {};
@@ -41,7 +41,7 @@ namespace deltaform
     const Tensor1 tool_step = tool_.force_driven() ? d[travel_dof_] * tool_.direction() : Tensor1();
     for (unsigned int i = 0; i < trial_.size(); ++i)
     {
-      PairState &state    = trial_[i];
+      PairState &state = trial_[i];
       base_multiplier_[i] = state.multiplier;
       step_multiplier_[i] = -state.multiplier;
       if (!state.touching)
@@ -50,7 +50,7 @@ namespace deltaform
       for (unsigned int k = 0; k < description_[i].n_dofs; ++k)
         dx += d[description_[i].dofs[k]] * description_[i].jacobian[k];
       const double epsilon = softening_ < 1 && !committed_[i].touching ? softening_ * state.epsilon : state.epsilon;
-      const double share   = spring_share(state, description_[i].squeeze);
+      const double share = spring_share(state, description_[i].squeeze);
       step_multiplier_[i] += state.shift - epsilon * (state.gap + share * (normal_[i] * dx));
     }
   }

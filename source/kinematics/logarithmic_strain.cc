@@ -17,7 +17,7 @@ namespace deltaform
     {
       double s_1, s_2; ///< S = (s_1, s_2; s_2, -s_1)
       double m, determinant;
-      double phi;           ///< atanh(d/m)/d
+      double phi; ///< atanh(d/m)/d
       double phi_of_d2 = 0; ///< d phi / d(d^2)
 
       explicit PlaneLogarithm(const AxialTensor &b)
@@ -30,17 +30,17 @@ namespace deltaform
           double sum = 0., derivative = 0.;
           for (int k = 8; k >= 0; --k)
           {
-            sum        = sum * x + 1. / (2 * k + 1);
+            sum = sum * x + 1. / (2 * k + 1);
             derivative = derivative * x + (k + 1.) / (2 * k + 3);
           }
-          phi       = sum / m;
+          phi = sum / m;
           phi_of_d2 = derivative / (m * m * m);
         }
         else
         {
           const double d = std::sqrt(d2);
-          phi            = std::atanh(d / m) / d;
-          phi_of_d2      = (m / determinant - phi) / (2. * d2);
+          phi = std::atanh(d / m) / d;
+          phi_of_d2 = (m / determinant - phi) / (2. * d2);
         }
       }
     };
@@ -70,12 +70,12 @@ namespace deltaform
     {
       const double dm = .5 * (db_xx[k] + db_yy[k]), ds_1 = .5 * (db_xx[k] - db_yy[k]), ds_2 = db_xy[k];
       const double half_dd2 = plane.s_1 * ds_1 + plane.s_2 * ds_2;
-      const double dmean    = .5 * (plane.m * dm - half_dd2) / plane.determinant;
-      const double dphi     = -dm / plane.determinant + 2. * plane.phi_of_d2 * half_dd2;
-      const double de_1     = .5 * (dphi * plane.s_1 + plane.phi * ds_1);
-      result[0][k]          = dmean + de_1;
-      result[1][k]          = dmean - de_1;
-      result[3][k]          = root_2 * .5 * (dphi * plane.s_2 + plane.phi * ds_2);
+      const double dmean = .5 * (plane.m * dm - half_dd2) / plane.determinant;
+      const double dphi = -dm / plane.determinant + 2. * plane.phi_of_d2 * half_dd2;
+      const double de_1 = .5 * (dphi * plane.s_1 + plane.phi * ds_1);
+      result[0][k] = dmean + de_1;
+      result[1][k] = dmean - de_1;
+      result[3][k] = root_2 * .5 * (dphi * plane.s_2 + plane.phi * ds_2);
     }
     result[2][4] = 1.;
     return result;
@@ -91,14 +91,14 @@ namespace deltaform
     {
       // Elastic strains of metals: sum d^2k/(2k)! and sum d^2k/(2k+1)!, four terms leave 1e-20.
       const double d4 = d2 * d2;
-      cosh            = 1. + d2 * (1. / 2) + d4 * (1. / 24 + d2 * (1. / 720));
-      sinh_over_d     = 1. + d2 * (1. / 6) + d4 * (1. / 120 + d2 * (1. / 5040));
+      cosh = 1. + d2 * (1. / 2) + d4 * (1. / 24 + d2 * (1. / 720));
+      sinh_over_d = 1. + d2 * (1. / 6) + d4 * (1. / 120 + d2 * (1. / 5040));
     }
     else
     {
       const double d = std::sqrt(d2);
-      cosh           = std::cosh(d);
-      sinh_over_d    = std::sinh(d) / d;
+      cosh = std::cosh(d);
+      sinh_over_d = std::sinh(d) / d;
     }
     const double size = std::exp(e[0] + e[1]), even = size * cosh, odd = size * sinh_over_d;
     return {even + odd * s_1, even - odd * s_1, std::exp(2. * e[2]), odd * s_2};

@@ -42,9 +42,8 @@ namespace deltaform
     }
 
     std::vector<MeridianPiece> pieces;
-    double arc        = 0;
-    const auto append = [&](MeridianPiece piece)
-    {
+    double arc = 0;
+    const auto append = [&](MeridianPiece piece) {
       piece.arc_start = arc;
       arc += piece.length;
       pieces.push_back(piece);
@@ -52,7 +51,7 @@ namespace deltaform
     for (unsigned int i = 0; i + 1 < n; ++i)
     {
       const double straight = length[i] - setback[i] - setback[i + 1];
-      const double angle    = std::atan2(tangent[i][1], tangent[i][0]);
+      const double angle = std::atan2(tangent[i][1], tangent[i][0]);
       if (straight < -1e-12 * length[i])
         throw std::invalid_argument("the fillets at points " + std::to_string(i + 1) + " and " + std::to_string(i + 2) +
                                     " do not fit between them");

@@ -16,8 +16,8 @@ namespace deltaform
   struct PlasticFlow
   {
     double amount = 0.;
-    bool found    = false; ///< false: not a number, or no convergence
-    bool resolved = true;  ///< false: met as closely as neighbouring floating-point numbers allow, but not more
+    bool found = false; ///< false: not a number, or no convergence
+    bool resolved = true; ///< false: met as closely as neighbouring floating-point numbers allow, but not more
   };
 
   /**
@@ -34,16 +34,16 @@ namespace deltaform
   template <typename Function>
   PlasticFlow solve_consistency(const Function &excess, const double guess, const double start, double upper)
   {
-    constexpr double tolerance      = 2e-15;
-    constexpr double infinity       = std::numeric_limits<double>::infinity();
-    constexpr double not_a_number   = std::numeric_limits<double>::quiet_NaN();
+    constexpr double tolerance = 2e-15;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
     constexpr unsigned int max_iter = 200;
 
     double lower = 0., at_zero = not_a_number, u = guess;
     if (!(guess > 0. && guess < upper))
     {
       const Excess zero = excess(0.);
-      at_zero           = zero.value;
+      at_zero = zero.value;
       if (!(at_zero > tolerance))
         return {0., at_zero <= tolerance, true};
       u = at_zero / -zero.slope;
@@ -51,13 +51,13 @@ namespace deltaform
         u = start;
     }
 
-    double previous   = infinity;
-    double reach      = 1e-4; // how far down to cut while nothing is known but that the root is not 0
+    double previous = infinity;
+    double reach = 1e-4; // how far down to cut while nothing is known but that the root is not 0
     unsigned int slow = 0;
     for (unsigned int iteration = 0; iteration < max_iter; ++iteration)
     {
-      const Excess here   = excess(u);
-      const double f      = here.value;
+      const Excess here = excess(u);
+      const double f = here.value;
       const double size_f = std::abs(f);
       if (size_f <= tolerance)
         return {u, true, true};
@@ -69,7 +69,7 @@ namespace deltaform
         return {};
 
       const auto inside = [&](const double v) { return v > lower && v < upper; };
-      double next       = u - f / here.slope;
+      double next = u - f / here.slope;
       if (!inside(next) || size_f > .25 * previous)
       {
         if (std::isfinite(here.slope) && std::abs(next - u) <= std::numeric_limits<double>::epsilon() * u)
@@ -81,7 +81,7 @@ namespace deltaform
             return {0., at_zero <= tolerance, true};
         }
         const double flow = at_zero - f;
-        next              = u * std::pow(at_zero / flow, -flow / (here.slope * u));
+        next = u * std::pow(at_zero / flow, -flow / (here.slope * u));
         if (slow < 2 && inside(next))
           ++slow;
         else
@@ -90,7 +90,7 @@ namespace deltaform
             next = upper < infinity ? std::sqrt(lower) * std::sqrt(upper) : 1e3 * lower;
           else
           {
-            next  = std::fmax(reach * upper, std::numeric_limits<double>::min());
+            next = std::fmax(reach * upper, std::numeric_limits<double>::min());
             reach = std::fmax(reach * reach, 1e-64);
           }
           slow = 0;
@@ -102,7 +102,7 @@ namespace deltaform
         }
       }
       previous = size_f;
-      u        = next;
+      u = next;
     }
     return {};
   }

@@ -22,11 +22,11 @@ namespace deltaform
   {
     double young, poisson;
     double shear, bulk;
-    double plane_stress;            ///< E / (1 - nu^2)
-    double biaxial;                 ///< E / (1 - nu): in-plane stress of an equal in-plane strain at third stress 0
-    double shift;                   ///< (1 - 2 nu) / E: strain of a unit pressure
-    double compliance;              ///< 1 / (2 G)
-    double contraction;             ///< nu / E
+    double plane_stress; ///< E / (1 - nu^2)
+    double biaxial; ///< E / (1 - nu): in-plane stress of an equal in-plane strain at third stress 0
+    double shift; ///< (1 - 2 nu) / E: strain of a unit pressure
+    double compliance; ///< 1 / (2 G)
+    double contraction; ///< nu / E
     std::array<double, 16> tangent; ///< d stress / d strain, 4 x 4, row-major
     std::array<double, 16> condensed_tangent; ///< the same at given third stress: row and column [2] are zero
 
@@ -57,7 +57,7 @@ namespace deltaform
     /// Stress of the elastic strain @p e.
     Mandel stress(const Mandel &e) const
     {
-      const double trace  = e[0] + e[1] + e[2];
+      const double trace = e[0] + e[1] + e[2];
       const double common = (bulk - 2. / 3. * shear) * trace;
       return {{common + 2. * shear * e[0], common + 2. * shear * e[1], common + 2. * shear * e[2], 2. * shear * e[3]}};
     }
@@ -81,7 +81,7 @@ namespace deltaform
     /// Per reference volume.
     double energy(const Mandel &tau) const
     {
-      const double trace  = tau[0] + tau[1] + tau[2];
+      const double trace = tau[0] + tau[1] + tau[2];
       const double square = tau[0] * tau[0] + tau[1] * tau[1] + tau[2] * tau[2] + tau[3] * tau[3];
       return .5 * (compliance * square - contraction * trace * trace);
     }

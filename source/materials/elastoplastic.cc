@@ -23,17 +23,18 @@ namespace deltaform
     class Elastoplastic : public Material
     {
     public:
-      explicit Elastoplastic(Section &section) : elastic_(section)
+      explicit Elastoplastic(Section &section)
+        : elastic_(section)
       {
         Section hardening_section = section.sub("Hardening");
-        hardening_                = Registry<Hardening>::choose(
+        hardening_ = Registry<Hardening>::choose(
           hardening_section, "Law", "swift", "Flow stress against the equivalent plastic strain.");
         initial_flow_stress_ = hardening_->evaluate(0.).value;
-        two_steps_           = section.choice("Integration",
+        two_steps_ = section.choice("Integration",
                                     "two steps",
                                     {"backward Euler", "two steps"},
                                     "Of flow over an increment. Two steps: of second order, goes on from the flow of "
-                                              "the last increment.") == "two steps";
+                                    "the last increment.") == "two steps";
       }
 
       unsigned int history_size() const override
@@ -54,23 +55,22 @@ namespace deltaform
         for (unsigned int p = 0; p < batch.n_points; ++p)
         {
           const double *committed = batch.committed + p * n;
-          double *trial           = batch.trial + p * n;
-          double *tangent         = batch.tangent != nullptr ? batch.tangent + p * std::size_t(16) : nullptr;
-          const auto return_from  = [&](const double *start)
-          {
+          double *trial = batch.trial + p * n;
+          double *tangent = batch.tangent != nullptr ? batch.tangent + p * std::size_t(16) : nullptr;
+          const auto return_from = [&](const double *start) {
             return strain_given ? radial_return(j2, batch.strain[p], start, trial, batch.stress[p], tangent)
                                 : plane_stress_return(
                                     j2, batch.strain[p], batch.third_stress[p], start, trial, batch.stress[p], tangent);
           };
-          double *carried      = batch.carried != nullptr ? batch.carried + p * n : nullptr;
+          double *carried = batch.carried != nullptr ? batch.carried + p * n : nullptr;
           PointOutcome outcome = PointOutcome::good;
-          bool goes_on         = false;
+          bool goes_on = false;
           if (carried != nullptr && carried[4] > 0.)
           {
             std::array<double, n> start;
             for (unsigned int i = 0; i < n; ++i)
               start[i] = committed[i] + carried[i];
-            outcome      = return_from(start.data());
+            outcome = return_from(start.data());
             double along = 0.;
             for (unsigned int i = 0; i < 4; ++i)
               along += carried[i] * (trial[i] - start[i]);
@@ -132,7 +132,7 @@ namespace deltaform
       Elasticity elastic_;
       std::unique_ptr<Hardening> hardening_;
       double initial_flow_stress_ = 0.;
-      bool two_steps_             = false;
+      bool two_steps_ = false;
     };
 
     const Registry<Material>::Entry entry("elastoplastic",

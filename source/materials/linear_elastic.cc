@@ -10,7 +10,8 @@ namespace deltaform
     class LinearElastic : public Material
     {
     public:
-      explicit LinearElastic(Section &section) : elastic_(section)
+      explicit LinearElastic(Section &section)
+        : elastic_(section)
       {
       }
 

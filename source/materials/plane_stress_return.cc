@@ -28,9 +28,9 @@ namespace deltaform
     /// q(l) and what else depends on the multiplier alone.
     struct Returned
     {
-      double scale_a, scale_b;    ///< 1 / (1 + a l), 1 / (1 + b l)
+      double scale_a, scale_b; ///< 1 / (1 + a l), 1 / (1 + b l)
       double q, inverse_q, slope; ///< q, 1/q, (dq/dl)/q
-      double x, x_slope;          ///< 2/3 l q, its derivative
+      double x, x_slope; ///< 2/3 l q, its derivative
     };
 
     struct TrialStress
@@ -41,17 +41,17 @@ namespace deltaform
       Returned at(const double l) const
       {
         Returned r;
-        const double both     = 1. / ((1. + a * l) * (1. + b * l));
-        r.scale_a             = (1. + b * l) * both;
-        r.scale_b             = (1. + a * l) * both;
-        const double a_q      = a_square * r.scale_a * r.scale_a;
-        const double b_q      = b_square * r.scale_b * r.scale_b;
+        const double both = 1. / ((1. + a * l) * (1. + b * l));
+        r.scale_a = (1. + b * l) * both;
+        r.scale_b = (1. + a * l) * both;
+        const double a_q = a_square * r.scale_a * r.scale_a;
+        const double b_q = b_square * r.scale_b * r.scale_b;
         const double q_square = a_q + b_q, inverse = 1. / q_square;
-        r.q         = std::sqrt(q_square);
+        r.q = std::sqrt(q_square);
         r.inverse_q = r.q * inverse; // side by side with the root, not after it
-        r.slope     = -(a * r.scale_a * a_q + b * r.scale_b * b_q) * inverse;
-        r.x         = 2. / 3. * l * r.q;
-        r.x_slope   = 2. / 3. * r.q * (1. + l * r.slope);
+        r.slope = -(a * r.scale_a * a_q + b * r.scale_b * b_q) * inverse;
+        r.x = 2. / 3. * l * r.q;
+        r.x_slope = 2. / 3. * r.q * (1. + l * r.slope);
         return r;
       }
 
@@ -62,8 +62,8 @@ namespace deltaform
           return 0.;
         // q = q_trial / (1 + c l) with the mean c of a and b, then one step of Newton
         const double q_square = a_square + b_square;
-        const double c        = (a * a_square + b * b_square) / q_square;
-        double l              = x / (2. / 3. * std::sqrt(q_square) - c * x);
+        const double c = (a * a_square + b * b_square) / q_square;
+        double l = x / (2. / 3. * std::sqrt(q_square) - c * x);
         if (l > 0.)
         {
           const Returned r = at(l);
@@ -83,23 +83,21 @@ namespace deltaform
                                    double *tangent)
   {
     const Elasticity &elastic = j2.elastic;
-    const double shift        = third_stress * elastic.shift;
-    const double e1           = strain[0] - committed[0] - shift;
-    const double e2           = strain[1] - committed[1] - shift;
-    const double A            = elastic.biaxial * half_root * (e1 + e2);
-    const double B            = 2. * elastic.shear * half_root * (e1 - e2);
-    const double T            = 2. * elastic.shear * (strain[3] - committed[3]);
+    const double shift = third_stress * elastic.shift;
+    const double e1 = strain[0] - committed[0] - shift;
+    const double e2 = strain[1] - committed[1] - shift;
+    const double A = elastic.biaxial * half_root * (e1 + e2);
+    const double B = 2. * elastic.shear * half_root * (e1 - e2);
+    const double T = 2. * elastic.shear * (strain[3] - committed[3]);
 
-    const auto set_stress = [&](const double at_a, const double at_b)
-    {
-      stress    = {{half_root * (at_a * A + at_b * B) + third_stress,
-                    half_root * (at_a * A - at_b * B) + third_stress,
-                    third_stress,
-                    at_b * T}};
+    const auto set_stress = [&](const double at_a, const double at_b) {
+      stress = {{half_root * (at_a * A + at_b * B) + third_stress,
+                 half_root * (at_a * A - at_b * B) + third_stress,
+                 third_stress,
+                 at_b * T}};
       strain[2] = elastic.third_strain(stress) + trial[2];
     };
-    const auto stay_elastic = [&]()
-    {
+    const auto stay_elastic = [&]() {
       keep_history(committed, trial);
       set_stress(1., 1.);
       if (tangent != nullptr)
@@ -116,17 +114,16 @@ namespace deltaform
 
     FlowStress flow{};
     Returned r{};
-    const auto excess = [&](const double l) -> Excess
-    {
-      r    = stress_at.at(l);
+    const auto excess = [&](const double l) -> Excess {
+      r = stress_at.at(l);
       flow = j2.hardening.evaluate(committed[4] + r.x);
       return {1. - flow.value * r.inverse_q, (flow.value * r.slope - flow.slope * r.x_slope) * r.inverse_q};
     };
     // q <= q_trial / (1 + a l), because a < b, and the flow stress does not fall under its initial value.
-    const double ratio       = std::sqrt(q_square) / j2.initial_flow_stress;
-    const double upper       = ratio / stress_at.a;
-    const double start       = std::fmin(ratio - 1., 1.) / stress_at.b;
-    const double guess       = stress_at.multiplier(expected_increment(committed, trial));
+    const double ratio = std::sqrt(q_square) / j2.initial_flow_stress;
+    const double upper = ratio / stress_at.a;
+    const double start = std::fmin(ratio - 1., 1.) / stress_at.b;
+    const double guess = stress_at.multiplier(expected_increment(committed, trial));
     const PlasticFlow solved = solve_consistency(excess, guess, start, upper);
     if (!solved.found)
       return PointOutcome::not_converged;
@@ -156,10 +153,10 @@ namespace deltaform
       const double at = -inverse * m_a * m_t * half_root, bt = -inverse * m_b * m_t * half_root;
       tangent[0] = (aa + bb) / 2. + ab;
       tangent[1] = tangent[4] = (aa - bb) / 2.;
-      tangent[5]              = (aa + bb) / 2. - ab;
+      tangent[5] = (aa + bb) / 2. - ab;
       tangent[3] = tangent[12] = at + bt;
       tangent[7] = tangent[13] = at - bt;
-      tangent[15]              = xi_b - inverse * m_t * m_t;
+      tangent[15] = xi_b - inverse * m_t * m_t;
       tangent[2] = tangent[6] = tangent[8] = tangent[9] = tangent[10] = tangent[11] = tangent[14] = 0.;
     }
     return PointOutcome::good;

@@ -23,17 +23,16 @@ namespace deltaform
                              double *tangent)
   {
     const Elasticity &elastic = j2.elastic;
-    const double G            = elastic.shear;
+    const double G = elastic.shear;
 
     // Trial deviator
     const double e0 = strain[0] - committed[0], e1 = strain[1] - committed[1], e2 = strain[2] - committed[2];
     const double trace = e0 + e1 + e2, mean = trace / 3., pressure = elastic.bulk * trace;
     const double s0 = 2. * G * (e0 - mean), s1 = 2. * G * (e1 - mean), s2 = 2. * G * (e2 - mean);
-    const double s3       = 2. * G * (strain[3] - committed[3]);
+    const double s3 = 2. * G * (strain[3] - committed[3]);
     const double q_square = 1.5 * (s0 * s0 + s1 * s1 + s2 * s2 + s3 * s3);
 
-    const auto stay_elastic = [&]()
-    {
+    const auto stay_elastic = [&]() {
       keep_history(committed, trial);
       stress = {{s0 + pressure, s1 + pressure, s2 + pressure, s3}};
       if (tangent != nullptr)
@@ -45,15 +44,14 @@ namespace deltaform
     if (!std::isfinite(q_square))
       return PointOutcome::not_finite;
 
-    const double q         = std::sqrt(q_square);
+    const double q = std::sqrt(q_square);
     const double inverse_q = 1. / q;
     FlowStress flow{};
-    const auto excess = [&](const double x) -> Excess
-    {
+    const auto excess = [&](const double x) -> Excess {
       flow = j2.hardening.evaluate(committed[4] + x);
       return {1. - (3. * G * x + flow.value) * inverse_q, -(3. * G + flow.slope) * inverse_q};
     };
-    const double start       = (q - j2.initial_flow_stress) / (3. * G);
+    const double start = (q - j2.initial_flow_stress) / (3. * G);
     const PlasticFlow solved = solve_consistency(excess, expected_increment(committed, trial), start, q / (3. * G));
     if (!solved.found)
       return PointOutcome::not_converged;
@@ -67,7 +65,7 @@ namespace deltaform
     const double flow_of_s = 1.5 * x * inverse_q;
     for (unsigned int i = 0; i < 4; ++i)
     {
-      trial[i]  = committed[i] + flow_of_s * s[i];
+      trial[i] = committed[i] + flow_of_s * s[i];
       stress[i] = remaining * s[i] + (i < 3 ? pressure : 0.);
     }
     trial[4] = committed[4] + x;
@@ -75,7 +73,7 @@ namespace deltaform
     if (tangent != nullptr)
     {
       const double deviatoric = 2. * G * remaining;
-      const double common     = elastic.bulk - deviatoric / 3.;
+      const double common = elastic.bulk - deviatoric / 3.;
       // n x n = (3/2) s x s / q^2
       const double radial = 9. * G * G * inverse_q * inverse_q * (x * inverse_q - 1. / (3. * G + flow.slope));
       for (unsigned int i = 0; i < 4; ++i)

@@ -33,7 +33,7 @@ namespace deltaform
 
       FlowStress evaluate(const double e) const override
       {
-        const double x     = prestrain_ + e;
+        const double x = prestrain_ + e;
         const double value = strength_ * std::pow(x, exponent_);
         if (x > 0.)
           return {value, exponent_ * value / x};

@@ -24,7 +24,8 @@ namespace deltaform
       using Curve = boost::math::interpolators::pchip<std::vector<double>>;
 
     public:
-      explicit HardeningTable(Section &section) : HardeningTable(read(section))
+      explicit HardeningTable(Section &section)
+        : HardeningTable(read(section))
       {
       }
 

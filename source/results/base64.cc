@@ -24,7 +24,7 @@ namespace deltaform
   {
     static const auto pairs = pairs_of_digits();
     std::string text((n + 2) / 3 * 4, '=');
-    char *to      = text.data();
+    char *to = text.data();
     std::size_t i = 0;
     for (; i + 3 <= n; i += 3, to += 4)
     {
@@ -35,8 +35,8 @@ namespace deltaform
     if (i < n)
     {
       const unsigned int bits = (bytes[i] << 16u) | (i + 1 < n ? bytes[i + 1] << 8u : 0u);
-      to[0]                   = digits[bits >> 18u];
-      to[1]                   = digits[(bits >> 12u) & 63u];
+      to[0] = digits[bits >> 18u];
+      to[1] = digits[(bits >> 12u) & 63u];
       if (i + 1 < n)
         to[2] = digits[(bits >> 6u) & 63u];
     }

@@ -45,9 +45,9 @@ namespace deltaform
                                             {"rigid_modes", "1", get<&Row::rigid_modes>},
                                             {"digits_lost", "1", get<&Row::digits_lost>}};
 
-    const std::vector<Number> meshes        = {{"unknowns", "1", get<&Row::unknowns>},
-                                               {"cells", "1", get<&Row::cells>},
-                                               {"estimated_error", "1", get<&Row::estimated_error>}};
+    const std::vector<Number> meshes = {{"unknowns", "1", get<&Row::unknowns>},
+                                        {"cells", "1", get<&Row::cells>},
+                                        {"estimated_error", "1", get<&Row::estimated_error>}};
     const std::vector<Number> linear_solver = {{"linear_iterations", "1", get<&Row::linear_iterations>}};
 
     const std::vector<Number> energies = {{"tool_work", "force*length", get<&Row::tool_work>},

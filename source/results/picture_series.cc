@@ -13,7 +13,8 @@
 
 namespace deltaform
 {
-  PictureSeries::PictureSeries(std::string path) : path_(std::move(path))
+  PictureSeries::PictureSeries(std::string path)
+    : path_(std::move(path))
   {
   }
 
@@ -50,8 +51,7 @@ namespace deltaform
   {
     pictures_.push_back({time, parts});
     write_file_atomically(path_,
-                          [this](std::ostream &out)
-                          {
+                          [this](std::ostream &out) {
                             out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
                                    "  <Collection>\n";
                             for (const auto &[when, all] : pictures_)

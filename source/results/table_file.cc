@@ -50,8 +50,7 @@ namespace deltaform
                 comments,
                 std::move(columns),
                 units,
-                [&table](CsvWriter &file)
-                {
+                [&table](CsvWriter &file) {
                   for (const auto &row : table.rows)
                     file.row(row);
                 });
@@ -67,8 +66,7 @@ namespace deltaform
                 comments,
                 columns,
                 units,
-                [&rows](CsvWriter &file)
-                {
+                [&rows](CsvWriter &file) {
                   for (const auto &row : rows)
                     file.row_of_cells(row);
                 });

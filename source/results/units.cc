@@ -5,13 +5,14 @@
 
 namespace deltaform
 {
-  Units::Units(const std::string &label) : label_(label)
+  Units::Units(const std::string &label)
+    : label_(label)
   {
     const auto pieces = text::split(label, ',');
     if (pieces.size() != 3)
       return;
     length_ = pieces[0];
-    force_  = pieces[1];
+    force_ = pieces[1];
     stress_ = pieces[2];
   }
 
@@ -19,9 +20,8 @@ namespace deltaform
   {
     // Word by word, so that a label which contains another dimension's name is left alone.
     std::string result, word;
-    const auto finish_word = [&]()
-    {
-      result += word == "length" ? length_ : word == "force" ? force_ : word == "stress" ? stress_ : word;
+    const auto finish_word = [&]() {
+      result += word == "length" ? length_ : (word == "force" ? force_ : (word == "stress" ? stress_ : word));
       word.clear();
     };
     for (const char c : dimension)

@@ -43,7 +43,7 @@ namespace deltaform
     /// Vectors have three components and symmetric tensors six: ParaView takes them for such.
     void write_field(std::ostream &out, const DrawnField &field, const Units &units)
     {
-      const unsigned int n = field.n_components, n_written = n == 1 ? 1 : n == 2 ? 3 : 6;
+      const unsigned int n = field.n_components, n_written = n == 1 ? 1 : (n == 2 ? 3 : 6);
       Assert(n == 1 || n == 2 || n == 4,
              dealii::ExcMessage("Field '" + field.name + "' is no scalar, vector, tensor."));
       std::vector<float> values(field.values.size() / n * n_written, 0.f);
@@ -60,7 +60,7 @@ namespace deltaform
       const unsigned int n_vertices = drawing.points_per_cell;
       const std::size_t n_points = drawing.points.size(), n_cells = drawing.cells.size() / n_vertices;
       const std::uint16_t one = 1;
-      unsigned char first     = 0;
+      unsigned char first = 0;
       std::memcpy(&first, &one, 1);
       out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\""
           << (first == 1 ? "LittleEndian" : "BigEndian") << "\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""

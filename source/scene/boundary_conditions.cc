@@ -20,7 +20,7 @@ namespace deltaform
                                                    {"r", "z", "rotation"},
                                                    "Direction (plane strain: r is x), or rotation (counterclockwise; a "
                                                    "moment, for loads).");
-      return component == "r" ? Component::r : component == "z" ? Component::z : Component::rotation;
+      return component == "r" ? Component::r : (component == "z" ? Component::z : Component::rotation);
     }
 
     std::string read_boundary(Section &section, const Blank &blank)
@@ -91,8 +91,8 @@ namespace deltaform
       "an edge (solid: traction on the initial area), or force per initial volume.");
     if (what == "edge")
     {
-      kind      = Kind::edge;
-      boundary  = read_boundary(section, blank);
+      kind = Kind::edge;
+      boundary = read_boundary(section, blank);
       component = read_component(section);
       renumber(blank);
       check_dofs(section, boundary, dofs);
@@ -101,7 +101,7 @@ namespace deltaform
     }
     else if (what == "body")
     {
-      kind      = Kind::body;
+      kind = Kind::body;
       component = read_component(section);
       renumber(blank);
       if (dofs.empty())
@@ -129,7 +129,7 @@ namespace deltaform
   {
     if (kind == Kind::edge)
     {
-      dofs    = blank.boundary_dofs(boundary, component);
+      dofs = blank.boundary_dofs(boundary, component);
       weights = blank.boundary_weights(boundary);
     }
     if (kind != Kind::body)

@@ -99,7 +99,8 @@ namespace deltaform
     ByteStream content;
     boost::archive::binary_oarchive(content.stream()) << *this;
     const std::string bytes = content.take();
-    write_file_atomically(path(folder), [&](std::ostream &out) { out << head(bytes) << '\n' << bytes; });
+    write_file_atomically(path(folder), [&](std::ostream &out) { out << head(bytes) << '\n'
+                                                                     << bytes; });
   }
 
 
@@ -139,9 +140,9 @@ namespace deltaform
     for (const auto &[path, name, text] : tree.values())
     {
       const std::string full = to_string(path, name);
-      const auto old         = before.find(full);
-      const std::string was  = old == before.end() ? "not there" : old->second.empty() ? "empty" : old->second;
-      const bool equal       = old != before.end() && same(old->second, text);
+      const auto old = before.find(full);
+      const std::string was = old == before.end() ? "not there" : (old->second.empty() ? "empty" : old->second);
+      const bool equal = old != before.end() && same(old->second, text);
       if (old != before.end())
         before.erase(old);
       if (equal)

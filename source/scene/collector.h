@@ -8,7 +8,8 @@ namespace deltaform
   class Collector : public AssemblyTarget
   {
   public:
-    explicit Collector(const unsigned int n) : residual(n)
+    explicit Collector(const unsigned int n)
+      : residual(n)
     {
     }
 

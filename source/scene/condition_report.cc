@@ -14,15 +14,13 @@ namespace deltaform
     rigid_motions(const Blank &blank, const Vector &q, const std::vector<int> &numbers, const int n)
     {
       std::vector<std::pair<std::string, Eigen::VectorXd>> result;
-      const auto add = [&](const std::string &name, const double r, const double z, const double rotation)
-      {
+      const auto add = [&](const std::string &name, const double r, const double z, const double rotation) {
         Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
-        bool whole        = true; // no prescribed unknown takes part
+        bool whole = true; // no prescribed unknown takes part
         blank.rigid_motion(q,
                            Tensor1({r, z}),
                            rotation,
-                           [&](const DofIndex dof, const double value)
-                           {
+                           [&](const DofIndex dof, const double value) {
                              if (value == 0.)
                                return;
                              if (numbers[dof] < 0)
@@ -63,10 +61,10 @@ namespace deltaform
     Timers::Scope timer(timers_, timer_);
     problem.before_contact({});
     ConditionNumbers result;
-    const System &system            = problem.system();
-    const std::vector<int> numbers  = condition::free_numbers(system);
+    const System &system = problem.system();
+    const std::vector<int> numbers = condition::free_numbers(system);
     const condition::Matrix without = std::move(without_);
-    const int n                     = without.rows();
+    const int n = without.rows();
 
     // Rigid: the blank resists with less than 1e-9 of its largest stiffness. Travels of force-driven tools and
     // multipliers have no stiffness at all without contact and count as well.
@@ -90,7 +88,7 @@ namespace deltaform
     result.without_contact = condition::number_on_complement(without, basis, method_);
 
     const condition::Matrix with = condition::free_matrix(system);
-    result.raw                   = condition::number(with, method_);
+    result.raw = condition::number(with, method_);
 
     std::vector<condition::Frame> frames;
     std::vector<bool> taken(n, false);

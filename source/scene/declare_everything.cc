@@ -26,7 +26,7 @@ namespace deltaform
     root.text("Title", Default<std::string>("a deltaform scene"), "What this scene is.");
     root.text("Units", Default<std::string>("consistent"), "Label of the units, for example 'mm, N, MPa'.");
     Section blank_section = root.sub("Blank");
-    auto blank            = Registry<Blank>::choose(blank_section, "Kind", "shell", "How the blank is modelled.");
+    auto blank = Registry<Blank>::choose(blank_section, "Kind", "shell", "How the blank is modelled.");
     declare_each<Blank>(blank_section, "Kind");
     declare_each<Material>(root.sub("Material"), "Model");
     declare_each<Hardening>(root.sub("Material").sub("Hardening"), "Law");
@@ -52,8 +52,8 @@ namespace deltaform
     const Load load("<name>", root.sub("Loads").sub("<name>"), *blank);
 
     Section steps_section = root.sub("Steps");
-    const auto stages     = read_stages(steps_section);
-    Section solver        = root.sub("Solver");
+    const auto stages = read_stages(steps_section);
+    Section solver = root.sub("Solver");
     const NewtonSettings newton(solver);
     const StepSettings steps(solver);
     const LinearSolverSettings linear(solver);

@@ -29,8 +29,8 @@ namespace deltaform
 
   std::vector<std::string> doubtful_solid(const double thickness, const std::vector<ToolWall> &walls)
   {
-    constexpr double shortest = 5.;        // thicknesses: the land of a real ironing ring is shorter
-    constexpr double fits     = 1. - 1e-3; // of a thickness: a gap of one thickness irons nothing
+    constexpr double shortest = 5.; // thicknesses: the land of a real ironing ring is shorter
+    constexpr double fits = 1. - 1e-3; // of a thickness: a gap of one thickness irons nothing
     std::vector<std::string> findings;
     for (const ToolWall &inner : walls)
       for (const ToolWall &outer : walls)

@@ -56,8 +56,7 @@ namespace deltaform
   double FormingProblem::balance_error() const
   {
     Tensor1 sum, largest;
-    const auto count = [&](const Tensor1 &force)
-    {
+    const auto count = [&](const Tensor1 &force) {
       sum += force;
       for (unsigned int d = 0; d < 2; ++d)
         largest[d] = std::max(largest[d], std::abs(force[d]));
@@ -88,7 +87,7 @@ namespace deltaform
     }
     // What is left of much larger forces is round-off.
     const double floor = 1e-3 * largest_resultant_;
-    double error       = 0.;
+    double error = 0.;
     for (unsigned int d = actors_.blank->axisymmetric() ? 1 : 0; d < 2; ++d)
       if (const double size = std::max(largest[d], floor); size > 0.)
         error = std::max(error, std::abs(sum[d]) / size);
@@ -182,7 +181,7 @@ namespace deltaform
       {
         // A tool that has lost contact for a moment goes back to the blank, on its own: were the whole step shortened
         // by what this component is too long, the blank would hardly move.
-        double &travel       = d[pair->travel_dof()];
+        double &travel = d[pair->travel_dof()];
         const double closest = pair->free_travel();
         if (closest > 0)
           travel = std::clamp(travel, -std::min(closest, typical_length()), std::min(closest, typical_length()));
@@ -247,20 +246,20 @@ namespace deltaform
 
   void FormingProblem::begin_increment(const double time)
   {
-    time_       = time;
+    time_ = time;
     prescribed_ = committed_;
     for (const auto &support : actors_.supports)
       if (support.acts_in(stage_name_))
         for (unsigned int i = 0; i < support.dofs.size(); ++i)
         {
           const DofIndex dof = support.dofs[i];
-          prescribed_[dof]   = is_fixed_[dof] ? 0. : support.hold ? hold_[dof] : support.at(i, time);
+          prescribed_[dof] = is_fixed_[dof] ? 0. : (support.hold ? hold_[dof] : support.at(i, time));
         }
     for (auto *pair : active_pairs_)
       pair->begin_increment(time);
     augmentation_.restart();
     factors_due_ = !active_pairs_.empty();
-    cycling_     = false;
+    cycling_ = false;
     visited_.clear();
     system_->forget_factors();
   }
@@ -277,7 +276,7 @@ namespace deltaform
         continue;
       const PairState &state = pair->trial()[i];
       const ContactNode node = pair->node(committed_, i);
-      std::string text       = "the promise p <= delta cannot be kept: tool '" + pair->tool().name() + "', node " +
+      std::string text = "the promise p <= delta cannot be kept: tool '" + pair->tool().name() + "', node " +
                          std::to_string(i) + " (R0 = " + text::format(node.reference_coordinate) + ") penetrates " +
                          text::format(state.penetration()) + ", " + text::format(ratio) + " times the allowed " +
                          text::format(state.delta) + ", with penalty factor " + text::format(state.epsilon);

@@ -43,7 +43,7 @@ namespace deltaform
     for (unsigned int i = 0; i < n_blank; ++i)
     {
       committed_[i] = fields[0][i];
-      hold_[i]      = fields[1][i];
+      hold_[i] = fields[1][i];
     }
     for (unsigned int p = 0; p < actors_.pairs.size(); ++p)
     {

@@ -28,7 +28,7 @@ namespace deltaform
   void FormingProblem::number_unknowns()
   {
     const unsigned int n_blank = actors_.blank->n_dofs();
-    const bool multipliers     = actors_.contact && actors_.contact->enforcement->has_multiplier();
+    const bool multipliers = actors_.contact && actors_.contact->enforcement->has_multiplier();
     unsigned int n_sparse = n_blank, n_border = 0;
     std::vector<DofIndex> first_multiplier;
     for (const auto &pair : actors_.pairs)
@@ -40,8 +40,8 @@ namespace deltaform
     dealii::DynamicSparsityPattern pattern(n_sparse, n_sparse);
     actors_.blank->add_couplings(pattern);
     // Multipliers live behind the last rows of the blank.
-    const auto of_blank     = actors_.blank->locally_owned_dofs();
-    const bool is_last      = ranks::mine() + 1 == ranks::count();
+    const auto of_blank = actors_.blank->locally_owned_dofs();
+    const bool is_last = ranks::mine() + 1 == ranks::count();
     const bool all_of_blank = ranks::max(of_blank.n_elements() != n_blank ? 1. : 0.) == 0.;
     dealii::IndexSet owned(n_sparse);
     for (const auto i : of_blank)

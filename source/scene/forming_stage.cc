@@ -70,9 +70,9 @@ namespace deltaform
         continue;
       // The thickness has changed by forming: a tool that leaves room for the initial one overlaps a little.
       const TimeFunction *own = tool.allowed_penetration();
-      const double delta      = own ? (*own)(stage.begin) : actors_.contact->allowed_penetration(stage.begin);
-      const double tolerance  = std::max(.1 * actors_.blank->typical_length(), delta);
-      const double travel     = tool.force_driven() ? committed_[pair->travel_dof()] : tool.travel(stage.begin);
+      const double delta = own ? (*own)(stage.begin) : actors_.contact->allowed_penetration(stage.begin);
+      const double tolerance = std::max(.1 * actors_.blank->typical_length(), delta);
+      const double travel = tool.force_driven() ? committed_[pair->travel_dof()] : tool.travel(stage.begin);
       if (const auto wrong = find_misplacement(*actors_.blank, *pair, committed_, travel, tolerance))
         return wrong->message + " (Tools/" + tool.name() + "/" + wrong->entry + ")";
     }
@@ -160,17 +160,17 @@ namespace deltaform
       if (i < actors_.blank->n_dofs())
         work_.loads += .5 * (force + load_forces_[i]) * (q[i] - committed_[i]);
       load_forces_[i] = force;
-      reactions_[i]   = is_prescribed_[i] ? system_->residual()[i] : 0.;
+      reactions_[i] = is_prescribed_[i] ? system_->residual()[i] : 0.;
     }
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
     {
-      auto &pair          = *actors_.pairs[i];
-      const bool active   = std::find(active_pairs_.begin(), active_pairs_.end(), &pair) != active_pairs_.end();
+      auto &pair = *actors_.pairs[i];
+      const bool active = std::find(active_pairs_.begin(), active_pairs_.end(), &pair) != active_pairs_.end();
       const Tensor1 force = active ? pair.tool_force() : released * released_.of_tools[i];
       const double travel = active ? pair.travel(q) : travels_[i];
       work_.tools -= .5 * (force + tool_forces_[i]) * actors_.tools[i]->direction() * (travel - travels_[i]);
       tool_forces_[i] = force;
-      travels_[i]     = travel;
+      travels_[i] = travel;
       if (actors_.tools[i]->force_driven())
         actors_.tools[i]->set_travel(travel);
     }
@@ -179,7 +179,7 @@ namespace deltaform
       pair->commit(q);
     actors_.blank->commit(q);
     committed_ = q;
-    at_once_   = false;
+    at_once_ = false;
 
     for (const auto *const forces : {&tool_forces_, &load_resultants_})
       for (const auto &force : *forces)
@@ -199,7 +199,7 @@ namespace deltaform
     {
       pair->refresh(q);
       const auto own = pair->pressure(q);
-      auto &side     = pressure[static_cast<unsigned int>(pair->tool().side())];
+      auto &side = pressure[static_cast<unsigned int>(pair->tool().side())];
       if (side.empty())
         side = own;
       else

@@ -40,14 +40,14 @@ namespace deltaform
       if (!blank.is_sheet())
         return;
       const auto nodes = blank.positions(Vector(blank.n_dofs()));
-      const double h   = blank.initial_thickness();
-      double shortest  = std::numeric_limits<double>::infinity();
+      const double h = blank.initial_thickness();
+      double shortest = std::numeric_limits<double>::infinity();
       Point2 place;
       for (const auto &edge : blank.contact_edges(Side::top))
         if (const double length = nodes[edge[0]].distance(nodes[edge[1]]); length < shortest)
         {
           shortest = length;
-          place    = nodes[edge[0]];
+          place = nodes[edge[0]];
         }
       if (shortest < .25 * h * (1. - 1e-9))
         result.push_back(

@@ -12,7 +12,7 @@ namespace deltaform
       const SheetSection &section = sections[i];
       if (!(section.flow_stress > 0. && section.squeeze > worst * section.flow_stress))
         continue;
-      worst  = section.squeeze / section.flow_stress;
+      worst = section.squeeze / section.flow_stress;
       worst_ = "node " + std::to_string(i) + " at R0 = " + text::rounded(section.place) +
                " is pressed on both faces with " + text::rounded(section.squeeze) + ", more than its flow stress of " +
                text::rounded(section.flow_stress) +

@@ -26,11 +26,11 @@ namespace deltaform
   void NeckingWatch::observe(std::vector<SheetSection> sections)
   {
     before_ = std::move(now_);
-    now_    = std::move(sections);
+    now_ = std::move(sections);
     if (finding().empty())
     {
       n_necking_ = 0;
-      lost_      = 0.;
+      lost_ = 0.;
       return;
     }
     const std::size_t i = thinnest(now_);
@@ -51,9 +51,9 @@ namespace deltaform
     const double median = rates[rates.size() / 2];
 
     const SheetSection &node = now_[i];
-    const double stretch     = node.stretch - before_[i].stretch;
-    const double thinned     = node.thinning - before_[i].thinning;
-    const double fall        = 1 - force(node) / force(before_[i]);
+    const double stretch = node.stretch - before_[i].stretch;
+    const double thinned = node.thinning - before_[i].thinning;
+    const double fall = 1 - force(node) / force(before_[i]);
     // A metal under plastic loading does not soften: d tau >= 0, so that F falls by no more than d eps. A larger fall
     // is unloading or bending, and no neck. A change in the last digits is no change.
     const bool softens =

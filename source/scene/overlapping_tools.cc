@@ -33,7 +33,7 @@ namespace deltaform
       for (unsigned int i = 0; i + 1 < corners.size(); ++i)
       {
         const Tensor1 edge = corners[i + 1] - corners[i];
-        const auto n       = std::clamp(static_cast<unsigned int>(std::ceil(edge.norm() / reach.chord)), 1u, 400u);
+        const auto n = std::clamp(static_cast<unsigned int>(std::ceil(edge.norm() / reach.chord)), 1u, 400u);
         for (unsigned int k = 0; k < n; ++k)
           points.push_back(corners[i] + (k / static_cast<double>(n)) * edge);
       }
@@ -59,8 +59,8 @@ namespace deltaform
       for (const auto &x : actors.blank->positions(Vector(actors.blank->n_dofs())))
       {
         reach.first_r = std::min(reach.first_r, x[0]);
-        reach.last_r  = std::max(reach.last_r, x[0]);
-        reach.size    = std::max(reach.size, x.norm());
+        reach.last_r = std::max(reach.last_r, x[0]);
+        reach.size = std::max(reach.size, x.norm());
       }
       // Solids grow by about their height. What begins at r = 0 is half of a body that is alike on the other side.
       reach.last_r += h;
@@ -103,9 +103,10 @@ namespace deltaform
       }
       // Tools have no back: on one line, what overlaps at all does so where they have come closest to each other.
       const bool on_one_line = std::abs(std::abs(a.direction() * b.direction()) - 1.) < 1e-12;
-      const auto range       = std::minmax_element(ways.begin(), ways.end());
-      const auto free_at     = [&](const auto place)
-      { return overlap_at(a, b, times[static_cast<std::size_t>(place - ways.begin())], reach).depth <= tolerance; };
+      const auto range = std::minmax_element(ways.begin(), ways.end());
+      const auto free_at = [&](const auto place) {
+        return overlap_at(a, b, times[static_cast<std::size_t>(place - ways.begin())], reach).depth <= tolerance;
+      };
       if (on_one_line && free_at(range.first) && (*range.first == *range.second || free_at(range.second)))
         return {};
       for (const double time : times)
@@ -121,7 +122,7 @@ namespace deltaform
     std::vector<std::string> sentences;
     if (actors.tools.size() < 2)
       return sentences;
-    const Reach reach      = reach_of(actors);
+    const Reach reach = reach_of(actors);
     const double tolerance = .01 * actors.blank->typical_length();
     for (unsigned int i = 0; i < actors.tools.size(); ++i)
       for (unsigned int j = i + 1; j < actors.tools.size(); ++j)

@@ -45,8 +45,7 @@ namespace deltaform
     if (ranks::first())
       std::filesystem::remove(folder + "/summary.json", error);
     write_file_atomically(folder + "/scene.prm",
-                          [&](std::ostream &out)
-                          {
+                          [&](std::ostream &out) {
                             out << "# deltaform " << DELTAFORM_VERSION << ", deal.II " << DEAL_II_PACKAGE_VERSION
                                 << ": the scene as read, with every default.\n";
                             scene.tree.print_prm(out);
@@ -117,10 +116,10 @@ namespace deltaform
 
   void Recorder::Files::show_progress(const HistoryRow &row) const
   {
-    const double end   = scene.actors.stages.back().end;
+    const double end = scene.actors.stages.back().end;
     const double spent = timers.total();
-    const auto main    = scene.output->main_tool;
-    std::string line   = "increment " + std::to_string(row.increment) + "  " + row.stage + " t = " + rounded(row.time);
+    const auto main = scene.output->main_tool;
+    std::string line = "increment " + std::to_string(row.increment) + "  " + row.stage + " t = " + rounded(row.time);
     if (main != invalid_index)
       line += "  " + scene.actors.tools[main]->name() + ": travel " + rounded(row.tools[main].travel) + ", force " +
               rounded(row.tools[main].force_z);
@@ -135,7 +134,7 @@ namespace deltaform
   void Recorder::finish(const RunOutcome &outcome, const FormingProblem &problem)
   {
     const auto &[exit_status, message, warnings, increments, iterations] = outcome;
-    auto &files                                                          = *files_;
+    auto &files = *files_;
     {
       Timers::Scope scope(files.timers, files.timer);
       if (exit_status != exit_status::done && increments > 0)
@@ -185,7 +184,7 @@ namespace deltaform
     write_file_atomically(files.folder + "/timing.json", [&](std::ostream &out) { files.timers.write_json(out); });
 
     files.journal.finish_progress();
-    const auto main  = files.scene.output->main_tool;
+    const auto main = files.scene.output->main_tool;
     std::string line = std::to_string(increments) + " increments, " + std::to_string(iterations) +
                        " Newton iterations, " + rounded(files.timers.total(), "%.2f") + " s";
     if (main != invalid_index && !files.last.tools.empty())

@@ -16,24 +16,24 @@ namespace deltaform
                                   const IncrementCost &cost) const
   {
     HistoryRow row;
-    row.increment          = increment;
-    row.stage              = stage.name;
-    row.time               = time;
-    row.newton_iterations  = cost.iterations;
-    row.penalty_rounds     = cost.rounds;
+    row.increment = increment;
+    row.stage = stage.name;
+    row.time = time;
+    row.newton_iterations = cost.iterations;
+    row.penalty_rounds = cost.rounds;
     row.penalty_iterations = cost.correction_iterations;
-    row.linear_iterations  = cost.linear_iterations;
+    row.linear_iterations = cost.linear_iterations;
     if (cost.condition)
     {
-      row.condition_raw             = cost.condition->raw;
-      row.condition_scaled          = cost.condition->scaled;
+      row.condition_raw = cost.condition->raw;
+      row.condition_scaled = cost.condition->scaled;
       row.condition_without_contact = cost.condition->without_contact;
-      row.digits_lost               = cost.condition->digits_lost;
-      row.rigid_modes               = cost.condition->n_rigid;
+      row.digits_lost = cost.condition->digits_lost;
+      row.rigid_modes = cost.condition->n_rigid;
     }
-    row.cutbacks        = cost.cutbacks;
-    row.unknowns        = problem.committed().size();
-    row.cells           = scene.actors.blank->n_cells();
+    row.cutbacks = cost.cutbacks;
+    row.unknowns = problem.committed().size();
+    row.cells = scene.actors.blank->n_cells();
     row.estimated_error = scene.actors.blank->estimated_error();
     for (unsigned int i = 0; i < scene.actors.tools.size(); ++i)
       row.tools.push_back({problem.travel(i), problem.tool_forces()[i][1], problem.tool_forces()[i][0]});
@@ -45,7 +45,7 @@ namespace deltaform
     row.balance_error = problem.balance_error();
 
     unsigned int governed = 0;
-    row.min_epsilon       = std::numeric_limits<double>::infinity();
+    row.min_epsilon = std::numeric_limits<double>::infinity();
     for (const auto *pair : problem.active_pairs())
     {
       for (unsigned int i = 0; i < pair->n_nodes(); ++i)
@@ -54,10 +54,10 @@ namespace deltaform
         if (!state.touching)
           continue;
         ++row.contact_pairs;
-        row.max_penetration            = std::max(row.max_penetration, state.penetration());
+        row.max_penetration = std::max(row.max_penetration, state.penetration());
         row.max_penetration_over_delta = std::max(row.max_penetration_over_delta, state.penetration() / state.delta);
-        row.min_epsilon                = std::min(row.min_epsilon, state.epsilon);
-        row.max_epsilon                = std::max(row.max_epsilon, state.epsilon);
+        row.min_epsilon = std::min(row.min_epsilon, state.epsilon);
+        row.max_epsilon = std::max(row.max_epsilon, state.epsilon);
         governed += pair->governed_by_floor(i);
       }
       row.max_penetration_between_nodes =
@@ -81,19 +81,19 @@ namespace deltaform
     for (const auto &pair : scene.actors.pairs)
       contact += pair->energy();
     const BlankEnergy blank = scene.actors.blank->energy();
-    row.tool_work           = problem.work().tools;
-    row.load_work           = problem.work().loads;
-    row.elastic_energy      = blank.elastic;
-    row.plastic_energy      = blank.plastic;
-    row.friction_energy     = contact.friction;
-    row.friction_error      = contact.friction_error();
-    row.contact_energy      = contact.stored;
-    row.epsilon_work        = contact.epsilon;
-    row.thickness_work      = contact.thickness + blank.normal;
-    const double in         = row.tool_work + row.load_work + row.epsilon_work + row.thickness_work;
-    const double out        = row.elastic_energy + row.plastic_energy + row.friction_energy + row.contact_energy;
-    const double size       = std::max({std::abs(row.tool_work), std::abs(row.load_work), std::abs(out)});
-    row.energy_error        = size > 0 ? (in - out) / size : 0.;
+    row.tool_work = problem.work().tools;
+    row.load_work = problem.work().loads;
+    row.elastic_energy = blank.elastic;
+    row.plastic_energy = blank.plastic;
+    row.friction_energy = contact.friction;
+    row.friction_error = contact.friction_error();
+    row.contact_energy = contact.stored;
+    row.epsilon_work = contact.epsilon;
+    row.thickness_work = contact.thickness + blank.normal;
+    const double in = row.tool_work + row.load_work + row.epsilon_work + row.thickness_work;
+    const double out = row.elastic_energy + row.plastic_energy + row.friction_energy + row.contact_energy;
+    const double size = std::max({std::abs(row.tool_work), std::abs(row.load_work), std::abs(out)});
+    row.energy_error = size > 0 ? (in - out) / size : 0.;
   }
 
 
@@ -105,7 +105,7 @@ namespace deltaform
       labels.insert(label += "_" + stage);
     auto head = comments;
     head.push_back("stage " + stage + ", travel of the main tool (or time): " + text::format(travel));
-    behind.run([path    = folder + "/profile_" + label + ".csv",
+    behind.run([path = folder + "/profile_" + label + ".csv",
                 profile = scene.actors.blank->profile(problem.committed()),
                 head,
                 this]() { write_table(path, head, profile, units); });
@@ -121,12 +121,11 @@ namespace deltaform
         tools.push_back({pair->tool().name(), x[0], x[1]});
     behind.run(
       [contact_path = folder + "/contact_" + label + ".csv",
-       contact      = contact_rows(problem),
-       tools_path   = folder + "/tools_" + label + ".csv",
-       tools        = std::move(tools),
+       contact = contact_rows(problem),
+       tools_path = folder + "/tools_" + label + ".csv",
+       tools = std::move(tools),
        head,
-       this]()
-      {
+       this]() {
         write_table(contact_path,
                     head,
                     {{"tool", "1"},

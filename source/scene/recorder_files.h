@@ -20,18 +20,18 @@ namespace deltaform
         timer(timers.section("13 output")), units(scene.units), pictures(folder + "/scene.pvd")
     {
       const bool round = scene.actors.blank->axisymmetric();
-      comments         = {scene.title,
-                          std::string("deltaform ") + DELTAFORM_VERSION + ", units: " + scene.units,
-                          std::string("Forces are those of the blank on the tool, ") +
-                            (round ? "for the full circumference (2 pi)." : "per unit width (plane strain).")};
+      comments = {scene.title,
+                  std::string("deltaform ") + DELTAFORM_VERSION + ", units: " + scene.units,
+                  std::string("Forces are those of the blank on the tool, ") +
+                    (round ? "for the full circumference (2 pi)." : "per unit width (plane strain).")};
       std::vector<std::string> names;
       for (const auto &tool : scene.actors.tools)
         names.push_back(tool->name());
       HistoryOptions options;
-      options.condition  = scene.output->condition_every > 0;
+      options.condition = scene.output->condition_every > 0;
       options.refinement = scene.actors.blank->refinement() != nullptr;
-      options.energies   = scene.output->energies;
-      options.iterative  = scene.linear_solver->iterative();
+      options.energies = scene.output->energies;
+      options.iterative = scene.linear_solver->iterative();
       if (start)
         options.resume_after = start->increment;
       for (const auto &support : scene.actors.supports)
@@ -83,7 +83,7 @@ namespace deltaform
     HistoryRow last;
     double worst_promise = 0, largest_force = 0, worst_between = 0;
     std::set<std::string> labels; ///< of the tables written so far
-    double saved_at = 0;          ///< seconds since the start
+    double saved_at = 0; ///< seconds since the start
 
     /// What a resumed run cannot find out from the problem.
     template <class Archive>
@@ -94,6 +94,6 @@ namespace deltaform
     }
 
     double last_picture = -1; ///< its time
-    WriteBehind behind;       ///< last member: its task uses the others
+    WriteBehind behind; ///< last member: its task uses the others
   };
 } // namespace deltaform

@@ -27,10 +27,10 @@ namespace deltaform
           if (!state.touching)
             continue;
           const unsigned int k = pair->node(problem.committed(), i).node;
-          fields[0].values[k]  = std::max(fields[0].values[k], state.epsilon);
-          fields[1].values[k]  = std::max(fields[1].values[k], state.penetration() / state.delta);
-          fields[2].values[k]  = std::max(fields[2].values[k], pressure[i]);
-          fields[3].values[k]  = std::max(fields[3].values[k], state.sticking ? 2. : 1.);
+          fields[0].values[k] = std::max(fields[0].values[k], state.epsilon);
+          fields[1].values[k] = std::max(fields[1].values[k], state.penetration() / state.delta);
+          fields[2].values[k] = std::max(fields[2].values[k], pressure[i]);
+          fields[3].values[k] = std::max(fields[3].values[k], state.sticking ? 2. : 1.);
         }
       }
       return fields;
@@ -57,7 +57,7 @@ namespace deltaform
     {
       Drawing drawing;
       drawing.points_per_cell = 2;
-      drawing.points          = points;
+      drawing.points = points;
       for (unsigned int i = 1; i < points.size(); ++i)
         drawing.cells.insert(drawing.cells.end(), {i - 1, i});
       drawing.fields.push_back({"tool", "index", false, 1, std::vector<double>(drawing.cells.size() / 2, number)});
@@ -104,8 +104,7 @@ namespace deltaform
         }
     last_picture = time;
     behind.run(
-      [this, time, parts, drawings = std::move(drawings)]()
-      {
+      [this, time, parts, drawings = std::move(drawings)]() {
         for (std::size_t part = 0; part < parts.size(); ++part)
           write_vtu(folder + "/" + parts[part].file, drawings[part], units);
         pictures.add(time, parts);

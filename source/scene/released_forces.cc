@@ -19,8 +19,8 @@ namespace deltaform
 
   void ReleasedForces::begin_stage(const Stage &stage)
   {
-    begin_   = stage.begin;
-    end_     = stage.end;
+    begin_ = stage.begin;
+    end_ = stage.end;
     at_once_ = stage.release_at_once;
   }
 

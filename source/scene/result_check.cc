@@ -36,13 +36,13 @@ namespace deltaform
     if (row.balance_error > worst_balance_)
     {
       worst_balance_ = row.balance_error;
-      balance_time_  = row.time;
+      balance_time_ = row.time;
     }
     last_energy_error_ = row.energy_error;
-    friction_          = row.friction_energy;
-    friction_error_    = row.friction_error;
-    work_              = std::max(row.tool_work, row.load_work);
-    thinnest_          = std::min(thinnest_, row.min_thickness);
+    friction_ = row.friction_energy;
+    friction_error_ = row.friction_error;
+    work_ = std::max(row.tool_work, row.load_work);
+    thinnest_ = std::min(thinnest_, row.min_thickness);
   }
 
 
@@ -52,7 +52,7 @@ namespace deltaform
     if (rotation <= largest_turn_)
       return;
     largest_turn_ = rotation;
-    snap_time_    = row.time;
+    snap_time_ = row.time;
   }
 
 

@@ -16,7 +16,8 @@ namespace deltaform
     class Conditions
     {
     public:
-      Conditions(const Actors &actors, const unsigned int n_travels) : n_(3 + n_travels)
+      Conditions(const Actors &actors, const unsigned int n_travels)
+        : n_(3 + n_travels)
       {
         const Vector zero(actors.blank->n_dofs());
         for (const auto &x : actors.blank->positions(zero))
@@ -110,12 +111,12 @@ namespace deltaform
                      const Vector &zero,
                      Conditions &conditions)
     {
-      const Tool &tool     = pair.tool();
-      const double way     = tool.force_driven() ? 0. : tool.travel(time);
+      const Tool &tool = pair.tool();
+      const double way = tool.force_driven() ? 0. : tool.travel(time);
       const double nearest = pair.closest(zero, way).second;
       for (unsigned int i = 0; i < pair.n_nodes(); ++i)
       {
-        const ContactNode node      = pair.node(zero, i);
+        const ContactNode node = pair.node(zero, i);
         const Projection projection = tool.project(node.x, way);
         if (node.area > 0 && projection.distance - node.offset <= nearest + 1e-6 * node.thickness)
           conditions.touch(node.x, projection.normal, travel, tool.direction());
@@ -127,7 +128,7 @@ namespace deltaform
   std::vector<std::string> free_rigid_motions(const Actors &actors, const Stage &stage)
   {
     const bool first = &stage == &actors.stages.front();
-    const bool any   = std::any_of(
+    const bool any = std::any_of(
       actors.tools.begin(), actors.tools.end(), [&](const auto &tool) { return tool->exists_in(stage.name); });
     if (any && !first)
       return {};

@@ -25,7 +25,7 @@ namespace deltaform
     {
       // One process asks for all: the first one removes the file when it goes on.
       constexpr int killed = -1;
-      const int status     = static_cast<int>(
+      const int status = static_cast<int>(
         ranks::max(ranks::first() ? earlier_exit_status(folder).value_or(killed) : static_cast<double>(killed)));
       const std::string behind =
         "time " + text::format(saved) + ", behind the end " + text::format(end) + " that the scene asks for (Steps)";

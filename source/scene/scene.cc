@@ -4,18 +4,18 @@
 
 namespace deltaform
 {
-  Scene::Scene(ParameterTree &parameters) : tree(parameters)
+  Scene::Scene(ParameterTree &parameters)
+    : tree(parameters)
   {
     Section root = tree.root();
-    title        = root.text("Title", Default<std::string>("a deltaform scene"), "What this scene is.");
+    title = root.text("Title", Default<std::string>("a deltaform scene"), "What this scene is.");
     units = root.text("Units", Default<std::string>("consistent"), "Label of the units, for example 'mm, N, MPa'.");
 
     Section blank = root.sub("Blank");
-    actors.blank  = Registry<Blank>::choose(blank, "Kind", "shell", "How the blank is modelled.");
+    actors.blank = Registry<Blank>::choose(blank, "Kind", "shell", "How the blank is modelled.");
     build_tools(root);
 
-    const auto named = [&](const std::string &what, const std::string &sentence)
-    {
+    const auto named = [&](const std::string &what, const std::string &sentence) {
       Section section = root.sub(what);
       return section.names("Names", "", sentence);
     };
@@ -25,15 +25,15 @@ namespace deltaform
       actors.loads.emplace_back(name, root.sub("Loads").sub(name), *actors.blank);
 
     Section steps_section = root.sub("Steps");
-    actors.stages         = read_stages(steps_section);
+    actors.stages = read_stages(steps_section);
 
     Section solver = root.sub("Solver");
-    newton         = std::make_unique<NewtonSettings>(solver);
-    steps          = std::make_unique<StepSettings>(solver);
-    linear_solver  = std::make_unique<LinearSolverSettings>(solver);
+    newton = std::make_unique<NewtonSettings>(solver);
+    steps = std::make_unique<StepSettings>(solver);
+    linear_solver = std::make_unique<LinearSolverSettings>(solver);
 
     Section output_section = root.sub("Output");
-    output                 = std::make_unique<OutputSettings>(output_section, actors.tools, actors.stages);
+    output = std::make_unique<OutputSettings>(output_section, actors.tools, actors.stages);
 
     tree.check_unused();
     check(root);
@@ -42,7 +42,7 @@ namespace deltaform
 
   void Scene::build_tools(Section root)
   {
-    Section section  = root.sub("Tools");
+    Section section = root.sub("Tools");
     const auto names = section.names("Names", "", "Names of the tools, one subsection each.");
     if (names.empty())
     {
@@ -56,7 +56,7 @@ namespace deltaform
     // Penetrations are measured by the thickness of a shell, by the shortest contact edge of a solid.
     const std::map<std::string, double> contact_constants{{"thickness", actors.blank->typical_length()}};
     Section contact = root.sub("Contact");
-    actors.contact  = std::make_unique<ContactSettings>(contact, contact_constants);
+    actors.contact = std::make_unique<ContactSettings>(contact, contact_constants);
     for (const auto &name : names)
     {
       Section own = section.sub(name);

@@ -42,7 +42,7 @@ namespace deltaform
     void check_force(const Tool &tool, const Stage &stage, const Section &section)
     {
       constexpr unsigned int n_samples = 200;
-      double largest                   = 0.;
+      double largest = 0.;
       for (unsigned int k = 0; k <= n_samples; ++k)
         largest = std::max(largest, std::abs(tool.force(stage.begin + (stage.end - stage.begin) * k / n_samples)));
       for (unsigned int k = 0; k <= n_samples; ++k)
@@ -63,8 +63,8 @@ namespace deltaform
   void Scene::check_functions(Section root) const
   {
     // NaN passes most comparisons: look for it where a function of time is used.
-    const auto inspect = [](const auto &function, const Stage &stage, const Section &section, const std::string &entry)
-    {
+    const auto inspect = [](const auto &function, const Stage &stage, const Section &section,
+                            const std::string &entry) {
       constexpr unsigned int n_samples = 50;
       for (unsigned int k = 0; k <= n_samples; ++k)
       {
@@ -106,11 +106,10 @@ namespace deltaform
   {
     // What the columns of history.csv begin with, and the name behind it.
     std::map<std::string, std::string> taken;
-    const auto take = [&](const char *section, const std::string &name, const std::vector<std::string> &endings)
-    {
+    const auto take = [&](const char *section, const std::string &name, const std::vector<std::string> &endings) {
       for (const auto &ending : endings)
       {
-        const std::string column  = column_name(name) + ending;
+        const std::string column = column_name(name) + ending;
         const auto [other, fresh] = taken.emplace(column, name);
         if (!fresh)
           root.sub(section).fail("Names",
@@ -130,14 +129,14 @@ namespace deltaform
   void Scene::check_tools(Section root) const
   {
     const Vector zero(actors.blank->n_dofs());
-    const double h   = actors.blank->initial_thickness();
+    const double h = actors.blank->initial_thickness();
     double outermost = 0.;
     for (const auto &x : actors.blank->positions(zero))
       outermost = std::max(outermost, x[0]);
 
     for (unsigned int i = 0; i < actors.tools.size(); ++i)
     {
-      const Tool &tool      = *actors.tools[i];
+      const Tool &tool = *actors.tools[i];
       const Section section = root.sub("Tools").sub(tool.name());
       // What comes later is checked when it comes: the blank has another shape then (Simulation).
       if (tool.exists_in(actors.stages.front().name))
@@ -164,8 +163,7 @@ namespace deltaform
 
   void Scene::check_stages(Section root) const
   {
-    const auto known = [&](const std::vector<std::string> &names, Section section)
-    {
+    const auto known = [&](const std::vector<std::string> &names, Section section) {
       for (const auto &name : names)
       {
         bool found = false;
@@ -184,9 +182,8 @@ namespace deltaform
     for (const auto &stage : actors.stages)
     {
       // Does a function of time change within the stage, or does something end with the stage before?
-      bool changes      = false;
-      const auto varies = [&](const TimeFunction &function)
-      {
+      bool changes = false;
+      const auto varies = [&](const TimeFunction &function) {
         if (function.is_constant())
           return false;
         for (unsigned int k = 1; k <= 50; ++k)
@@ -232,8 +229,7 @@ namespace deltaform
       size = std::max(size, x.norm());
     // A coordinate is rounded by half an ulp.
     const double smallest = .5e6 * std::numeric_limits<double>::epsilon() * size;
-    const auto inspect    = [&](const double delta, const std::string &text, Section section)
-    {
+    const auto inspect = [&](const double delta, const std::string &text, Section section) {
       if (delta < 0 && text.find("auto") != std::string::npos)
         return; // bounded below by a millionth of the thickness
       if (!(delta > 0))
@@ -249,8 +245,8 @@ namespace deltaform
       for (unsigned int k = 0; k <= 200; ++k)
         for (const auto &tool : actors.tools)
         {
-          const double time          = stage.begin + (stage.end - stage.begin) * k / 200.;
-          const TimeFunction *own    = tool->allowed_penetration();
+          const double time = stage.begin + (stage.end - stage.begin) * k / 200.;
+          const TimeFunction *own = tool->allowed_penetration();
           const TimeFunction &chosen = own ? *own : actors.contact->allowed_penetration;
           inspect(chosen(time), chosen.text(), own ? root.sub("Tools").sub(tool->name()) : root.sub("Contact"));
         }

@@ -53,7 +53,7 @@ namespace deltaform
         last_increment_ = 0.;
         step_.reset();
       }
-      status   = run_stage(stage);
+      status = run_stage(stage);
       resumed_ = false;
     }
     journal_.detail(std::to_string(problem_.system().n_factorizations()) + " factorizations" +
@@ -105,7 +105,7 @@ namespace deltaform
         : cost.cutbacks >= 2 || control.leaping()                                                       ? Effort::damped
                                                                                                         : Effort::usual;
       const auto linear_iterations_before = problem_.system().n_linear_iterations();
-      const std::string failure           = attempt(next, effort, q, result);
+      const std::string failure = attempt(next, effort, q, result);
       cost.linear_iterations += problem_.system().n_linear_iterations() - linear_iterations_before;
       cost.iterations += result.iterations;
       cost.rounds += result.rounds;
@@ -131,8 +131,8 @@ namespace deltaform
       }
 
       const double flow_error = scene_.steps->flow_error > 0. ? scene_.actors.blank->flow_error() : 0.;
-      last_increment_         = next - time_;
-      before_                 = problem_.committed();
+      last_increment_ = next - time_;
+      before_ = problem_.committed();
       if (measured)
         cost.condition = condition_->measure(problem_, q);
       problem_.commit(q);
@@ -140,17 +140,17 @@ namespace deltaform
       ++increment_;
       control.accept(result.iterations - result.correction_iterations, flow_error);
       ++since_refinement_;
-      const bool refined    = refinement_marked();
+      const bool refined = refinement_marked();
       const HistoryRow &row = recorder_.record(problem_, stage, time_, increment_, cost, !refined);
       check_.observe(stage, row);
       if (snap_rotation_ > 0.)
         check_.snapped(row, snap_rotation_);
-      cost                 = IncrementCost();
-      step_                = control.state();
+      cost = IncrementCost();
+      step_ = control.state();
       accepted_iterations_ = total_iterations_;
       if (refined)
       {
-        Checkpoint before            = checkpoint();
+        Checkpoint before = checkpoint();
         const std::string unbalanced = refine(stage);
         if (!unbalanced.empty())
         {
@@ -174,10 +174,9 @@ namespace deltaform
   std::string Simulation::attempt(const double time, const Effort effort, Vector &q, NewtonResult &result)
   {
     const Timers::Remainder rest(timers_, timer_attempt_);
-    promise_failed_  = false;
-    snap_rotation_   = 0.;
-    const auto begin = [&]()
-    {
+    promise_failed_ = false;
+    snap_rotation_ = 0.;
+    const auto begin = [&]() {
       problem_.begin_increment(time);
       scene_.actors.blank->begin_increment(last_increment_ > 0 ? (time - time_) / last_increment_ : 0.);
     };
@@ -186,15 +185,14 @@ namespace deltaform
     if (scene_.steps->extrapolate && last_increment_ > 0)
       q.sadd(1. + (time - time_) / last_increment_, -(time - time_) / last_increment_, before_);
 
-    const auto solve = [&](const Damping damped)
-    {
+    const auto solve = [&](const Damping damped) {
       const unsigned int before = result.iterations;
-      result                    = newton_.solve(
+      result = newton_.solve(
         q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor(), damped);
       result.iterations += before;
     };
     const auto failed = [&]() { return !result.converged() && result.outcome != NewtonResult::Outcome::not_corrected; };
-    result            = NewtonResult();
+    result = NewtonResult();
     solve(Damping::none);
     if (failed())
     {
@@ -236,7 +234,7 @@ namespace deltaform
   std::string Simulation::too_large(const double time, const bool may_snap, const Vector &q)
   {
     snap_rotation_ = 0.;
-    Vector dq      = q;
+    Vector dq = q;
     dq -= problem_.committed();
     const auto [strain, rotation] = scene_.actors.blank->increment_size(dq);
     if (strain > scene_.steps->largest_strain)

@@ -15,18 +15,18 @@ namespace deltaform
   std::string Simulation::refine(const Stage &stage)
   {
     const unsigned int passes = scene_.actors.blank->refinement()->passes;
-    bool marked               = true;
+    bool marked = true;
     for (unsigned int pass = 1; marked; ++pass)
     {
       const unsigned int n_cells = scene_.actors.blank->n_cells();
-      const double energy        = scene_.actors.blank->energy().elastic;
+      const double energy = scene_.actors.blank->energy().elastic;
       problem_.refine();
       journal_.detail("refined after increment " + std::to_string(increment_) + ": " + std::to_string(n_cells) +
                       " cells to " + std::to_string(scene_.actors.blank->n_cells()) + ", " +
                       std::to_string(problem_.committed().size()) + " unknowns, elastic energy " +
                       text::format(energy) + " to " + text::format(scene_.actors.blank->energy().elastic));
       // No extrapolation over a change of the mesh.
-      before_         = problem_.committed();
+      before_ = problem_.committed();
       last_increment_ = 0.;
       Vector q;
       NewtonResult result;
@@ -38,10 +38,10 @@ namespace deltaform
       problem_.commit(q);
       ++increment_;
       IncrementCost cost;
-      cost.iterations            = result.iterations;
-      cost.rounds                = result.rounds;
+      cost.iterations = result.iterations;
+      cost.rounds = result.rounds;
       cost.correction_iterations = result.correction_iterations;
-      marked                     = pass < passes && problem_.mark();
+      marked = pass < passes && problem_.mark();
       recorder_.record(problem_, stage, time_, increment_, cost, !marked);
       accepted_iterations_ = total_iterations_;
     }

@@ -15,15 +15,15 @@ namespace deltaform
   {
     const Timers::Scope timer(timers_, timer_output_);
     Checkpoint result;
-    result.scene     = Checkpoint::entries(scene_.tree);
+    result.scene = Checkpoint::entries(scene_.tree);
     result.increment = increment_;
-    result.time      = time_;
-    result.stage     = stage_;
-    result.recorder  = recorder_.state();
+    result.time = time_;
+    result.stage = stage_;
+    result.recorder = recorder_.state();
     ByteStream bytes;
     {
       const bool go_on = step_.has_value();
-      const auto step  = step_.value_or(StepControl::State());
+      const auto step = step_.value_or(StepControl::State());
       boost::archive::binary_oarchive archive(bytes.stream());
       archive << last_increment_ << since_refinement_ << accepted_iterations_ << failed_iterations_ << before_ << go_on
               << step.increment << step.quiet << step.shortened << step.error << check_;
@@ -44,9 +44,9 @@ namespace deltaform
                                                         text::format(stages[start.stage].end)
                                                     : "no more") +
                        " (Steps). Start again without --resume.");
-    time_      = start.time;
+    time_ = start.time;
     increment_ = start.increment;
-    stage_     = start.stage;
+    stage_ = start.stage;
     std::istringstream stream(start.simulation);
     {
       bool go_on = false;

@@ -13,9 +13,9 @@ namespace deltaform
     {
       Section own = section.sub(name);
       Stage stage;
-      stage.name  = name;
+      stage.name = name;
       stage.begin = begin;
-      stage.end   = own.number("End time", begin + 1., Range::any(), "time", "Time at which the stage ends.");
+      stage.end = own.number("End time", begin + 1., Range::any(), "time", "Time at which the stage ends.");
       if (!(stage.end > begin))
         own.fail("End time", "must be later than the end of the stage before");
       const double length = stage.end - begin;

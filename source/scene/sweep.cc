@@ -97,7 +97,7 @@ namespace deltaform
       double left = seconds;
       for (const auto &[process, own] : running)
       {
-        const double rest     = seconds - std::chrono::duration<double>(Clock::now() - own.begin).count();
+        const double rest = seconds - std::chrono::duration<double>(Clock::now() - own.begin).count();
         runs[own.run].overdue = runs[own.run].overdue || rest <= 0;
         if (rest <= 0)
           end_process(process);
@@ -111,7 +111,7 @@ namespace deltaform
 
   int run_sweep(const CommandLine &command)
   {
-    auto runs          = combinations(command.variations);
+    auto runs = combinations(command.variations);
     std::string folder = command.output;
     const Units units(check_all(command, runs, folder));
     make_folder(folder);
@@ -137,9 +137,9 @@ namespace deltaform
       const auto which = ended ? running.find(ended->process) : running.end();
       if (which == running.end())
         continue;
-      SweepRun &run   = runs[which->second.run];
+      SweepRun &run = runs[which->second.run];
       run.exit_status = run.overdue ? exit_status::not_converged : ended->exit_status;
-      worst           = std::max(worst, run.exit_status);
+      worst = std::max(worst, run.exit_status);
       n_failed += run.exit_status != exit_status::done;
       running.erase(which);
       ++n_ended;

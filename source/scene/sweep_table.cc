@@ -50,7 +50,7 @@ namespace deltaform
 
     double largest(const Columns &columns, const std::string &name)
     {
-      double result     = nan;
+      double result = nan;
       const auto column = columns.find(name);
       if (column != columns.end())
         for (const double value : column->second)
@@ -123,8 +123,8 @@ namespace deltaform
       if (run.exit_status < 0)
         continue;
       const Columns history = read_history(run.folder);
-      const auto summary    = read_summary(run.folder);
-      const auto number     = [&](const char *const name) { return summary.get<double>(name, nan); };
+      const auto summary = read_summary(run.folder);
+      const auto number = [&](const char *const name) { return summary.get<double>(name, nan); };
       std::vector<CsvWriter::Cell> row{i + 1.};
       row.insert(row.end(), run.values.begin(), run.values.end());
       const std::vector<CsvWriter::Cell> results{static_cast<double>(run.exit_status),

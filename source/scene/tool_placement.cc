@@ -12,8 +12,8 @@ namespace deltaform
     struct Lie
     {
       double nearest = -std::numeric_limits<double>::infinity(); ///< largest distance of a point that has one
-      double deepest = std::numeric_limits<double>::infinity();  ///< smallest one, negative inside the tool
-      Point2 where;                                              ///< the deepest point
+      double deepest = std::numeric_limits<double>::infinity(); ///< smallest one, negative inside the tool
+      Point2 where; ///< the deepest point
       double facing = 0.; ///< mean of the normals against the face that the tool touches; negative: away from the blank
     };
 
@@ -32,7 +32,7 @@ namespace deltaform
         if (foot.distance < lie.deepest)
         {
           lie.deepest = foot.distance;
-          lie.where   = x;
+          lie.where = x;
         }
       }
       lie.facing /= std::max(n, 1u);
@@ -62,7 +62,7 @@ namespace deltaform
                                                 const double travel,
                                                 const double tolerance)
   {
-    const Tool &tool       = pair.tool();
+    const Tool &tool = pair.tool();
     const std::string name = "tool '" + tool.name() + "'";
     if (tool.shape().in_scene_frame())
       if (const Lie lie = look(blank, tool, q, travel); is_walked_backwards(lie, tolerance))

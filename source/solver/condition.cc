@@ -18,7 +18,7 @@ namespace deltaform
       using Factorization = Eigen::SparseLU<Matrix, Eigen::COLAMDOrdering<int>>;
 
       constexpr unsigned int largest_dense = 300;
-      constexpr double infinite            = std::numeric_limits<double>::infinity();
+      constexpr double infinite = std::numeric_limits<double>::infinity();
 
       bool use_dense(const Matrix &A, const Method method)
       {
@@ -47,11 +47,10 @@ namespace deltaform
     Matrix free_matrix(const System &system)
     {
       const std::vector<int> numbers = free_numbers(system);
-      const int n                    = numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end()) + 1;
+      const int n = numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end()) + 1;
       std::vector<Eigen::Triplet<double>> entries;
       system.for_each_entry(
-        [&](const DofIndex i, const DofIndex j, const double value)
-        {
+        [&](const DofIndex i, const DofIndex j, const double value) {
           if (numbers[i] >= 0 && numbers[j] >= 0 && value != 0.)
             entries.emplace_back(numbers[i], numbers[j], value);
         });
@@ -74,8 +73,7 @@ namespace deltaform
       if (lu.info() != Eigen::Success)
         return infinite;
       const double inverse = std::sqrt(largest_eigenvalue(A.rows(),
-                                                          [&](const Eigen::VectorXd &x)
-                                                          {
+                                                          [&](const Eigen::VectorXd &x) {
                                                             const Eigen::VectorXd y = lu.transpose().solve(x);
                                                             return Eigen::VectorXd(lu.solve(y));
                                                           }));
@@ -114,10 +112,9 @@ namespace deltaform
       Factorization lu(bordered);
       if (lu.info() != Eigen::Success)
         return infinite;
-      const auto apply = [&](const Eigen::VectorXd &x, const bool transposed)
-      {
+      const auto apply = [&](const Eigen::VectorXd &x, const bool transposed) {
         Eigen::VectorXd right_side = Eigen::VectorXd::Zero(n + m);
-        right_side.head(n)         = x;
+        right_side.head(n) = x;
         const Eigen::VectorXd y =
           transposed ? Eigen::VectorXd(lu.transpose().solve(right_side)) : Eigen::VectorXd(lu.solve(right_side));
         return Eigen::VectorXd(y.head(n));
@@ -166,16 +163,16 @@ namespace deltaform
       if (!(x.norm() > 0))
         return std::numeric_limits<double>::quiet_NaN();
       const Eigen::SparseMatrix<long double> exact_matrix = A.cast<long double>();
-      const Eigen::VectorXd b                             = (exact_matrix * x.cast<long double>()).cast<double>();
+      const Eigen::VectorXd b = (exact_matrix * x.cast<long double>()).cast<double>();
       Factorization lu(A);
       if (lu.info() != Eigen::Success)
         return std::numeric_limits<double>::quiet_NaN();
       const Eigen::VectorXd first = lu.solve(b);
-      Long refined                = first.cast<long double>();
-      double last                 = infinite;
+      Long refined = first.cast<long double>();
+      double last = infinite;
       for (unsigned int round = 0; round < 50; ++round)
       {
-        const Eigen::VectorXd residual   = (b.cast<long double>() - exact_matrix * refined).cast<double>();
+        const Eigen::VectorXd residual = (b.cast<long double>() - exact_matrix * refined).cast<double>();
         const Eigen::VectorXd correction = lu.solve(residual);
         if (!(correction.norm() < last))
           break;

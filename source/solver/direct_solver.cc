@@ -109,7 +109,7 @@ namespace deltaform
           }
           if (!std::isfinite(residual))
             return false;
-          worst   = std::max(worst, std::abs(residual));
+          worst = std::max(worst, std::abs(residual));
           largest = std::max(largest, size);
         }
         return worst <= allowed * largest;
@@ -119,9 +119,9 @@ namespace deltaform
       bool keeps_pivots_;
       std::unique_ptr<Amesos_BaseSolver> factorization_;
       bool analysed_ = false, has_pivots_ = false, reuses_pivots_ = false;
-      int *row_start_     = nullptr; ///< of the matrix, as the next two
+      int *row_start_ = nullptr; ///< of the matrix, as the next two
       const int *columns_ = nullptr;
-      double *values_     = nullptr;
+      double *values_ = nullptr;
       std::vector<double> factored_; ///< values of the last good factorization; empty: there is none
     };
   } // namespace

@@ -32,9 +32,9 @@ namespace deltaform
       for (int i = 0; i < n; ++i)
         residual[i] = 1. + .37 * ((7 * i) % 11); // a start without symmetry
       std::array<a_int, 11> parameters{}, pointers{};
-      parameters[0] = 1;    // exact shifts
+      parameters[0] = 1; // exact shifts
       parameters[2] = 3000; // restarts
-      parameters[6] = 1;    // A x = lambda x
+      parameters[6] = 1; // A x = lambda x
       a_int ido = 0, info = 1;
       do
       {

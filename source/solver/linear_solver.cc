@@ -47,7 +47,8 @@ namespace deltaform
   }
 
 
-  LinearSolverSettings::LinearSolverSettings(std::string the_name) : name(std::move(the_name))
+  LinearSolverSettings::LinearSolverSettings(std::string the_name)
+    : name(std::move(the_name))
   {
   }
 
@@ -101,9 +102,9 @@ namespace deltaform
 
   void TrilinosMatrix::make_vectors()
   {
-    solution   = std::make_unique<Epetra_Vector>(crs->DomainMap());
+    solution = std::make_unique<Epetra_Vector>(crs->DomainMap());
     right_side = std::make_unique<Epetra_Vector>(crs->RangeMap());
-    problem    = std::make_unique<Epetra_LinearProblem>(crs, solution.get(), right_side.get());
+    problem = std::make_unique<Epetra_LinearProblem>(crs, solution.get(), right_side.get());
   }
 
 

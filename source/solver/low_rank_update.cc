@@ -65,8 +65,9 @@ namespace deltaform
     // Unknowns that D couples get the same block: that of the least of them.
     std::vector<std::size_t> block(all.size());
     std::iota(block.begin(), block.end(), std::size_t(0));
-    const auto place_in = [](const std::vector<unsigned int> &list, const unsigned int candidate)
-    { return static_cast<std::size_t>(std::lower_bound(list.begin(), list.end(), candidate) - list.begin()); };
+    const auto place_in = [](const std::vector<unsigned int> &list, const unsigned int candidate) {
+      return static_cast<std::size_t>(std::lower_bound(list.begin(), list.end(), candidate) - list.begin());
+    };
     for (const auto &[place, value] : sum)
       if (value != 0.)
       {
@@ -90,7 +91,7 @@ namespace deltaform
         for (Eigen::Index j = 0; j < n; ++j)
         {
           const auto entry = sum.find({active_[first + i], active_[first + j]});
-          D(i, j)          = entry == sum.end() ? 0. : entry->second;
+          D(i, j) = entry == sum.end() ? 0. : entry->second;
         }
       const Eigen::JacobiSVD<Eigen::MatrixXd> svd(D, Eigen::ComputeFullU | Eigen::ComputeFullV);
       blocks_.push_back({static_cast<Eigen::Index>(first), svd.matrixU(), svd.matrixV(), svd.singularValues()});
@@ -112,8 +113,8 @@ namespace deltaform
       for (Eigen::Index b = 0; b < n_border; ++b)
       {
         const DofIndex dof = candidates_[active_[j]];
-        B(j, b)            = prescribed[dof] ? 0. : border.columns[b][dof];
-        C(b, j)            = border.rows[b][dof];
+        B(j, b) = prescribed[dof] ? 0. : border.columns[b][dof];
+        C(b, j) = border.rows[b][dof];
       }
     for (Eigen::Index j = 0; j < m; ++j)
     {
@@ -132,7 +133,7 @@ namespace deltaform
     // multiplied by S where it is small.
     Eigen::MatrixXd matrix(m + n_border, m + n_border);
     Eigen::VectorXd right_side(m + n_border), columns = Eigen::VectorXd::Ones(m + n_border);
-    matrix.topLeftCorner(m, m)                   = G;
+    matrix.topLeftCorner(m, m) = G;
     matrix.topRightCorner(m, n_border).noalias() = G * B;
     matrix.bottomRightCorner(n_border, n_border) = border.block;
     for (Eigen::Index i = 0; i < m; ++i)
@@ -140,18 +141,18 @@ namespace deltaform
     right_side.tail(n_border) = border.right_side;
     for (const auto &block : blocks_)
     {
-      const auto n                       = block.factors.size();
-      auto of_block                      = matrix.middleRows(block.first, n);
-      of_block                           = (block.right.transpose() * of_block).eval();
+      const auto n = block.factors.size();
+      auto of_block = matrix.middleRows(block.first, n);
+      of_block = (block.right.transpose() * of_block).eval();
       right_side.segment(block.first, n) = (block.right.transpose() * right_side.segment(block.first, n)).eval();
-      C.middleCols(block.first, n)       = (C.middleCols(block.first, n) * block.right).eval();
+      C.middleCols(block.first, n) = (C.middleCols(block.first, n) * block.right).eval();
     }
     stiff_.clear();
     for (const auto &block : blocks_)
     {
-      const auto n          = block.factors.size();
+      const auto n = block.factors.size();
       auto columns_of_block = matrix.block(0, block.first, m, n);
-      columns_of_block      = (columns_of_block * block.left).eval();
+      columns_of_block = (columns_of_block * block.left).eval();
       for (Eigen::Index k = 0; k < n; ++k)
       {
         const Eigen::Index j = block.first + k;
@@ -197,13 +198,13 @@ namespace deltaform
         return false;
       solution = columns.cwiseProduct(lu.solve(right_side));
     }
-    w                    = solution.tail(n_border);
+    w = solution.tail(n_border);
     Eigen::VectorXd at_A = B * w;
     for (const auto &block : blocks_)
       at_A.segment(block.first, block.factors.size()) +=
         block.left * solution.segment(block.first, block.factors.size());
     principal_ = solution.head(m);
-    forces     = 0.;
+    forces = 0.;
     for (Eigen::Index i = 0; i < m; ++i)
       forces[candidates_[active_[i]]] = at_A[i];
     return true;

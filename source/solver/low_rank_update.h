@@ -95,18 +95,18 @@ namespace deltaform
     std::size_t largest_rank_;
     Eigen::VectorXd ground_;
     std::vector<Eigen::VectorXd> columns_; ///< F^-1 e_j at all candidates, by candidate; empty: not needed yet
-    std::vector<unsigned int> active_;     ///< A, as places among the candidates, block by block
+    std::vector<unsigned int> active_; ///< A, as places among the candidates, block by block
 
     /// A block of D, for unknowns that follow each other in A.
     struct Block
     {
       Eigen::Index first;
       Eigen::MatrixXd left, right; ///< U, V
-      Eigen::VectorXd factors;     ///< S
+      Eigen::VectorXd factors; ///< S
     };
     std::vector<Block> blocks_;
     Eigen::VectorXd principal_; ///< y = S V^T d_A
-    std::vector<bool> stiff_;   ///< in which of these directions D is stiffer than F
+    std::vector<bool> stiff_; ///< in which of these directions D is stiffer than F
     unsigned int n_columns_ = 0;
   };
 } // namespace deltaform

@@ -65,7 +65,7 @@ namespace deltaform
       square += r * r;
       if (std::abs(r) > worst)
       {
-        worst            = std::abs(r);
+        worst = std::abs(r);
         result.worst_dof = i;
       }
     }
@@ -95,8 +95,8 @@ namespace deltaform
       result.outcome = NewtonResult::Outcome::inadmissible;
       return result;
     }
-    double residual         = measure(is_prescribed, force_floor, result);
-    double last_step        = std::numeric_limits<double>::infinity();
+    double residual = measure(is_prescribed, force_floor, result);
+    double last_step = std::numeric_limits<double>::infinity();
     unsigned int n_creeping = 0;
     result.residuals.push_back(residual);
 
@@ -117,7 +117,7 @@ namespace deltaform
         problem_.allow_slack(
           (iteration >= 3 * slack_iterations ? settings_.relaxed_tolerance : settings_.force_tolerance) *
           last_magnitude_);
-      const bool fresh   = iteration == 0 && result.rounds == 0; // forces of the extrapolated start
+      const bool fresh = iteration == 0 && result.rounds == 0; // forces of the extrapolated start
       const bool settled = moved || residual <= 1e-3 * tolerance || iteration >= max_iterations;
       if (!fresh && pending == 0. && residual <= tolerance && problem_.consistent(tolerance * last_magnitude_) &&
           settled)
@@ -135,7 +135,7 @@ namespace deltaform
         iteration = 0;
         result.residuals.clear();
         result.status = problem_.assemble(q, true);
-        residual      = measure(is_prescribed, force_floor, result);
+        residual = measure(is_prescribed, force_floor, result);
       }
       const bool close = damped == Damping::none
                            ? residual < 1e2 * settings_.relaxed_tolerance && iteration < 2 * max_iterations
@@ -150,8 +150,7 @@ namespace deltaform
         increments[i] = is_prescribed[i] ? prescribed[i] - q[i] : 0.;
       ++result.iterations;
       result.correction_iterations += result.rounds > 0;
-      const auto solve = [&](const double shift)
-      {
+      const auto solve = [&](const double shift) {
         Timers::Scope timer(timers_, timer_solve_);
         return system_.factorize(shift) && system_.solve(increments, d);
       };
@@ -172,12 +171,11 @@ namespace deltaform
         return result;
       }
       problem_.prepare_step(d);
-      double factor           = problem_.limit_step(q, d);
-      start                   = q;
+      double factor = problem_.limit_step(q, d);
+      start = q;
       const double work_start = work_along(d, is_prescribed);
 
-      const auto go = [&](const double alpha)
-      {
+      const auto go = [&](const double alpha) {
         for (unsigned int i = 0; i < n; ++i)
           q[i] = alpha == 1. && is_prescribed[i] ? prescribed[i] : start[i] + alpha * d[i];
         problem_.advance(alpha);
@@ -208,15 +206,15 @@ namespace deltaform
         // The energy falls as long as the work of the residual along the step is negative: look for its root.
         // Steps that are shorter lead nowhere: with friction the step need not descend at all, then move on.
         const double smallest_factor = .02 * factor;
-        const bool strict            = iteration >= 3;
-        const double wanted          = (strict ? .2 : .8) * std::abs(work_start);
-        double last_good             = factor;
+        const bool strict = iteration >= 3;
+        const double wanted = (strict ? .2 : .8) * std::abs(work_start);
+        double last_good = factor;
         double low = 0., high = factor, work_low = work_start, work = work_along(d, is_prescribed), work_high = work;
         for (unsigned int search = 0; search < 6 && work > wanted && factor > smallest_factor; ++search)
         {
           ++result.line_searches;
           const double ratio = work_low / (work_low - work_high);
-          factor             = std::max(smallest_factor, low + std::clamp(ratio, .1, .9) * (high - low));
+          factor = std::max(smallest_factor, low + std::clamp(ratio, .1, .9) * (high - low));
           go(factor);
           if (!result.status.good())
           {
@@ -224,16 +222,16 @@ namespace deltaform
             continue;
           }
           last_good = factor;
-          work      = work_along(d, is_prescribed);
+          work = work_along(d, is_prescribed);
           if (work > 0)
           {
-            high      = factor;
+            high = factor;
             work_high = work;
             work_low *= .5; // Illinois
           }
           else
           {
-            low      = factor;
+            low = factor;
             work_low = work;
             work_high *= .5;
             if (-work > wanted)
@@ -247,7 +245,7 @@ namespace deltaform
         }
         now = measure(is_prescribed, force_floor, result);
       }
-      residual  = now;
+      residual = now;
       last_step = 0.;
       for (unsigned int i = 0; i < n; ++i)
         last_step = std::max(last_step, factor * std::abs(d[i]) * scale_[i]);

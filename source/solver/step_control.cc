@@ -56,7 +56,7 @@ namespace deltaform
   double StepControl::next(const double time) const
   {
     const double target = *std::upper_bound(meet_.begin(), meet_.end(), time);
-    const double left   = target - time;
+    const double left = target - time;
     if (left <= increment_ * (1 + 1e-9))
       return target;
     // Two equal increments instead of one and a sliver.
@@ -67,10 +67,10 @@ namespace deltaform
   void StepControl::accept(const unsigned int iterations, const double error)
   {
     constexpr double integral = .3, proportional = .4;
-    leaps_            = 0;
+    leaps_ = 0;
     const double last = error_ > 0. ? error_ : error;
-    error_            = error;
-    double by_error   = settings_.growth;
+    error_ = error;
+    double by_error = settings_.growth;
     if (settings_.flow_error > 0. && error > 0.)
       by_error = std::pow(settings_.flow_error / error, integral) * std::pow(last / error, proportional);
     if (quiet_ > 0)
@@ -87,7 +87,7 @@ namespace deltaform
       ratio = 1.;
     else
       shortened_ = iterations;
-    ratio      = std::min(ratio, by_error);
+    ratio = std::min(ratio, by_error);
     increment_ = std::clamp(increment_ * std::clamp(ratio, settings_.shrink, settings_.growth), smallest_, largest_);
   }
 
@@ -95,7 +95,7 @@ namespace deltaform
   bool StepControl::reject(const double tried)
   {
     const double shorter = tried * settings_.shrink;
-    quiet_               = 1;
+    quiet_ = 1;
     if (leaps_ == 0 && shorter >= smallest_)
     {
       increment_ = shorter;
@@ -113,9 +113,9 @@ namespace deltaform
   void StepControl::restore(const State &state)
   {
     increment_ = std::clamp(state.increment, smallest_, largest_);
-    quiet_     = state.quiet;
+    quiet_ = state.quiet;
     shortened_ = state.shortened;
-    error_     = state.error;
+    error_ = state.error;
   }
 
 

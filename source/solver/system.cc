@@ -28,7 +28,7 @@ namespace deltaform
     solver_ = rows_ ? LinearSolver::distributed(solver, pattern, first_, end_) : LinearSolver::local(solver, pattern);
     auto &matrix = solver_->matrix();
     int *start = nullptr, *columns = nullptr;
-    double *values  = nullptr;
+    double *values = nullptr;
     const int error = matrix.ExtractCrsDataPointers(start, columns, values);
     AssertThrow(error == 0, dealii::ExcMessage("The matrix has no contiguous storage."));
     if (rows_)
@@ -38,8 +38,8 @@ namespace deltaform
       return;
     }
     row_start_ = start;
-    columns_   = columns;
-    values_    = values;
+    columns_ = columns;
+    values_ = values;
     find_diagonal();
   }
 
@@ -50,8 +50,8 @@ namespace deltaform
   }
 
 
-  System::~System()                             = default;
-  System::System(System &&) noexcept            = default;
+  System::~System() = default;
+  System::System(System &&) noexcept = default;
   System &System::operator=(System &&) noexcept = default;
 
 
@@ -63,9 +63,9 @@ namespace deltaform
 
   void System::clear(const bool tangent)
   {
-    tangent_   = tangent;
-    common_    = !rows_;
-    residual_  = 0.;
+    tangent_ = tangent;
+    common_ = !rows_;
+    residual_ = 0.;
     magnitude_ = 0.;
     if (constant_)
       constant_->complete = false;
@@ -92,9 +92,9 @@ namespace deltaform
   {
     if (row >= n_sparse_ || column >= n_sparse_)
       return EntryPlaces::nowhere;
-    const DofIndex local   = rows_ ? rows_->local[row] : row;
+    const DofIndex local = rows_ ? rows_->local[row] : row;
     const int *const first = columns_ + row_start_[local];
-    const int *const last  = columns_ + row_start_[local + 1];
+    const int *const last = columns_ + row_start_[local + 1];
     const int *const found = std::lower_bound(first, last, static_cast<int>(column));
     return found != last && *found == static_cast<int>(column) ? static_cast<int>(found - columns_)
                                                                : EntryPlaces::nowhere;
@@ -130,8 +130,9 @@ namespace deltaform
       places_.next(dofs,
                    n,
                    common_ ? 1 : 0,
-                   [&](const DofIndex row, const DofIndex column)
-                   { return common_ && row < n_sparse_ && !owns(row) ? EntryPlaces::nowhere : place(row, column); });
+                   [&](const DofIndex row, const DofIndex column) {
+                     return common_ && row < n_sparse_ && !owns(row) ? EntryPlaces::nowhere : place(row, column);
+                   });
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
       {
@@ -182,7 +183,7 @@ namespace deltaform
     for (DofIndex i = first_; i < end_; ++i)
     {
       const DofIndex local = i - first_;
-      double sum           = 0.;
+      double sum = 0.;
       for (int k = row_start_[local]; k < row_start_[local + 1]; ++k)
         sum += values_[k] * direction[columns_[k]];
       result[i] = sum;
@@ -236,7 +237,7 @@ namespace deltaform
 
   double System::diagonal(const DofIndex dof) const
   {
-    return dof >= n_sparse_ ? 0. : rows_ ? diagonal_[dof] : values_[diagonal_places_[dof]];
+    return dof >= n_sparse_ ? 0. : (rows_ ? diagonal_[dof] : values_[diagonal_places_[dof]]);
   }
 
 

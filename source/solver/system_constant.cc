@@ -129,7 +129,7 @@ namespace deltaform
 
   bool System::factorize_constant()
   {
-    auto &constant     = *constant_;
+    auto &constant = *constant_;
     constant.condensed = false;
     // An iterative solver takes the whole matrix. Its preconditioner has to know the factors of contact: one that was
     // kept took four times as long (doc/distributed.md).
@@ -140,18 +140,17 @@ namespace deltaform
 
     // Of the constant part alone, so that nothing depends on when it is factorized.
     const auto &candidates = constant.update.candidates();
-    const auto diagonal_at = [&](const DofIndex i)
-    {
+    const auto diagonal_at = [&](const DofIndex i) {
       if (rows_)
         return constant.diagonal[i];
       const double *const place = entry(i, i);
-      const auto first          = std::find_if(constant.before.begin(),
+      const auto first = std::find_if(constant.before.begin(),
                                       constant.before.end(),
                                       [place](const Constant::Before &before) { return before.place == place; });
       return first == constant.before.end() ? *place : first->value;
     };
-    Eigen::Index n_free    = 0;
-    const auto held        = hold(constant.motions, candidates, prescribed_, n_free);
+    Eigen::Index n_free = 0;
+    const auto held = hold(constant.motions, candidates, prescribed_, n_free);
     Eigen::VectorXd ground = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(candidates.size()));
     constant.isolated.assign(candidates.size(), false);
     if (held.size() != static_cast<std::size_t>(n_free))
@@ -162,7 +161,7 @@ namespace deltaform
       if (diagonal == 0. && !prescribed_[candidates[i]])
       {
         constant.isolated[i] = true;
-        ground[i]            = 1.;
+        ground[i] = 1.;
       }
       else if (std::find(held.begin(), held.end(), candidates[i]) != held.end())
         ground[i] = diagonal;
@@ -192,11 +191,10 @@ namespace deltaform
 
   bool System::solve_condensed(const Vector &increments, Vector &d)
   {
-    auto &constant         = *constant_;
+    auto &constant = *constant_;
     const auto &candidates = constant.update.candidates();
     Vector load(n_sparse_), forces(n_sparse_), further(size());
-    const auto compliance = [&](const DofIndex dof, Eigen::VectorXd &result)
-    {
+    const auto compliance = [&](const DofIndex dof, Eigen::VectorXd &result) {
       result.setZero(static_cast<Eigen::Index>(candidates.size()));
       const unsigned int place = constant.update.find(dof);
       if (constant.isolated[place])
@@ -204,7 +202,7 @@ namespace deltaform
         result[place] = 1.;
         return true;
       }
-      forces      = 0.;
+      forces = 0.;
       forces[dof] = 1.;
       if (!solve_sparse(forces, further))
         return false;

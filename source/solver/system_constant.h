@@ -27,18 +27,18 @@ namespace deltaform
       double value;
     };
 
-    bool kept      = false; ///< the constant part is in the matrix
-    bool complete  = false; ///< and has got its share of the residual in this pass
+    bool kept = false; ///< the constant part is in the matrix
+    bool complete = false; ///< and has got its share of the residual in this pass
     bool condensed = false; ///< the last factorize() meant the update, not the whole
-    bool prepared  = false; ///< the solver holds the constant part
+    bool prepared = false; ///< the solver holds the constant part
     std::vector<double> storage;
     std::vector<Before> before;
     Vector diagonal; ///< of distributed rows, of the constant part
     std::vector<UpdateEntry> entries;
     std::vector<DofIndex> bordered; ///< unknowns that the border couples with
-    std::vector<Vector> motions;    ///< that cost no energy
-    std::vector<bool> prescribed;   ///< when the solver was prepared
-    std::vector<bool> isolated;     ///< candidates without entries in the constant part
+    std::vector<Vector> motions; ///< that cost no energy
+    std::vector<bool> prescribed; ///< when the solver was prepared
+    std::vector<bool> isolated; ///< candidates without entries in the constant part
     LowRankUpdate update;
   };
 } // namespace deltaform

@@ -24,10 +24,10 @@ namespace deltaform
   System::Rows::Rows(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned)
   {
     const unsigned int n_rows = pattern.n_rows(), n_ranks = ranks::count();
-    n_owned_     = ranks::gather(std::vector<int>{static_cast<int>(owned.n_elements())});
+    n_owned_ = ranks::gather(std::vector<int>{static_cast<int>(owned.n_elements())});
     first_owned_ = starts(n_owned_);
-    first        = static_cast<DofIndex>(first_owned_[ranks::mine()]);
-    end          = first + owned.n_elements();
+    first = static_cast<DofIndex>(first_owned_[ranks::mine()]);
+    end = first + owned.n_elements();
     AssertThrow(owned.n_elements() == 0 || (owned.is_contiguous() && owned.nth_index_in_set(0) == first),
                 dealii::ExcMessage("Own rows are not consecutive."));
 
@@ -78,8 +78,7 @@ namespace deltaform
     // Storage: own rows, then those of others in the order in which they are sent.
     local.assign(n_rows, dealii::numbers::invalid_dof_index);
     start.push_back(0);
-    const auto store = [&](const DofIndex i)
-    {
+    const auto store = [&](const DofIndex i) {
       local[i] = start.size() - 1;
       for (auto column = pattern.begin(i); column != pattern.end(i); ++column)
         columns.push_back(static_cast<int>(column->column()));
@@ -154,12 +153,12 @@ namespace deltaform
 
   void System::distribute(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned)
   {
-    rows_      = std::make_unique<Rows>(pattern, owned);
-    first_     = rows_->first;
-    end_       = rows_->end;
+    rows_ = std::make_unique<Rows>(pattern, owned);
+    first_ = rows_->first;
+    end_ = rows_->end;
     row_start_ = rows_->start.data();
-    columns_   = rows_->columns.data();
-    values_    = rows_->values.data();
+    columns_ = rows_->columns.data();
+    values_ = rows_->values.data();
     diagonal_.reinit(n_sparse_);
   }
 

@@ -44,10 +44,10 @@ namespace deltaform
 
   private:
     std::vector<int> n_owned_, first_owned_; ///< by process
-    std::vector<int> n_send_, n_receive_;    ///< values, by process
+    std::vector<int> n_send_, n_receive_; ///< values, by process
     std::vector<unsigned int> received_rows_, received_columns_;
     std::vector<std::size_t> send_, receive_; ///< places of the values that are exchanged
-    std::vector<std::size_t> handed_over_;    ///< places of the values of the Epetra matrix
+    std::vector<std::size_t> handed_over_; ///< places of the values of the Epetra matrix
     double *epetra_values_ = nullptr;
   };
 } // namespace deltaform

@@ -18,8 +18,8 @@ namespace deltaform
     for (DofIndex i = first_; i < end_; ++i)
     {
       double *const diagonal = staged + diagonal_places_[i - first_];
-      double *const begin    = staged + row_start_[i - first_];
-      double *const end      = staged + row_start_[i - first_ + 1];
+      double *const begin = staged + row_start_[i - first_];
+      double *const end = staged + row_start_[i - first_ + 1];
       if (prescribed_[i])
       {
         std::fill(begin, end, 0.);
@@ -57,7 +57,7 @@ namespace deltaform
 
   bool System::factorize_whole(const double shift)
   {
-    const double scale   = largest_diagonal();
+    const double scale = largest_diagonal();
     double *const staged = stage();
     eliminate(staged, scale, shift);
     // A force-driven tool that has lost the blank: it moves along its force.
@@ -150,7 +150,7 @@ namespace deltaform
       {
         schur.row(a).setZero();
         schur(a, a) = 1.;
-        load[a]     = increments[n_sparse_ + a];
+        load[a] = increments[n_sparse_ + a];
       }
     }
     const Eigen::FullPivLU<Eigen::MatrixXd> lu(schur);

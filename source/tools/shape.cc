@@ -36,10 +36,10 @@ namespace deltaform
       if (segment.kind == Segment::Kind::line)
       {
         const Tensor1 v = x - segment.start;
-        const double t  = v * segment.tangent;
+        const double t = v * segment.tangent;
         return t >= segment.first && t <= segment.last ? std::abs(cross(segment.tangent, v)) : infinity;
       }
-      const Tensor1 v  = x - segment.center;
+      const Tensor1 v = x - segment.center;
       const double rho = v.norm(), sign = segment.convex ? -1. : 1., tolerance = -angle_tolerance * rho;
       const bool in_sector = sign * cross(segment.from, v) >= tolerance && sign * cross(v, segment.to) >= tolerance &&
                              v * segment.from + v * segment.to >= 0;
@@ -50,38 +50,38 @@ namespace deltaform
     {
       const Tensor1 v = x - segment.start;
       Projection p;
-      p.tangent    = segment.tangent;
-      p.normal[0]  = -segment.tangent[1];
-      p.normal[1]  = segment.tangent[0];
-      p.distance   = v * p.normal;
-      p.turning    = 0.;
-      p.slip_rate  = 1.;
+      p.tangent = segment.tangent;
+      p.normal[0] = -segment.tangent[1];
+      p.normal[1] = segment.tangent[0];
+      p.distance = v * p.normal;
+      p.turning = 0.;
+      p.slip_rate = 1.;
       p.arc_length = segment.arc_start + v * segment.tangent;
       return p;
     }
 
     Projection on_arc(const Point2 &x, const Segment &segment)
     {
-      const Tensor1 v  = x - segment.center;
+      const Tensor1 v = x - segment.center;
       const double rho = v.norm(), side = segment.convex ? 1. : -1.;
       Projection p;
       p.distance = side * (rho - segment.radius);
       if (rho > 0)
       {
         // Divided, not multiplied by the inverse: on the axis the normal is exactly (0, 1).
-        p.normal[0]        = side * v[0] / rho;
-        p.normal[1]        = side * v[1] / rho;
-        p.turning          = side / rho;
-        p.slip_rate        = segment.radius / rho;
+        p.normal[0] = side * v[0] / rho;
+        p.normal[1] = side * v[1] / rho;
+        p.turning = side / rho;
+        p.slip_rate = segment.radius / rho;
         const double angle = std::atan2(-side * cross(segment.from, v), segment.from * v);
-        p.arc_length       = segment.arc_start + segment.radius * angle;
+        p.arc_length = segment.arc_start + segment.radius * angle;
       }
       else // at the center every point of the arc is closest: take the middle, and do not let it turn
       {
         const Tensor1 middle = segment.from + segment.to;
-        p.normal             = (side / middle.norm()) * middle;
+        p.normal = (side / middle.norm()) * middle;
         p.turning = p.slip_rate = 0.;
-        p.arc_length            = segment.arc_start + .5 * segment.length;
+        p.arc_length = segment.arc_start + .5 * segment.length;
       }
       p.tangent[0] = p.normal[1];
       p.tangent[1] = -p.normal[0];
@@ -93,7 +93,7 @@ namespace deltaform
       Projection p;
       p.distance = infinity;
       p.turning = p.slip_rate = p.arc_length = 0.;
-      p.segment                              = hint;
+      p.segment = hint;
       return p;
     }
   } // namespace
@@ -106,7 +106,7 @@ namespace deltaform
       return project_one_side(x, hint);
 
     Projection p = project_one_side(Point2(-x[0], x[1]), hint);
-    p.normal[0]  = -p.normal[0];
+    p.normal[0] = -p.normal[0];
     p.tangent[1] = -p.tangent[1];
     p.arc_length = start_ == End::axis ? -p.arc_length : 2 * length() - p.arc_length;
     return p;
@@ -116,8 +116,8 @@ namespace deltaform
   Projection Shape::project_one_side(const Point2 &x, const unsigned int hint) const
   {
     const unsigned int n_segments = static_cast<unsigned int>(segments_.size());
-    unsigned int closest          = hint;
-    double distance               = hint < n_segments ? unsigned_distance(x, segments_[hint]) : infinity;
+    unsigned int closest = hint;
+    double distance = hint < n_segments ? unsigned_distance(x, segments_[hint]) : infinity;
 
     for (unsigned int i = 0; i < n_segments; ++i)
       if (i != hint && squared_distance_to_box(x, segments_[i]) < distance * distance)
@@ -126,7 +126,7 @@ namespace deltaform
         if (candidate < distance)
         {
           distance = candidate;
-          closest  = i;
+          closest = i;
         }
       }
 
@@ -138,8 +138,8 @@ namespace deltaform
       return nowhere(hint);
 
     const Segment &segment = segments_[closest];
-    Projection p           = segment.kind == Segment::Kind::line ? on_line(x, segment) : on_arc(x, segment);
-    p.segment              = closest;
+    Projection p = segment.kind == Segment::Kind::line ? on_line(x, segment) : on_arc(x, segment);
+    p.segment = closest;
     return p;
   }
 

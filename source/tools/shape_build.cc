@@ -15,7 +15,7 @@ namespace deltaform
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
     // Corners that turn by less are straight; lines shorter than this part of their edge are none.
-    constexpr double smallest_turn    = 1e-9;
+    constexpr double smallest_turn = 1e-9;
     constexpr double length_tolerance = 1e-12;
 
     double cross(const Tensor1 &a, const Tensor1 &b)
@@ -67,8 +67,8 @@ namespace deltaform
   void Shape::build(const std::vector<Point2> &points, const std::vector<double> &radii, const End start, const End end)
   {
     closed_ = false;
-    start_  = start;
-    end_    = end;
+    start_ = start;
+    end_ = end;
     if (points.size() < 2)
       refuse("A profile needs at least two points.");
     for (const auto &[what, point] : {std::make_pair(start, points.front()), std::make_pair(end, points.back())})
@@ -101,8 +101,8 @@ namespace deltaform
     for (unsigned int e = 0; e < n_edges; ++e)
     {
       const unsigned int next = (e + 1) % n;
-      const Tensor1 edge      = points[next] - points[e];
-      lengths[e]              = edge.norm();
+      const Tensor1 edge = points[next] - points[e];
+      lengths[e] = edge.norm();
       if (!std::isfinite(lengths[e]))
         refuse("A coordinate of ", corner_name(e, points[e]), " or the next is not a number.");
       if (lengths[e] == 0.)
@@ -111,7 +111,7 @@ namespace deltaform
     }
 
     const auto is_corner = [&](const unsigned int i) { return closed_ || (i > 0 && i + 1 < n); };
-    const auto before    = [&](const unsigned int i) { return tangents[(i + n_edges - 1) % n_edges]; };
+    const auto before = [&](const unsigned int i) { return tangents[(i + n_edges - 1) % n_edges]; };
     for (unsigned int i = 0; i < n; ++i)
       if (is_corner(i))
       {
@@ -141,8 +141,7 @@ namespace deltaform
                ".");
     }
 
-    const auto add_corner = [&](const unsigned int i)
-    {
+    const auto add_corner = [&](const unsigned int i) {
       const Tensor1 a = before(i), b = tangents[i];
       add_arc(points[i] - setbacks[i] * a, points[i] + setbacks[i] * b, a, b, radii[i]);
     };
@@ -164,8 +163,7 @@ namespace deltaform
     if (end_ == End::axis)
       add_arc(points.back(), points.back(), tangents.back(), -outward, 0.);
 
-    const auto finish_end = [&](const End what, Segment &segment, const Point2 &point, const double sign)
-    {
+    const auto finish_end = [&](const End what, Segment &segment, const Point2 &point, const double sign) {
       if (what == End::free)
         free_ends_.push_back(point);
       else if (what == End::endless)
@@ -190,16 +188,16 @@ namespace deltaform
   void Shape::add_line(const Point2 &start, const Point2 &end, const Tensor1 &tangent)
   {
     Segment line;
-    line.kind      = Segment::Kind::line;
-    line.start     = start;
-    line.end       = end;
-    line.tangent   = tangent;
-    line.length    = (end - start) * tangent;
+    line.kind = Segment::Kind::line;
+    line.start = start;
+    line.end = end;
+    line.tangent = tangent;
+    line.length = (end - start) * tangent;
     line.arc_start = length();
-    line.first     = -length_tolerance * line.length;
-    line.last      = line.length * (1. + length_tolerance);
-    line.lower     = Point2(std::min(start[0], end[0]), std::min(start[1], end[1]));
-    line.upper     = Point2(std::max(start[0], end[0]), std::max(start[1], end[1]));
+    line.first = -length_tolerance * line.length;
+    line.last = line.length * (1. + length_tolerance);
+    line.lower = Point2(std::min(start[0], end[0]), std::min(start[1], end[1]));
+    line.upper = Point2(std::max(start[0], end[0]), std::max(start[1], end[1]));
     segments_.push_back(line);
   }
 
@@ -215,19 +213,19 @@ namespace deltaform
       return;
 
     Segment arc;
-    arc.kind          = Segment::Kind::arc;
-    arc.convex        = turn < 0;
+    arc.kind = Segment::Kind::arc;
+    arc.convex = turn < 0;
     const double side = arc.convex ? 1. : -1.;
-    arc.from          = side * normal_of(tangent_before);
-    arc.to            = side * normal_of(tangent_after);
-    arc.start         = start;
-    arc.end           = end;
-    arc.radius        = radius;
-    arc.center        = start - radius * arc.from;
-    arc.angle_start   = std::atan2(arc.from[1], arc.from[0]);
-    arc.sweep         = turn;
-    arc.length        = radius * std::abs(turn);
-    arc.arc_start     = length();
+    arc.from = side * normal_of(tangent_before);
+    arc.to = side * normal_of(tangent_after);
+    arc.start = start;
+    arc.end = end;
+    arc.radius = radius;
+    arc.center = start - radius * arc.from;
+    arc.angle_start = std::atan2(arc.from[1], arc.from[0]);
+    arc.sweep = turn;
+    arc.length = radius * std::abs(turn);
+    arc.arc_start = length();
 
     // The box of the ends, and of those of the four extreme points of the circle that the arc passes.
     arc.lower = Point2(std::min(start[0], end[0]), std::min(start[1], end[1]));

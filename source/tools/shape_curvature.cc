@@ -30,12 +30,11 @@ namespace deltaform
   {
     double turned = 0.;
     for_each_image(arc_length,
-                   [&](const double s)
-                   {
+                   [&](const double s) {
                      for (const Segment &segment : segments_)
                        if (segment.kind == Segment::Kind::arc && segment.radius > 0)
                        {
-                         const double end     = std::min(s + reach, segment.arc_start + segment.length);
+                         const double end = std::min(s + reach, segment.arc_start + segment.length);
                          const double overlap = end - std::max(s - reach, segment.arc_start);
                          if (overlap > 0)
                            turned += (segment.convex ? 1. : -1.) * overlap / segment.radius;
@@ -50,8 +49,7 @@ namespace deltaform
     double change = 0.;
     for (const double side : {-1., 1.})
       for_each_image(arc_length + side * reach,
-                     [&](const double s)
-                     {
+                     [&](const double s) {
                        for (const Segment &segment : segments_)
                          if (segment.kind == Segment::Kind::arc && segment.radius > 0 && s > segment.arc_start &&
                              s < segment.arc_start + segment.length)
@@ -65,8 +63,7 @@ namespace deltaform
   {
     double result = 0.;
     for_each_image(arc_length,
-                   [&](const double s)
-                   {
+                   [&](const double s) {
                      for (const Segment &segment : segments_)
                        if (segment.kind == Segment::Kind::arc && segment.radius > 0 && s > segment.arc_start &&
                            s < segment.arc_start + segment.length)
@@ -107,8 +104,7 @@ namespace deltaform
     for (const Segment &segment : segments_)
       for (const double joint : {segment.arc_start, segment.arc_start + segment.length})
         for_each_image(joint,
-                       [&](const double s)
-                       {
+                       [&](const double s) {
                          any |= s + offset > first && s - offset < last;
                          for (const double kink : {s - offset, s, s + offset})
                            if (kink > first && kink < last)
@@ -117,7 +113,7 @@ namespace deltaform
     if (!any)
       return whole;
     std::sort(kinks.begin(), kinks.end());
-    const double gauss                = std::sqrt(.6);
+    const double gauss = std::sqrt(.6);
     const std::array<double, 3> point = {{-gauss, 0., gauss}}, weight = {{5. / 18., 8. / 18., 5. / 18.}};
     double sum = 0.;
     for (unsigned int k = 0; k + 1 < kinks.size(); ++k)

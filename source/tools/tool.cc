@@ -33,7 +33,7 @@ namespace deltaform
     for (unsigned int i = 1; i <= n && !(force_driven() || motion_.is_constant()); ++i)
     {
       const double s = travel(begin + (end - begin) * i / n);
-      range          = {std::min(range.first, s), std::max(range.second, s)};
+      range = {std::min(range.first, s), std::max(range.second, s)};
     }
     return range;
   }

@@ -59,8 +59,8 @@ namespace deltaform
       if (rows.size() != 1)
         section.fail("Direction", "A direction has two components.");
       Tensor1 direction;
-      direction[0]        = rows[0][0];
-      direction[1]        = rows[0][1];
+      direction[0] = rows[0][0];
+      direction[1] = rows[0][1];
       const double length = direction.norm();
       if (!(length > 0.) || !std::isfinite(length))
         section.fail("Direction", "The direction must not be zero.");
@@ -95,20 +95,20 @@ namespace deltaform
                                    required(std::string("-thickness/2")),
                                    "Where the origin of the shape is at travel 0; may use the blank's thickness.",
                                    constants);
-    direction_   = read_direction(section, side_);
+    direction_ = read_direction(section, side_);
 
     motion_ = section.function("Motion", std::string("0"), "length", "Travel along the direction.", constants);
-    force_  = read_optional(section,
+    force_ = read_optional(section,
                            "Force",
                            "Force along the direction against the blank (function of t) instead of a motion; the "
-                            "travel follows from equilibrium. Full circumference, or per unit width.",
+                           "travel follows from equilibrium. Full circumference, or per unit width.",
                            constants);
     if (force_driven() && section.given("Motion"))
       section.fail("Force", "A tool has either a motion or a force, not both.");
 
     friction_coefficient_ = section.number(
       "Friction coefficient", Default<double>(0.), Range::not_negative(), "1", "Coulomb's coefficient; 0 is smooth.");
-    auto with_auto    = penetration_constants;
+    auto with_auto = penetration_constants;
     with_auto["auto"] = -1.; // see ContactSettings
     allowed_penetration_ =
       read_optional(section,

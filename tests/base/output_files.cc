@@ -49,8 +49,7 @@ BOOST_AUTO_TEST_CASE(whole_files_are_replaced_or_kept)
   write_file_atomically(path, [](std::ostream &out) { out << "new"; });
   BOOST_TEST(content_of(path) == "new");
   BOOST_CHECK_THROW(write_file_atomically(path,
-                                          [](std::ostream &out)
-                                          {
+                                          [](std::ostream &out) {
                                             out << "half";
                                             throw std::runtime_error("stopped");
                                           }),
@@ -69,8 +68,7 @@ BOOST_AUTO_TEST_CASE(files_are_written_behind)
   WriteBehind behind;
   behind.wait(); // nothing to wait for
   behind.run(
-    [&]()
-    {
+    [&]() {
       std::unique_lock<std::mutex> lock(mutex);
       said.wait(lock, [&]() { return go; });
       writer = std::this_thread::get_id();
@@ -90,8 +88,7 @@ BOOST_AUTO_TEST_CASE(files_are_written_behind)
   // What goes wrong is heard of, and what was to follow is not done.
   behind.run([]() { throw SceneError("the disk is full"); });
   check_contains(message_of<SceneError>(
-                   [&]()
-                   {
+                   [&]() {
                      behind.run([&]() { order += "c"; });
                      behind.wait();
                    }),
@@ -107,12 +104,10 @@ BOOST_AUTO_TEST_CASE(a_slow_disk_holds_up_nothing_until_four_tasks_wait)
   WriteBehind behind;
   std::promise<void> four;
   auto caller = std::async(std::launch::async,
-                           [&]()
-                           {
+                           [&]() {
                              for (const char *const name : {"a", "b", "c", "d"})
                                behind.run(
-                                 [&order, ready, name]()
-                                 {
+                                 [&order, ready, name]() {
                                    ready.wait();
                                    order += name;
                                  });
@@ -158,8 +153,7 @@ BOOST_AUTO_TEST_CASE(a_remainder_is_what_no_part_has_measured)
   using namespace std::chrono;
   Timers timers;
   const auto part = timers.section("part"), rest = timers.section("rest");
-  const auto wait = [](const int milli)
-  {
+  const auto wait = [](const int milli) {
     for (const auto start = steady_clock::now(); steady_clock::now() - start < milliseconds(milli);)
       ;
   };

@@ -10,16 +10,16 @@ namespace
   /// Declares what a small scene would, and returns what it reads.
   std::string declare_everything(ParameterTree &tree)
   {
-    Section root     = tree.root();
-    Section blank    = root.sub("Blank");
-    Section contact  = root.sub("Contact");
-    Section punch    = root.sub("Tools").sub("punch");
+    Section root = tree.root();
+    Section blank = root.sub("Blank");
+    Section contact = root.sub("Contact");
+    Section punch = root.sub("Tools").sub("punch");
     const auto title = root.text("Title", "Cup", "What this is | shown in plots.");
     const auto thick = blank.number("Thickness", required(.035), Range::positive(), "length", "Initial thickness.");
-    const auto n     = blank.integer("Elements", 50, 1, 100000, "Elements along the meridian.");
-    const auto rule  = contact.choice("Penalty rule", "adaptive", {"adaptive", "paper"}, "Rule.");
+    const auto n = blank.integer("Elements", 50, 1, 100000, "Elements along the meridian.");
+    const auto rule = contact.choice("Penalty rule", "adaptive", {"adaptive", "paper"}, "Rule.");
     const auto depth = contact.number("Allowed penetration", 1e-3, Range::positive(), "length", "Delta.");
-    const auto path  = punch.function("Motion", "t", "length", "Travel.");
+    const auto path = punch.function("Motion", "t", "length", "Travel.");
     const auto empty = punch.text("Note", "", "Anything.");
     std::ostringstream values;
     values << title << '|' << thick << '|' << n << '|' << rule << '|' << depth << '|' << path(.5) << '|' << empty;
@@ -40,11 +40,9 @@ BOOST_AUTO_TEST_SUITE(parameter_tree)
 
 BOOST_AUTO_TEST_CASE(a_subsection_that_no_list_names)
 {
-  const auto complaint = [](const std::string &content, const std::vector<std::string> &overrides = {})
-  {
-    auto tree           = ParameterTree::parse(content, "cup.prm", overrides);
-    const auto each_has = [&](const std::string &outer, const std::string &list)
-    {
+  const auto complaint = [](const std::string &content, const std::vector<std::string> &overrides = {}) {
+    auto tree = ParameterTree::parse(content, "cup.prm", overrides);
+    const auto each_has = [&](const std::string &outer, const std::string &list) {
       Section section = tree.root().sub(outer);
       for (const auto &name : section.names(list, list == "Stages" ? "form" : "", "Names."))
         section.sub(name).names("Stages", "", "Stages of a tool, end of a stage.");
@@ -166,7 +164,7 @@ BOOST_AUTO_TEST_CASE(documentation)
 
 BOOST_AUTO_TEST_CASE(authors_are_told_of_their_errors)
 {
-  auto tree    = ParameterTree::documentation();
+  auto tree = ParameterTree::documentation();
   Section root = tree.root();
   root.number("x", 1., Range::positive(), "length", "X.");
   BOOST_CHECK_THROW(root.number("x", 2., Range::positive(), "length", "X."), dealii::ExceptionBase);

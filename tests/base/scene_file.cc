@@ -38,8 +38,9 @@ BOOST_AUTO_TEST_CASE(statements_comments_and_continuation)
 
 BOOST_AUTO_TEST_CASE(broken_syntax_names_file_and_line)
 {
-  const auto complaint = [](const std::string &content)
-  { return message_of<SceneError>([&content]() { SceneFile::parse(content, "cup.prm"); }); };
+  const auto complaint = [](const std::string &content) {
+    return message_of<SceneError>([&content]() { SceneFile::parse(content, "cup.prm"); });
+  };
   check_contains(complaint("\nsett Title = x\n"), {"cup.prm:2:", "cannot understand 'sett Title = x'"});
   check_contains(complaint("set Title x"), {"cup.prm:1:", "set ENTRY = VALUE"});
   check_contains(complaint("set = x"), {"cup.prm:1:"});
@@ -61,12 +62,12 @@ BOOST_AUTO_TEST_CASE(include_is_relative_and_may_be_overridden)
   const TemporaryFolder folder;
   folder.file("parts/steel.prm", "set Young's modulus = 1\nset Poisson's ratio = .3\ninclude deep/more.prm\n");
   folder.file("parts/deep/more.prm", "set More = 1\n");
-  const auto cup   = folder.file("cup.prm",
+  const auto cup = folder.file("cup.prm",
                                "subsection Material\n"
-                                 "  set Poisson's ratio = .1\n"
-                                 "  include parts/steel.prm\n"
-                                 "  set Young's modulus = 2\n"
-                                 "end\n");
+                               "  set Poisson's ratio = .1\n"
+                               "  include parts/steel.prm\n"
+                               "  set Young's modulus = 2\n"
+                               "end\n");
   const auto scene = SceneFile::read(cup);
   BOOST_TEST(scene.entries.size() == 3u);
   BOOST_TEST(scene.find({"Material"}, "Young's modulus")->value == "2"); // the later one
@@ -79,8 +80,9 @@ BOOST_AUTO_TEST_CASE(include_is_relative_and_may_be_overridden)
 BOOST_AUTO_TEST_CASE(include_that_cannot_work)
 {
   const TemporaryFolder folder;
-  const auto read = [](const std::string &name)
-  { return message_of<SceneError>([&name]() { SceneFile::read(name); }); };
+  const auto read = [](const std::string &name) {
+    return message_of<SceneError>([&name]() { SceneFile::read(name); });
+  };
   const auto missing = folder.file("missing.prm", "\ninclude nowhere.prm\n");
   check_contains(read(missing), {"missing.prm:2:", "nowhere.prm", "cannot be read", "No such file"});
 
@@ -106,8 +108,9 @@ BOOST_AUTO_TEST_CASE(overrides)
   BOOST_TEST(scene.find({"A"}, "x")->origin.to_string() == "--set");
   BOOST_TEST(scene.find({"A", "Inner part"}, "y")->value == "a=b");
   BOOST_TEST(scene.find({}, "z")->value == "3");
-  const auto complaint = [&scene](const std::string &text)
-  { return message_of<SceneError>([&]() { scene.override_entry(text); }); };
+  const auto complaint = [&scene](const std::string &text) {
+    return message_of<SceneError>([&]() { scene.override_entry(text); });
+  };
   check_contains(complaint("A/x"), {"--set \"A/x\"", "Section/Entry=value"});
   check_contains(complaint("A/=1"), {"Section/Entry=value"});
   check_contains(complaint("A/x=1 # one"), {"'#'"});

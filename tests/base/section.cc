@@ -21,13 +21,14 @@ namespace
 
   struct Shout
   {
-    virtual ~Shout()                 = default;
+    virtual ~Shout() = default;
     virtual std::string word() const = 0;
   };
 
   struct Loud : Shout
   {
-    explicit Loud(Section &section) : volume(section.number("Volume", 11., Range::positive(), "1", "How loud."))
+    explicit Loud(Section &section)
+      : volume(section.number("Volume", 11., Range::positive(), "1", "How loud."))
     {
     }
     std::string word() const override
@@ -100,8 +101,9 @@ BOOST_AUTO_TEST_CASE(a_value_in_quotes)
   for (const std::string quote : {"'", "\""})
     BOOST_TEST_CONTEXT("quote " << quote)
     {
-      const auto entry = [&](const std::string &name, const std::string &value)
-      { return " set " + name + " = " + quote + value + quote + "\n"; };
+      const auto entry = [&](const std::string &name, const std::string &value) {
+        return " set " + name + " = " + quote + value + quote + "\n";
+      };
       ParameterTree tree(SceneFile::parse("subsection A\n" + entry("table", "0: 0, 1: 1.2") + entry("function", "2*t") +
                                             entry("rows", "0 0; 1 2") + entry("numbers", "1, 2") +
                                             entry("number", ".5") + entry("names", "a, b") + "end\n",
@@ -159,8 +161,7 @@ BOOST_AUTO_TEST_CASE(other_kinds_that_are_wrong)
 
 BOOST_AUTO_TEST_CASE(missing_entries)
 {
-  const auto read = [](const std::string &content)
-  {
+  const auto read = [](const std::string &content) {
     auto tree = ParameterTree::parse(content, "cup.prm");
     return message_of<SceneError>(
       [&tree]() {
@@ -182,11 +183,12 @@ BOOST_AUTO_TEST_CASE(missing_entries)
 
 BOOST_AUTO_TEST_CASE(fail_names_the_place)
 {
-  auto tree     = ParameterTree::parse("subsection Tools\n subsection punch\n  set Radius = 2\n end\nend\n", "cup.prm");
+  auto tree = ParameterTree::parse("subsection Tools\n subsection punch\n  set Radius = 2\n end\nend\n", "cup.prm");
   Section punch = tree.root().sub("Tools").sub("punch");
   punch.number("Edge radius", .1, Range::positive(), "length", "Edge.");
-  const auto complaint_of = [](const Section &section, const std::string &name)
-  { return message_of<SceneError>([&]() { section.fail(name, "does not fit."); }); };
+  const auto complaint_of = [](const Section &section, const std::string &name) {
+    return message_of<SceneError>([&]() { section.fail(name, "does not fit."); });
+  };
   BOOST_TEST(complaint_of(punch, "Radius") == "cup.prm:3: Tools/punch/Radius = 2: does not fit.");
   BOOST_TEST(complaint_of(punch, "Edge radius") ==
              "cup.prm:2: Tools/punch/Edge radius = 0.1 (the default): does not fit.");
@@ -195,15 +197,15 @@ BOOST_AUTO_TEST_CASE(fail_names_the_place)
 
 BOOST_AUTO_TEST_CASE(registry_chooses_and_makes)
 {
-  auto tree     = ParameterTree::parse("set Kind = loud\nset Volume = 3\n", "cup.prm");
-  Section root  = tree.root();
+  auto tree = ParameterTree::parse("set Kind = loud\nset Volume = 3\n", "cup.prm");
+  Section root = tree.root();
   const auto it = Registry<Shout>::choose(root, "Kind", "loud", "What is shouted.");
   BOOST_TEST(it->word() == "!!!");
   tree.check_unused();
   BOOST_TEST(Registry<Shout>::names().size() == 1u);
 
   auto documentation = ParameterTree::documentation();
-  Section section    = documentation.root().sub("Shout");
+  Section section = documentation.root().sub("Shout");
   BOOST_TEST(section.documentation());
   BOOST_TEST(Registry<Shout>::make("loud", section)->word().size() == 11u);
 }

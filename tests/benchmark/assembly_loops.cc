@@ -63,8 +63,8 @@ namespace
                                                  "Material/Poisson's ratio=.3",
                                                  "Material/Hardening/Prestrain=1e-4",
                                                  "Material/Hardening/Hardening exponent=.216"});
-      Section section    = tree.root().sub("Material");
-      material_          = Registry<Material>::make("elastoplastic", section);
+      Section section = tree.root().sub("Material");
+      material_ = Registry<Material>::make("elastoplastic", section);
       for (unsigned int p = 0; p < n_points; ++p)
         for (unsigned int a = 0; a < n_nodes; ++a)
         {
@@ -82,7 +82,7 @@ namespace
       double least = 1e300;
       for (unsigned int repetition = 0; repetition < 30; ++repetition)
       {
-        matrix_          = 0.;
+        matrix_ = 0.;
         const auto start = std::chrono::steady_clock::now();
         loop();
         const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
@@ -94,8 +94,7 @@ namespace
     double plain()
     {
       return measure(
-        [&]()
-        {
+        [&]() {
           Scratch scratch;
           Copy copy;
           for (const auto &cell : dof_handler_.active_cell_iterators())
@@ -109,8 +108,7 @@ namespace
     double work_stream(const unsigned int chunk)
     {
       return measure(
-        [&]()
-        {
+        [&]() {
           dealii::WorkStream::run(
             dof_handler_.begin_active(),
             dof_handler_.end(),
@@ -134,13 +132,13 @@ namespace
       for (unsigned int p = 0; p < n_points; ++p)
         strain_[first + p] = {{.02 + .001 * p, -.01, -.01, .003}};
       MaterialBatch batch;
-      batch.n_points        = n_points;
+      batch.n_points = n_points;
       batch.third_direction = ThirdDirection::strain_given;
-      batch.strain          = &strain_[first];
-      batch.committed       = history_.committed(first);
-      batch.trial           = history_.trial(first);
-      batch.stress          = stress.data();
-      batch.tangent         = moduli.data();
+      batch.strain = &strain_[first];
+      batch.committed = history_.committed(first);
+      batch.trial = history_.trial(first);
+      batch.stress = stress.data();
+      batch.tangent = moduli.data();
       if (!material_->update(batch).good())
         std::puts("the material has failed");
       Tangent tangent(gradients_);
@@ -152,7 +150,7 @@ namespace
       {
         const AxialTensor b{1.1, .9, 1., .01 * p};
         const Mandel e = LogarithmicStrain::strain(b);
-        tau[p]         = {stress[p][0], stress[p][1], stress[p][2], e[3]};
+        tau[p] = {stress[p][0], stress[p][1], stress[p][2], e[3]};
         tangent.set_stress_rate(p, &moduli[16 * p], LogarithmicStrain::rate(b));
       }
       tangent.assemble(project_.data(), weight, tau, copy.matrix.data());

@@ -19,14 +19,14 @@ namespace
   std::unique_ptr<Material> make(const std::string &name, const std::vector<std::string> &entries)
   {
     ParameterTree tree = ParameterTree::parse("", "benchmark", entries);
-    Section section    = tree.root().sub("Material");
+    Section section = tree.root().sub("Material");
     return Registry<Material>::make(name, section);
   }
 
   /// What the trial values are when the points are updated.
   enum class Start
   {
-    committed,     ///< first iteration of an increment after a cut-back
+    committed, ///< first iteration of an increment after a cut-back
     last_iteration ///< later iterations: strains have changed by one part in a thousand
   };
 
@@ -39,20 +39,19 @@ namespace
     std::vector<double> third_stress(n_points, -1.), tangent(16 * n_points);
     PointHistory history(n_points, material.history_size());
 
-    const auto update = [&](std::vector<Mandel> &e, const bool with_tangent)
-    {
+    const auto update = [&](std::vector<Mandel> &e, const bool with_tangent) {
       Status status;
       for (unsigned int first = 0; first < n_points; first += batch_size)
       {
         MaterialBatch batch;
-        batch.n_points        = batch_size;
+        batch.n_points = batch_size;
         batch.third_direction = third;
-        batch.strain          = &e[first];
-        batch.third_stress    = &third_stress[first];
-        batch.committed       = history.committed(first);
-        batch.trial           = history.trial(first);
-        batch.stress          = &stress[first];
-        batch.tangent         = with_tangent ? &tangent[16 * first] : nullptr;
+        batch.strain = &e[first];
+        batch.third_stress = &third_stress[first];
+        batch.committed = history.committed(first);
+        batch.trial = history.trial(first);
+        batch.stress = &stress[first];
+        batch.tangent = with_tangent ? &tangent[16 * first] : nullptr;
         status.merge(material.update(batch));
       }
       if (!status.good())
@@ -80,11 +79,11 @@ namespace
     double best = 1e300;
     for (unsigned int k = 0; k < n_repetitions; ++k)
     {
-      history          = before;
+      history = before;
       const auto begin = std::chrono::steady_clock::now();
       update(strain, true);
       const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-      best                                        = std::fmin(best, elapsed.count());
+      best = std::fmin(best, elapsed.count());
     }
     return 1e9 * best / n_points;
   }
@@ -95,8 +94,7 @@ main()
 {
   std::printf(
     "ns per point with tangent      | strain given: elastic, cold, warm | stress given: elastic, cold, warm\n");
-  const auto row = [](const std::string &title, const Material &material)
-  {
+  const auto row = [](const std::string &title, const Material &material) {
     std::printf("%-30s", title.c_str());
     for (const auto third : {ThirdDirection::strain_given, ThirdDirection::stress_given})
       std::printf(" | %6.1f %6.1f %6.1f",

@@ -18,14 +18,13 @@ namespace deltaform
     inline std::unique_ptr<Blank> make_blank(const std::string &name, const Entries &overrides)
     {
       Entries entries = documented_entries(
-        [&](ParameterTree &tree)
-        {
+        [&](ParameterTree &tree) {
           Section section = tree.root().sub("Blank");
           Registry<Blank>::make(name, section);
         });
       entries.insert(entries.end(), overrides.begin(), overrides.end());
       ParameterTree tree = ParameterTree::parse("", "test", entries);
-      Section section    = tree.root().sub("Blank");
+      Section section = tree.root().sub("Blank");
       return Registry<Blank>::make(name, section);
     }
 
@@ -95,7 +94,7 @@ namespace deltaform
     /// 1, or less where nodes are so close that cells would turn inside out by displacements that other blanks bear.
     inline double fineness(const Blank &blank)
     {
-      const auto X   = blank.positions(Vector(blank.n_dofs()));
+      const auto X = blank.positions(Vector(blank.n_dofs()));
       double nearest = 1.;
       for (unsigned int i = 0; i < X.size(); ++i)
         for (unsigned int j = 0; j < i; ++j)
@@ -144,7 +143,7 @@ namespace deltaform
       for (unsigned int i = 0; i < blank.n_dofs(); ++i)
       {
         Vector q(blank.n_dofs());
-        q[i]             = 1.;
+        q[i] = 1.;
         const auto moved = blank.positions(q);
         for (unsigned int n = 0; n < moved.size(); ++n)
           for (unsigned int k = 0; k < 2; ++k)

@@ -16,8 +16,7 @@ namespace
 
   Assembly with_pressure(Blank &blank, const double pressure, const bool following)
   {
-    return [&blank, pressure, following](const Vector &q, AssemblyTarget &target)
-    {
+    return [&blank, pressure, following](const Vector &q, AssemblyTarget &target) {
       assemble(blank, q, target);
       blank.assemble_pressure(q, blank.faces().front(), pressure, following, target);
     };
@@ -58,8 +57,7 @@ BOOST_AUTO_TEST_CASE(no_forces_without_displacements)
 {
   for (const auto &material : {elastic, plastic})
     for_all_blanks(curved(material),
-                   [](Blank &blank, const Entries &)
-                   {
+                   [](Blank &blank, const Entries &) {
                      DenseTarget target(blank.n_dofs());
                      assemble(blank, Vector(blank.n_dofs()), target);
                      BOOST_TEST(target.residual.lpNorm<Eigen::Infinity>() <= 1e-14 * blank.stiffness_scale());
@@ -70,8 +68,7 @@ BOOST_AUTO_TEST_CASE(elastic_tangent)
 {
   std::mt19937 generator(1);
   for_all_blanks(curved(elastic),
-                 [&](Blank &blank, const Entries &)
-                 {
+                 [&](Blank &blank, const Entries &) {
                    for (const double size : {1e-3, .02})
                    {
                      const Vector q = random_state(blank, generator, size);
@@ -87,8 +84,7 @@ BOOST_AUTO_TEST_CASE(plastic_tangent)
 {
   std::mt19937 generator(2);
   for_all_blanks(curved(plastic),
-                 [&](Blank &blank, const Entries &)
-                 {
+                 [&](Blank &blank, const Entries &) {
                    const Vector q = random_state(blank, generator, .02);
                    BOOST_TEST(tangent_error(internal_forces(blank), q, scales(blank), 1e-6 * fineness(blank)) < 1e-6);
                    press(blank, 1.5, .5);
@@ -100,8 +96,7 @@ BOOST_AUTO_TEST_CASE(tangent_after_a_plastic_increment)
 {
   std::mt19937 generator(3);
   for_all_blanks(curved(plastic),
-                 [&](Blank &blank, const Entries &)
-                 {
+                 [&](Blank &blank, const Entries &) {
                    const Vector first = random_state(blank, generator, .02);
                    residual(blank, first);
                    blank.commit(first);
@@ -122,14 +117,14 @@ BOOST_AUTO_TEST_CASE(tangent_of_the_pressure)
   std::mt19937 generator(4);
   for_all_blanks(
     curved(elastic),
-    [&](Blank &blank, const Entries &)
-    {
+    [&](Blank &blank, const Entries &) {
       const Vector q = random_state(blank, generator, .02);
       for (const bool following : {true, false})
       {
         BOOST_TEST(tangent_error(with_pressure(blank, 7., following), q, scales(blank), 1e-4 * fineness(blank)) < 1e-8);
-        const Assembly alone = [&](const Vector &state, AssemblyTarget &target)
-        { blank.assemble_pressure(state, blank.faces().front(), 7., following, target); };
+        const Assembly alone = [&](const Vector &state, AssemblyTarget &target) {
+          blank.assemble_pressure(state, blank.faces().front(), 7., following, target);
+        };
         if (following)
           BOOST_TEST(tangent_error(alone, q, std::vector<double>(q.size(), 1.), 1e-4) < 1e-9);
       }
@@ -146,12 +141,11 @@ BOOST_AUTO_TEST_CASE(tangent_of_the_pressure)
 BOOST_AUTO_TEST_CASE(pressure_on_a_flat_blank)
 {
   for_all_blanks({"Blank/Points=.3 0; 1.1 0", "Blank/Thickness=.01", "Blank/Elements=3"},
-                 [](Blank &blank, const Entries &)
-                 {
+                 [](Blank &blank, const Entries &) {
                    DenseTarget target(blank.n_dofs());
                    blank.assemble_pressure(Vector(blank.n_dofs()), blank.faces().front(), 7., true, target);
                    const auto role = roles(blank);
-                   double total    = 0.;
+                   double total = 0.;
                    for (unsigned int i = 0; i < role.size(); ++i)
                      if (role[i].node != invalid_index && role[i].axis == 1)
                        total -= target.residual[i]; // upwards, as a force
@@ -164,12 +158,12 @@ BOOST_AUTO_TEST_CASE(rigid_motions_are_free)
 {
   for (const auto &material : {elastic, plastic})
     for_all_blanks(curved(material),
-                   [](Blank &blank, const Entries &)
-                   {
+                   [](Blank &blank, const Entries &) {
                      const Vector zero(blank.n_dofs());
                      const double noise = 1e-12 * blank.stiffness_scale();
-                     const auto forces  = [&](const double angle, const Tensor1 &shift)
-                     { return residual(blank, moved_rigidly(blank, zero, angle, shift)).lpNorm<Eigen::Infinity>(); };
+                     const auto forces = [&](const double angle, const Tensor1 &shift) {
+                       return residual(blank, moved_rigidly(blank, zero, angle, shift)).lpNorm<Eigen::Infinity>();
+                     };
                      BOOST_TEST(forces(0., Tensor1({0., 3.7})) <= noise);
                      if (!blank.axisymmetric())
                        for (const double angle : {1e-3, .4, 1.7, -3.1, 6.5})
@@ -181,11 +175,10 @@ BOOST_AUTO_TEST_CASE(forces_turn_with_the_blank)
 {
   std::mt19937 generator(5);
   for_all_blanks(curved(plastic),
-                 [&](Blank &blank, const Entries &)
-                 {
-                   const Vector q     = random_state(blank, generator, .02);
-                   const auto role    = roles(blank);
-                   const auto still   = residual(blank, q);
+                 [&](Blank &blank, const Entries &) {
+                   const Vector q = random_state(blank, generator, .02);
+                   const auto role = roles(blank);
+                   const auto still = residual(blank, q);
                    const double angle = blank.axisymmetric() ? 0. : 2.1, c = std::cos(angle), s = std::sin(angle);
                    const auto turned = residual(blank, moved_rigidly(blank, q, angle, Tensor1({0., -.9})));
 
@@ -196,7 +189,7 @@ BOOST_AUTO_TEST_CASE(forces_turn_with_the_blank)
                      else
                      {
                        before[role[i].node][role[i].axis] = still[i];
-                       after[role[i].node][role[i].axis]  = turned[i];
+                       after[role[i].node][role[i].axis] = turned[i];
                      }
                    for (unsigned int n = 0; n < before.size(); ++n)
                    {
@@ -211,15 +204,13 @@ BOOST_AUTO_TEST_CASE(carried_flow_turns_with_the_blank)
   // The same plastic history once at rest and once on a turntable: two-step flow knows the axes of its last increment.
   std::mt19937 generator(7);
   for_all_blanks(curved(plastic),
-                 [&](Blank &blank, const Entries &)
-                 {
+                 [&](Blank &blank, const Entries &) {
                    if (blank.axisymmetric())
                      return;
                    std::stringstream fresh;
                    blank.save(fresh);
                    const Vector direction = random_state(blank, generator, .01);
-                   const auto history     = [&](const double turn)
-                   {
+                   const auto history = [&](const double turn) {
                      std::vector<double> norms;
                      double time = 0., last = 1.;
                      for (const double length : {1., 1., 1.5, .8})
@@ -249,8 +240,7 @@ BOOST_AUTO_TEST_CASE(derivatives_of_contact_nodes)
   std::mt19937 generator(6);
   for_all_blanks(
     curved(plastic),
-    [&](Blank &blank, const Entries &)
-    {
+    [&](Blank &blank, const Entries &) {
       const Vector q = random_state(blank, generator, .02);
       residual(blank, q);
       blank.commit(q);
@@ -258,8 +248,7 @@ BOOST_AUTO_TEST_CASE(derivatives_of_contact_nodes)
         for (const auto thickness : {ContactThickness::current, ContactThickness::initial, ContactThickness::none})
           for (unsigned int i = 0; i < blank.n_contact_nodes(side); ++i)
           {
-            const auto at = [&](const Vector &state)
-            {
+            const auto at = [&](const Vector &state) {
               ContactNode node;
               blank.contact_node(state, side, i, thickness, node);
               return node;
@@ -281,7 +270,7 @@ BOOST_AUTO_TEST_CASE(derivatives_of_contact_nodes)
               for (unsigned int k = 0; k < node.n_dofs; ++k)
                 if (node.dofs[k] == j)
                 {
-                  first  = node.jacobian[k];
+                  first = node.jacobian[k];
                   second = node.second[k];
                 }
               BOOST_TEST(((b.x - a.x) / (2. * h) - first).norm() < 1e-9);
@@ -296,8 +285,7 @@ BOOST_AUTO_TEST_CASE(faces_lie_half_a_thickness_off)
 {
   // Whichever point a blank offers, offset and shift along the director together are half a thickness.
   for_all_blanks({"Blank/Points=.3 .1; 1.1 .1", "Blank/Thickness=.01", "Blank/Elements=3"},
-                 [](Blank &blank, const Entries &)
-                 {
+                 [](Blank &blank, const Entries &) {
                    const Vector zero(blank.n_dofs());
                    double area = 0.;
                    for (const Side side : {Side::bottom, Side::top})
@@ -320,8 +308,7 @@ BOOST_AUTO_TEST_CASE(faces_lie_half_a_thickness_off)
 BOOST_AUTO_TEST_CASE(boundaries_and_couplings)
 {
   for_all_blanks(curved(elastic),
-                 [](Blank &blank, const Entries &)
-                 {
+                 [](Blank &blank, const Entries &) {
                    const unsigned int n = blank.n_dofs();
                    for (const auto &boundary : blank.boundaries())
                      for (const auto component : {Component::r, Component::z, Component::rotation})

@@ -27,7 +27,7 @@ namespace
   Vector stretched_and_turned(const Blank &blank, const double a, const double b, const double turn)
   {
     const auto role = roles(blank);
-    const auto X    = blank.positions(Vector(blank.n_dofs()));
+    const auto X = blank.positions(Vector(blank.n_dofs()));
     Vector q(blank.n_dofs());
     for (unsigned int i = 0; i < q.size(); ++i)
       if (role[i].node == invalid_index)
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(strain_of_a_solid_is_the_logarithm_of_its_stretch_turned_wi
 {
   for (const std::string degree : {"1", "2"})
   {
-    const auto blank   = make_blank("solid", flat(degree, elastic));
+    const auto blank = make_blank("solid", flat(degree, elastic));
     const auto drawing = reached(*blank, stretched_and_turned(*blank, along, across, angle));
     check_tensor(field(drawing, "strain"), along, across, 0., angle);
   }
@@ -90,17 +90,16 @@ BOOST_AUTO_TEST_CASE(plastic_strain_of_a_solid_keeps_its_volume_and_turns_with_i
 {
   for (const std::string kinematics : {"finite", "small"})
   {
-    const auto blank    = make_blank("solid",
+    const auto blank = make_blank("solid",
                                   flat("1",
-                                       [&]
-                                       {
+                                       [&] {
                                          Entries more = plastic;
                                          more.push_back("Blank/Kinematics=" + kinematics);
                                          return more;
                                        }()));
     const auto straight = reached(*blank, stretched_and_turned(*blank, along, -along, 0.));
-    const auto tensor   = field(straight, "plastic_strain");
-    const double e      = tensor[0];
+    const auto tensor = field(straight, "plastic_strain");
+    const double e = tensor[0];
     BOOST_TEST(e > .5 * along); // nearly all of it
     // Plane strain at constant volume: (e, -e, 0), whose equivalent strain is 2/sqrt(3) e.
     const double doubt = kinematics == "small" ? .1 * e : 1e-9;
@@ -119,7 +118,7 @@ BOOST_AUTO_TEST_CASE(strain_of_a_shell_is_turned_from_its_meridian)
 {
   for (const std::string degree : {"1", "2"})
   {
-    const auto blank   = make_blank("shell", flat(degree, elastic));
+    const auto blank = make_blank("shell", flat(degree, elastic));
     const auto drawing = reached(*blank, stretched_and_turned(*blank, along, 0., angle));
     // Without transverse stress the sheet gets thinner by nu/(1 - nu).
     check_tensor(field(drawing, "strain"), along, -.3 / .7 * along, 0., angle);
@@ -128,7 +127,7 @@ BOOST_AUTO_TEST_CASE(strain_of_a_shell_is_turned_from_its_meridian)
 
 BOOST_AUTO_TEST_CASE(plastic_strain_of_a_shell_keeps_its_volume_and_turns_with_it)
 {
-  const auto blank   = make_blank("shell", flat("1", plastic));
+  const auto blank = make_blank("shell", flat("1", plastic));
   const auto drawing = reached(*blank, stretched_and_turned(*blank, along, 0., angle));
   const auto &tensor = field(drawing, "plastic_strain");
   const double c = std::cos(angle), s = std::sin(angle);
@@ -140,12 +139,12 @@ BOOST_AUTO_TEST_CASE(plastic_strain_of_a_shell_keeps_its_volume_and_turns_with_i
 
 BOOST_AUTO_TEST_CASE(hydrostatic_pressure_is_minus_the_mean_stress)
 {
-  const auto shell    = make_blank("shell", flat("1", elastic));
+  const auto shell = make_blank("shell", flat("1", elastic));
   const auto of_shell = reached(*shell, stretched_and_turned(*shell, along, 0., angle));
   // Plane strain, plane stress: tau_1 = E/(1 - nu^2) e, tau_2 = nu tau_1.
   for (const double p : field(of_shell, "hydrostatic_pressure"))
     BOOST_TEST(p == -2e3 / .91 * along * 1.3 / 3., boost::test_tools::tolerance(1e-9));
-  const auto solid    = make_blank("solid", flat("1", elastic));
+  const auto solid = make_blank("solid", flat("1", elastic));
   const auto of_solid = reached(*solid, stretched_and_turned(*solid, along, across, angle));
   // K tr(e), K = E/(3 (1 - 2 nu)).
   for (const double p : field(of_solid, "hydrostatic_pressure"))
@@ -165,7 +164,7 @@ BOOST_AUTO_TEST_CASE(elastic_blanks_show_no_plastic_strain)
 BOOST_AUTO_TEST_CASE(nodes_of_a_face_lie_on_it)
 {
   const auto solid = make_blank("solid", flat("2", elastic));
-  const auto X     = solid->positions(Vector(solid->n_dofs()));
+  const auto X = solid->positions(Vector(solid->n_dofs()));
   const auto nodes = solid->face_nodes("top");
   BOOST_TEST(nodes.size() == 7u); // three quadratic elements
   for (const auto node : nodes)

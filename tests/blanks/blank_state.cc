@@ -31,7 +31,7 @@ namespace
   Vector placed(const Blank &blank, const double angle, const double stretch)
   {
     const auto role = roles(blank);
-    const auto X    = blank.positions(Vector(blank.n_dofs()));
+    const auto X = blank.positions(Vector(blank.n_dofs()));
     const double c = std::exp(stretch) * std::cos(angle), s = std::exp(stretch) * std::sin(angle);
     Vector q(blank.n_dofs());
     for (unsigned int i = 0; i < q.size(); ++i)
@@ -40,7 +40,7 @@ namespace
       else
       {
         const auto &x = X[role[i].node];
-        q[i]          = role[i].axis == 0 ? c * x[0] - s * x[1] - x[0] : s * x[0] + c * x[1] - x[1];
+        q[i] = role[i].axis == 0 ? c * x[0] - s * x[1] - x[0] : s * x[0] + c * x[1] - x[1];
       }
     return q;
   }
@@ -86,12 +86,10 @@ BOOST_AUTO_TEST_CASE(elastic_forces_have_a_potential)
 {
   std::mt19937 generator(1);
   for_all_blanks(curved(elastic),
-                 [&](Blank &blank, const Entries &)
-                 {
+                 [&](Blank &blank, const Entries &) {
                    const std::string start = saved(blank);
-                   const Vector q          = random_state(blank, generator, .02);
-                   const auto energy       = [&](const Vector &state)
-                   {
+                   const Vector q = random_state(blank, generator, .02);
+                   const auto energy = [&](const Vector &state) {
                      restore(blank, start);
                      reach(blank, state);
                      return blank.energy().elastic;
@@ -102,8 +100,7 @@ BOOST_AUTO_TEST_CASE(elastic_forces_have_a_potential)
                    const double h = 1e-4 * fineness(blank);
                    for (unsigned int i = 0; i < q.size(); ++i)
                    {
-                     const auto difference = [&](const double step)
-                     {
+                     const auto difference = [&](const double step) {
                        Vector plus = q, minus = q;
                        plus[i] += step;
                        minus[i] -= step;
@@ -122,30 +119,29 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
   // thickness is updated between the increments: its work is in energy().normal.
   std::mt19937 generator(2);
   for_all_blanks(curved(plastic),
-                 [&](Blank &blank, const Entries &)
-                 {
+                 [&](Blank &blank, const Entries &) {
                    const Vector goal = random_state(blank, generator, .02);
                    double error[2];
                    const auto initial = saved(blank);
-                   unsigned int run   = 0;
+                   unsigned int run = 0;
                    for (const unsigned int n : {40, 80})
                    {
                      restore(blank, initial);
                      Vector q(blank.n_dofs());
-                     double work            = 0.;
+                     double work = 0.;
                      Eigen::VectorXd before = Eigen::VectorXd::Zero(q.size());
                      for (unsigned int k = 1; k <= n; ++k)
                      {
                        // out and half way back, so that some points unload
                        const double share = 1. - std::abs(4. * k / (3. * n) - 1.);
-                       Vector next        = goal;
+                       Vector next = goal;
                        next *= share;
                        const auto forces = residual(blank, next);
                        for (unsigned int i = 0; i < q.size(); ++i)
                          work += .5 * (forces[i] + before[i]) * (next[i] - q[i]);
                        blank.commit(next);
                        before = residual(blank, next); // with the new thickness
-                       q      = next;
+                       q = next;
                      }
                      const BlankEnergy energy = blank.energy();
                      BOOST_TEST(energy.plastic > 0.);
@@ -160,8 +156,7 @@ BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
 {
   std::mt19937 generator(3);
   for_all_blanks(curved(plastic),
-                 [&](Blank &blank, const Entries &)
-                 {
+                 [&](Blank &blank, const Entries &) {
                    const Vector q = random_state(blank, generator, .01);
                    reach(blank, q);
                    const auto before = visible(blank, q);
@@ -169,7 +164,7 @@ BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
                    // Of the layers that follow the new thickness
                    const Vector none(q.size());
                    const double strain = blank.increment_size(none).strain;
-                   Vector other        = q;
+                   Vector other = q;
                    for (unsigned int k = 0; k < 3; ++k)
                    {
                      other += random_state(blank, generator, 4e-3);
@@ -189,11 +184,10 @@ BOOST_AUTO_TEST_CASE(commit_updates_the_thickness)
                   "Material/Model=linear elastic",
                   "Blank/Elements=4",
                   "Material/Poisson's ratio=.25"},
-                 [](Blank &blank, const Entries &)
-                 {
+                 [](Blank &blank, const Entries &) {
                    // Stretched by the factor a along the radius (and, axisymmetric, around it).
-                   const auto role     = roles(blank);
-                   const auto X        = blank.positions(Vector(blank.n_dofs()));
+                   const auto role = roles(blank);
+                   const auto X = blank.positions(Vector(blank.n_dofs()));
                    const double strain = -.25 / .75 * (blank.axisymmetric() ? 2. : 1.) * std::log(1.02);
                    Vector q(blank.n_dofs());
                    for (unsigned int i = 0; i < q.size(); ++i)
@@ -209,8 +203,7 @@ BOOST_AUTO_TEST_CASE(the_size_of_an_increment_is_counted_from_the_last_commit)
 {
   for_all_blanks(
     {"Blank/Points=.3 0; 1.1 0", "Blank/Thickness=.01", "Material/Model=linear elastic", "Blank/Elements=4"},
-    [](Blank &blank, const Entries &)
-    {
+    [](Blank &blank, const Entries &) {
       if (blank.axisymmetric())
         return; // does not turn without strain
       const IncrementSize turned = increment_size(blank, placed(blank, .2, .05), placed(blank, .3, .05));
@@ -248,8 +241,7 @@ BOOST_AUTO_TEST_CASE(restart_goes_on_where_it_stopped)
 {
   std::mt19937 generator(4);
   for_all_blanks(curved(plastic),
-                 [&](Blank &blank, const Entries &entries)
-                 {
+                 [&](Blank &blank, const Entries &entries) {
                    const Vector q = random_state(blank, generator, .02);
                    blank.set_contact_pressure(Side::top, std::vector<double>(blank.n_contact_nodes(Side::top), .7));
                    reach(blank, q);
@@ -287,8 +279,7 @@ BOOST_AUTO_TEST_CASE(impossible_states_ask_for_a_shorter_step)
 {
   std::mt19937 generator(5);
   for_all_blanks(curved(plastic),
-                 [&](Blank &blank, const Entries &)
-                 {
+                 [&](Blank &blank, const Entries &) {
                    unsigned int refused = 0;
                    for (unsigned int k = 0; k < 20; ++k)
                    {

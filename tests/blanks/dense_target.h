@@ -76,9 +76,8 @@ namespace deltaform
       Eigen::MatrixXd numerical(n, n);
       for (unsigned int j = 0; j < n; ++j)
       {
-        const double step     = h / scale[j];
-        const auto difference = [&](const double s)
-        {
+        const double step = h / scale[j];
+        const auto difference = [&](const double s) {
           Vector plus = q, minus = q;
           plus[j] += s;
           minus[j] -= s;
@@ -94,8 +93,8 @@ namespace deltaform
         for (unsigned int j = 0; j < n; ++j)
         {
           const double factor = 1. / (scale[i] * scale[j]);
-          error               = std::max(error, factor * std::abs(exact.matrix(i, j) - numerical(i, j)));
-          largest             = std::max(largest, factor * std::abs(exact.matrix(i, j)));
+          error = std::max(error, factor * std::abs(exact.matrix(i, j) - numerical(i, j)));
+          largest = std::max(largest, factor * std::abs(exact.matrix(i, j)));
         }
       BOOST_TEST(largest > 0.);
       BOOST_TEST(std::isfinite(error));

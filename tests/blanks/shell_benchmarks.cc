@@ -37,7 +37,7 @@ namespace
       target.matrix.row(dof).setZero();
       target.matrix.col(dof).setZero();
       target.matrix(dof, dof) = E;
-      force[dof]              = 0.;
+      force[dof] = 0.;
     }
     return target.matrix.partialPivLu().solve(force);
   }
@@ -79,16 +79,16 @@ namespace
   {
     const auto blank = make_shell(
       degree, n, t, {"Blank/Symmetry=plane strain", "Blank/Points=1 0; 1 1; 0 1", "Blank/Fillet radii=0, 1, 0"});
-    const double bending  = E * t * t * t / (12. * (1. - nu * nu));
+    const double bending = E * t * t * t / (12. * (1. - nu * nu));
     Eigen::VectorXd force = Eigen::VectorXd::Zero(blank->n_dofs());
-    const auto top        = blank->boundary_dofs("end", Component::z).front();
-    force[top]            = -.5 * bending;
-    const auto q          = solve(*blank,
+    const auto top = blank->boundary_dofs("end", Component::z).front();
+    force[top] = -.5 * bending;
+    const auto q = solve(*blank,
                          force,
                          {blank->boundary_dofs("start", Component::z).front(),
-                                   blank->boundary_dofs("start", Component::rotation).front(),
-                                   blank->boundary_dofs("end", Component::r).front(),
-                                   blank->boundary_dofs("end", Component::rotation).front()});
+                          blank->boundary_dofs("start", Component::rotation).front(),
+                          blank->boundary_dofs("end", Component::r).front(),
+                          blank->boundary_dofs("end", Component::rotation).front()});
     return -2. * q[top] / (PI / 4. - 2. / PI);
   }
 
@@ -99,10 +99,10 @@ namespace
     const double D = E * t * t * t / (12. * (1. - nu * nu)), b = std::pow(3. * (1. - nu * nu), .25) / std::sqrt(t);
     std::ostringstream points;
     points << "Blank/Points=1 0; 1 " << std::setprecision(17) << 8. / b;
-    const auto blank      = make_shell(degree, n, t, {points.str(), "Blank/Grading=.1 + t"});
+    const auto blank = make_shell(degree, n, t, {points.str(), "Blank/Grading=.1 + t"});
     Eigen::VectorXd force = Eigen::VectorXd::Zero(blank->n_dofs());
-    const auto edge       = blank->boundary_dofs("start", Component::r).front();
-    force[edge]           = 2. * PI * 2. * b * b * b * D;
+    const auto edge = blank->boundary_dofs("start", Component::r).front();
+    force[edge] = 2. * PI * 2. * b * b * b * D;
     return solve(*blank, force, {blank->boundary_dofs("end", Component::z).front()})[edge];
   }
 
@@ -135,12 +135,11 @@ BOOST_AUTO_TEST_CASE(thin_shells_do_not_lock)
 
 BOOST_AUTO_TEST_CASE(order_of_convergence)
 {
-  const double t      = .1;
-  const double exact  = mindlin_plate(t);
-  const auto order_of = [&](const unsigned int degree, const unsigned int n)
-  {
+  const double t = .1;
+  const double exact = mindlin_plate(t);
+  const auto order_of = [&](const unsigned int degree, const unsigned int n) {
     const double coarse = std::abs(circular_plate(degree, n, t) - exact);
-    const double fine   = std::abs(circular_plate(degree, 2 * n, t) - exact);
+    const double fine = std::abs(circular_plate(degree, 2 * n, t) - exact);
     BOOST_TEST_MESSAGE("degree " << degree << ", " << n << " elements: error " << coarse << ", order "
                                  << std::log2(coarse / fine));
     return std::log2(coarse / fine);
@@ -158,7 +157,7 @@ BOOST_AUTO_TEST_CASE(order_of_convergence_on_an_arc)
   for (const unsigned int degree : {1, 2})
   {
     const double coarse = std::abs(pinched_ring(degree, 8, .01) - reference);
-    const double fine   = std::abs(pinched_ring(degree, 16, .01) - reference);
+    const double fine = std::abs(pinched_ring(degree, 16, .01) - reference);
     BOOST_TEST_MESSAGE("degree " << degree << ": errors " << coarse << " " << fine);
     BOOST_TEST(std::log2(coarse / fine) > (degree == 1 ? 1.9 : 2.9));
   }
@@ -170,8 +169,8 @@ BOOST_AUTO_TEST_CASE(cylinder_under_internal_pressure)
   for (const unsigned int degree : {1, 2})
   {
     const auto blank = make_shell(degree, 4, 1e-3, {"Blank/Points=1 0; 1 .5"});
-    const double p   = 1e-6;
-    const auto q     = solve(*blank, -pressure_load(*blank, p), {blank->boundary_dofs("end", Component::z).front()});
+    const double p = 1e-6;
+    const auto q = solve(*blank, -pressure_load(*blank, p), {blank->boundary_dofs("end", Component::z).front()});
     for (const auto *const boundary : {"start", "end"})
       BOOST_TEST(std::abs(q[blank->boundary_dofs(boundary, Component::r).front()] / (p / (E * 1e-3)) - 1.) < 1e-3);
   }
@@ -186,10 +185,10 @@ BOOST_AUTO_TEST_CASE(cantilever_rolled_up)
   {
     const double t = 1e-3, phi = 2. * PI;
     const auto blank = make_shell(degree, 10, t, {"Blank/Symmetry=plane strain", "Blank/Points=0 0; 1 0"});
-    const auto role  = roles(*blank);
-    const auto X     = blank->positions(Vector(blank->n_dofs()));
-    const auto tip   = blank->boundary_dofs("end", Component::rotation).front();
-    const double M   = E * t * t * t / (12. * (1. - nu * nu)) * phi;
+    const auto role = roles(*blank);
+    const auto X = blank->positions(Vector(blank->n_dofs()));
+    const auto tip = blank->boundary_dofs("end", Component::rotation).front();
+    const double M = E * t * t * t / (12. * (1. - nu * nu)) * phi;
     Vector q(blank->n_dofs());
     double norm = 1.;
     for (unsigned int step = 1; step <= 40; ++step)
@@ -202,7 +201,7 @@ BOOST_AUTO_TEST_CASE(cantilever_rolled_up)
         {
           target.matrix.row(dof).setZero();
           target.matrix(dof, dof) = E;
-          target.residual[dof]    = 0.;
+          target.residual[dof] = 0.;
         }
         norm = target.residual.norm() / M;
         if (norm < 1e-8)
@@ -216,7 +215,7 @@ BOOST_AUTO_TEST_CASE(cantilever_rolled_up)
     for (unsigned int i = 0; i < q.size(); ++i)
       if (role[i].node != invalid_index)
       {
-        const double s        = X[role[i].node][0];
+        const double s = X[role[i].node][0];
         const double expected = role[i].axis == 0 ? std::sin(phi * s) / phi - s : (1. - std::cos(phi * s)) / phi;
         BOOST_TEST(std::abs(q[i] - expected) < (degree == 1 ? 1e-2 : 1e-3));
       }

@@ -16,14 +16,14 @@ namespace
     DenseTarget target(blank.n_dofs());
     assemble(blank, Vector(blank.n_dofs()), target);
     Eigen::VectorXd right = load;
-    auto all              = held;
+    auto all = held;
     all.push_back(blank.fixed_dofs());
     for (const auto &dofs : all)
       for (const auto dof : dofs)
       {
         target.matrix.row(dof).setZero();
         target.matrix(dof, dof) = 1.;
-        right[dof]              = 0.;
+        right[dof] = 0.;
       }
     const Eigen::VectorXd d = target.matrix.lu().solve(right);
     Vector result(blank.n_dofs());
@@ -52,8 +52,8 @@ namespace
                                    "Material/Model=linear elastic",
                                    "Material/Young's modulus=1",
                                    "Material/Poisson's ratio=" + std::to_string(nu)});
-    const Vector u   = solve(*blank, pressure_load(*blank, "top", 1.), {blank->boundary_dofs("start", Component::z)});
-    double sum       = 0.;
+    const Vector u = solve(*blank, pressure_load(*blank, "top", 1.), {blank->boundary_dofs("start", Component::z)});
+    double sum = 0.;
     const auto outer = blank->boundary_dofs("bottom", Component::r);
     const auto where = blank->boundary_points("bottom");
     for (unsigned int i = 0; i < outer.size(); ++i)
@@ -68,22 +68,22 @@ namespace
                        const unsigned int n_along,
                        const unsigned int n_across)
   {
-    const auto blank       = make_blank("solid",
+    const auto blank = make_blank("solid",
                                   {"Blank/Kinematics=small",
-                                         "Blank/Symmetry=plane strain",
-                                         "Blank/Degree=" + std::to_string(degree),
-                                         "Blank/Points=0 0; 1 0",
-                                         "Blank/Thickness=" + std::to_string(thickness),
-                                         "Blank/Elements=" + std::to_string(n_along),
-                                         "Blank/Elements through thickness=" + std::to_string(n_across),
-                                         "Material/Model=linear elastic",
-                                         "Material/Young's modulus=1",
-                                         "Material/Poisson's ratio=0.3"});
-    const Vector u         = solve(*blank,
+                                   "Blank/Symmetry=plane strain",
+                                   "Blank/Degree=" + std::to_string(degree),
+                                   "Blank/Points=0 0; 1 0",
+                                   "Blank/Thickness=" + std::to_string(thickness),
+                                   "Blank/Elements=" + std::to_string(n_along),
+                                   "Blank/Elements through thickness=" + std::to_string(n_across),
+                                   "Material/Model=linear elastic",
+                                   "Material/Young's modulus=1",
+                                   "Material/Poisson's ratio=0.3"});
+    const Vector u = solve(*blank,
                            pressure_load(*blank, "bottom", 1.),
                            {blank->boundary_dofs("start", Component::r), blank->boundary_dofs("start", Component::z)});
     const double stiffness = std::pow(thickness, 3) / (12. * (1. - .09)), shear = 5. / 6. * thickness / 2.6;
-    const auto table  = blank->profile(u);
+    const auto table = blank->profile(u);
     const auto column = std::find(table.names.begin(), table.names.end(), "u_z") - table.names.begin();
     return table.rows.back()[column] / (1. / (8. * stiffness) + 1. / (2. * shear)) - 1.;
   }
@@ -113,8 +113,8 @@ BOOST_AUTO_TEST_CASE(patch_test)
                                        "Material/Model=linear elastic",
                                        "Material/Young's modulus=1",
                                        "Material/Poisson's ratio=0.45"});
-        const auto role  = roles(*blank);
-        const auto X     = blank->positions(Vector(blank->n_dofs()));
+        const auto role = roles(*blank);
+        const auto X = blank->positions(Vector(blank->n_dofs()));
         Vector q(blank->n_dofs());
         for (unsigned int i = 0; i < q.size(); ++i)
           q[i] = (role[i].axis == 0 ? .15 : -.2) * X[role[i].node][role[i].axis];
@@ -172,8 +172,9 @@ BOOST_AUTO_TEST_CASE(weights_of_loads)
 {
   const auto blank =
     make_blank("solid", {"Blank/Degree=2", "Blank/Points=1 0; 3 0", "Blank/Thickness=.5", "Blank/Elements=4"});
-  const auto sum = [](const std::vector<double> &values)
-  { return std::accumulate(values.begin(), values.end(), 0.) / dealii::numbers::PI; };
+  const auto sum = [](const std::vector<double> &values) {
+    return std::accumulate(values.begin(), values.end(), 0.) / dealii::numbers::PI;
+  };
   BOOST_TEST(sum(blank->boundary_weights("bottom")) == 8., boost::test_tools::tolerance(1e-14));
   BOOST_TEST(sum(blank->boundary_weights("end")) == 3., boost::test_tools::tolerance(1e-14));
   double volume = 0.;
@@ -208,12 +209,12 @@ BOOST_AUTO_TEST_CASE(mesh_from_a_file)
     BOOST_TEST(blank->initial_thickness() == 1.);
     BOOST_TEST(blank->typical_length() == (degree == "1" ? 1. : .5));
   }
-  const auto fails = [](const Entries &entries, const std::string &what)
-  {
+  const auto fails = [](const Entries &entries, const std::string &what) {
     BOOST_CHECK_EXCEPTION(make_blank("solid", entries),
                           SceneError,
-                          [&](const SceneError &error)
-                          { return std::string(error.what()).find(what) != std::string::npos; });
+                          [&](const SceneError &error) {
+                            return std::string(error.what()).find(what) != std::string::npos;
+                          });
   };
   fails({"Blank/Mesh=gmsh", "Blank/File=nowhere.msh"}, "cannot read 'nowhere.msh'");
   fails({"Blank/Mesh=gmsh", "Blank/File=" + name, "Blank/Contact bottom=rim", "Blank/Contact top=lid"},

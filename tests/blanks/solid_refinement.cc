@@ -33,7 +33,7 @@ namespace
     {
       std::array<std::vector<double>, 2> longest;
       longest[1].assign(blank.contact_edges(Side::top).size(), 1e300);
-      longest[1][2]               = 0.;
+      longest[1][2] = 0.;
       const unsigned int n_before = blank.n_cells();
       BOOST_TEST_REQUIRE(blank.mark(longest));
       blank.refine(fields);
@@ -50,7 +50,7 @@ namespace
     for (unsigned int i = 0; i < blank.n_dofs(); ++i)
     {
       Vector q(blank.n_dofs());
-      q[i]             = 1.;
+      q[i] = 1.;
       const auto moved = blank.positions(q);
       for (unsigned int n = 0; n < moved.size(); ++n)
         for (unsigned int k = 0; k < 2; ++k)
@@ -64,7 +64,7 @@ namespace
   Vector field(const Blank &blank, const std::function<double(unsigned int, const Point2 &)> &u)
   {
     const auto role = own_nodes(blank);
-    const auto X    = blank.positions(Vector(blank.n_dofs()));
+    const auto X = blank.positions(Vector(blank.n_dofs()));
     Vector q(blank.n_dofs());
     for (unsigned int i = 0; i < q.size(); ++i)
       q[i] = u(role[i].axis, X[role[i].node]);
@@ -126,8 +126,7 @@ BOOST_AUTO_TEST_SUITE(solid_refinement)
 BOOST_AUTO_TEST_CASE(patch_test_with_hanging_nodes)
 {
   for_all(elastic,
-          [](Blank &blank, const Entries &)
-          {
+          [](Blank &blank, const Entries &) {
             const unsigned int n_before = blank.n_dofs();
             refine_one_edge(blank, Vector(blank.n_dofs()));
             BOOST_TEST(blank.n_dofs() > n_before);
@@ -141,10 +140,9 @@ BOOST_AUTO_TEST_CASE(tangent_with_hanging_nodes)
 {
   for_all(
     elastic,
-    [](Blank &blank, const Entries &)
-    {
+    [](Blank &blank, const Entries &) {
       refine_one_edge(blank, Vector(blank.n_dofs()), 1);
-      const Vector q     = field(blank, bend);
+      const Vector q = field(blank, bend);
       const double error = tangent_error(
         [&](const Vector &state, AssemblyTarget &target) { assemble(blank, state, target); }, q, scales(blank), 1e-4);
       BOOST_TEST(error < 1e-8);
@@ -154,16 +152,16 @@ BOOST_AUTO_TEST_CASE(tangent_with_hanging_nodes)
 BOOST_AUTO_TEST_CASE(displacements_come_over_exactly)
 {
   for_all(elastic,
-          [](Blank &blank, const Entries &)
-          {
+          [](Blank &blank, const Entries &) {
             const Vector before = field(blank, bend);
             assemble(blank, before, *std::make_unique<DenseTarget>(before.size(), false));
             blank.commit(before);
-            const auto places   = blank.positions(before);
-            const auto rotation = [](const unsigned int axis, const Point2 &X)
-            { return axis == 0 ? -.5 * X[0] - .8 * X[1] : .8 * X[0] - .5 * X[1] + 1.; };
+            const auto places = blank.positions(before);
+            const auto rotation = [](const unsigned int axis, const Point2 &X) {
+              return axis == 0 ? -.5 * X[0] - .8 * X[1] : .8 * X[0] - .5 * X[1] + 1.;
+            };
             const Vector after = refine_one_edge(blank, before);
-            const auto now     = blank.positions(after);
+            const auto now = blank.positions(after);
             for (const auto &x : places)
             {
               double nearest = 1.;
@@ -184,14 +182,13 @@ BOOST_AUTO_TEST_CASE(displacements_come_over_exactly)
 BOOST_AUTO_TEST_CASE(uniform_plastic_state_comes_over_exactly)
 {
   for_all(plastic,
-          [](Blank &blank, const Entries &)
-          {
+          [](Blank &blank, const Entries &) {
             const Vector q = field(blank, stretch);
             assemble(blank, q, *std::make_unique<DenseTarget>(q.size(), false));
             blank.commit(q);
             const double elastic_before = blank.energy().elastic, plastic_before = blank.energy().plastic;
             const double strain = drawn(blank, q, "equivalent_plastic_strain").front();
-            const Vector after  = refine_one_edge(blank, q);
+            const Vector after = refine_one_edge(blank, q);
             BOOST_TEST(blank.energy().elastic == elastic_before, boost::test_tools::tolerance(1e-11));
             BOOST_TEST(blank.energy().plastic == plastic_before);
             for (const double value : drawn(blank, after, "equivalent_plastic_strain"))
@@ -209,8 +206,7 @@ BOOST_AUTO_TEST_CASE(plastic_state_stays_admissible)
   // that and the work of coming back to the yield surface go with the square of the length of the cells.
   for_all(
     plastic,
-    [](const Blank &, const Entries &entries)
-    {
+    [](const Blank &, const Entries &entries) {
       std::vector<std::array<double, 2>> jumps;
       for (const auto &[along, across] : {std::pair("4", "4"), std::pair("8", "8")})
       {
@@ -218,7 +214,7 @@ BOOST_AUTO_TEST_CASE(plastic_state_stays_admissible)
         mine.push_back("Blank/Elements=" + std::string(along));
         mine.push_back("Blank/Elements through thickness=" + std::string(across));
         const auto blank = make_blank("solid", mine);
-        Vector q         = field(*blank, bend);
+        Vector q = field(*blank, bend);
         for (const double share : {.5, 1.})
         {
           Vector part = q;
@@ -227,8 +223,8 @@ BOOST_AUTO_TEST_CASE(plastic_state_stays_admissible)
           blank->commit(part);
         }
         const BlankEnergy before = blank->energy();
-        const auto old           = drawn(*blank, q, "equivalent_plastic_strain");
-        const double most        = *std::max_element(old.begin(), old.end());
+        const auto old = drawn(*blank, q, "equivalent_plastic_strain");
+        const double most = *std::max_element(old.begin(), old.end());
         BOOST_TEST(*std::min_element(old.begin(), old.end()) < .2 * most);
         BOOST_TEST(most > 1e-3);
 
@@ -267,7 +263,7 @@ BOOST_AUTO_TEST_CASE(plastic_state_stays_admissible)
 BOOST_AUTO_TEST_CASE(new_contact_nodes_know_their_neighbours)
 {
   const auto blank = make_blank("solid", distorted("2", "small", elastic));
-  const auto old   = blank->n_contact_nodes(Side::top);
+  const auto old = blank->n_contact_nodes(Side::top);
   refine_one_edge(*blank, Vector(blank->n_dofs()), 1);
   const auto &heritage = blank->heritage(Side::top);
   BOOST_TEST(heritage.size() == old + 2);
@@ -290,8 +286,7 @@ BOOST_AUTO_TEST_CASE(new_contact_nodes_know_their_neighbours)
 BOOST_AUTO_TEST_CASE(a_refined_state_is_saved_and_loaded)
 {
   for_all(plastic,
-          [](Blank &blank, const Entries &entries)
-          {
+          [](Blank &blank, const Entries &entries) {
             Vector q = field(blank, bend);
             assemble(blank, q, *std::make_unique<DenseTarget>(q.size(), false));
             blank.commit(q);
@@ -320,15 +315,15 @@ BOOST_AUTO_TEST_CASE(the_error_of_a_linear_stress_is_none)
                      "Material/Young's modulus=1",
                      "Material/Poisson's ratio=0",
                      "Blank/Refinement/Criterion=recovery"};
-  const auto pure = [](const unsigned int axis, const Point2 &X)
-  { return axis == 0 ? -.01 * X[0] * X[1] : .005 * X[0] * X[0]; };
+  const auto pure = [](const unsigned int axis, const Point2 &X) {
+    return axis == 0 ? -.01 * X[0] * X[1] : .005 * X[0] * X[0];
+  };
   const auto cubic = [](const unsigned int axis, const Point2 &X) { return axis == 0 ? .01 * std::pow(X[0], 3) : 0.; };
-  const auto error = [&](const auto &u, const std::string &n)
-  {
+  const auto error = [&](const auto &u, const std::string &n) {
     Entries mine = entries;
     mine.push_back("Blank/Elements=" + n);
     const auto blank = make_blank("solid", mine);
-    const Vector q   = field(*blank, u);
+    const Vector q = field(*blank, u);
     assemble(*blank, q, *std::make_unique<DenseTarget>(q.size()));
     blank->commit(q);
     blank->mark({});

@@ -37,7 +37,7 @@ namespace
       for (unsigned int k = 0; k < 20; ++k)
       {
         const DenseTarget contact = fixture.assemble(q);
-        const double residual     = spring * q[1] + force + contact.residual[1];
+        const double residual = spring * q[1] + force + contact.residual[1];
         Vector d(2);
         d[1] = -residual / (spring + contact.matrix(1, 1));
         fixture.pair.prepare_step(d);
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(uzawa_converges_at_its_rate)
   node.begin(.1);
   // lambda = s + eps p and k p = f - lambda: the error falls by k/(k + eps) per round.
   const double force = 5.;
-  double error       = force;
+  double error = force;
   for (unsigned int round = 0; round < 30; ++round)
   {
     error *= spring / (spring + factor);
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(the_shifted_start_continues_uzawa)
   BOOST_TEST(node.solve(force) == force, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(std::abs(node.fixture.pair.trial()[0].gap) < 1e-9);
   const double larger = .25;
-  double error        = larger - force;
+  double error = larger - force;
   for (unsigned int round = 0; round < 10; ++round)
   {
     error *= spring / (spring + factor);

@@ -21,7 +21,7 @@ namespace
   /// Longest undeformed length that a share of a tenth allows to the edge between two points, displaced by u.
   double longest(const Point2 &A,
                  const Point2 &B,
-                 const Entries &tool          = corner,
+                 const Entries &tool = corner,
                  const std::vector<double> &u = {0., 0., 0., 0.})
   {
     FakeSurface surface(2);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(an_arc_between_the_ends)
 BOOST_AUTO_TEST_CASE(a_sharp_corner_between_the_ends)
 {
   Entries sharp = corner;
-  sharp[2]      = "Fillet radii=0, 0, 0";
+  sharp[2] = "Fillet radii=0, 0, 0";
   BOOST_TEST(longest(Point2(-.8, -1e-4), Point2(-1e-4, -.8), sharp) == 0.);
   // A corner that points away from the blank asks for nothing.
   const Entries dent = {

@@ -32,7 +32,7 @@ namespace
     Vector q(fixture.n);
     for (unsigned int i = 0; i < fixture.pair.n_nodes(); ++i)
     {
-      q[2 * i]     = x;
+      q[2 * i] = x;
       q[2 * i + 1] = z;
     }
     return q;
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
   fixture.settle(q);
   fixture.pair.commit(q);
   const auto committed = fixture.pair.committed();
-  const auto energy    = fixture.pair.energy();
+  const auto energy = fixture.pair.energy();
   BOOST_TEST(fixture.pair.n_touching() == 3u);
 
   fixture.begin_increment(q, 2., stiffness);
@@ -115,11 +115,10 @@ BOOST_AUTO_TEST_CASE(the_promise)
     {"Enforcement=penalty", "Penalty rule=adaptive", "Allowed penetration=1e-3", "Aim=.8", "Largest change=10"},
     flat);
   const double delta = 1e-3;
-  Vector q           = place(fixture, 0., 0.);
+  Vector q = place(fixture, 0., 0.);
   fixture.pair.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  const auto push = [&](const double p0, const double p1, const double p2)
-  {
+  const auto push = [&](const double p0, const double p1, const double p2) {
     q[1] = -p0;
     q[3] = -p1;
     q[5] = -p2;
@@ -148,10 +147,10 @@ BOOST_AUTO_TEST_CASE(free_travel_is_the_gap_of_the_closest_node)
 {
   // The node on the axis has no area and no pair: it says nothing of how far the tool is away.
   FakeSurface surface = row(3);
-  surface.axis_node   = 0;
+  surface.axis_node = 0;
   PairFixture fixture(surface, {"Enforcement=penalty", "Allowed penetration=1e-3"}, flat);
   Vector q = place(fixture, 0., .1);
-  q[5]     = .07;
+  q[5] = .07;
   fixture.pair.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(q);
@@ -215,7 +214,7 @@ BOOST_AUTO_TEST_CASE(who_touched_is_held_at_the_start)
   // being held.
   for (const std::string enforcement : {"penalty", "active set"})
   {
-    const bool is_multiplier  = enforcement == "active set";
+    const bool is_multiplier = enforcement == "active set";
     const FakeSurface surface = row(2);
     PairFixture fixture(surface, {"Enforcement=" + enforcement, "Allowed penetration=1e-3"}, flat);
     Vector q = place(fixture, 0., is_multiplier ? 0. : -1e-4);
@@ -249,8 +248,8 @@ BOOST_AUTO_TEST_CASE(the_estimate_of_the_force)
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(q);
   BOOST_TEST(std::abs(fixture.pair.trial()[0].multiplier - 1.) < 1e-13);
-  d[1]             = -.03;
-  d[3]             = .05;
+  d[1] = -.03;
+  d[3] = .05;
   d[fixture.n - 1] = .01; // the tool comes up
   fixture.pair.prepare_step(d);
   fixture.pair.advance(.5);
@@ -288,7 +287,7 @@ BOOST_AUTO_TEST_CASE(continuation_of_a_first_touch)
   fixture.begin_increment(q, 1., stiffness);
   fixture.pair.soften(1e-3);
   unsigned int rounds = 0;
-  double last         = 0.;
+  double last = 0.;
   do
   {
     fixture.settle(q);
@@ -312,10 +311,9 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
   Vector q = place(fixture, 0., 0.);
   fixture.pair.begin_stage(q, 0.);
   Eigen::VectorXd committed = Eigen::VectorXd::Zero(fixture.n);
-  double work               = 0.;
+  double work = 0.;
   unsigned int k = 0, corrected = 0, sliding = 0;
-  const auto go = [&](const double x, const double z)
-  {
+  const auto go = [&](const double x, const double z) {
     const Vector next = place(fixture, x, z);
     fixture.begin_increment(q, ++k, stiffness);
     fixture.settle(q);
@@ -329,7 +327,7 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
     for (unsigned int i = 0; i < fixture.n; ++i)
       work += .5 * (now[i] + committed[i]) * (next[i] - q[i]);
     committed = now;
-    q         = next;
+    q = next;
     fixture.pair.commit(q);
     sliding += fixture.pair.committed()[0].touching && !fixture.pair.committed()[0].sticking;
     const auto energy = fixture.pair.energy();
@@ -367,12 +365,12 @@ BOOST_AUTO_TEST_CASE(friction_work_does_not_depend_on_the_increments)
     for (const unsigned int n_increments : {3u, 6u, 24u})
       BOOST_TEST_CONTEXT(tool[0] << ", increments over the length: " << n_increments)
       {
-        const double step         = length / n_increments;
+        const double step = length / n_increments;
         const FakeSurface surface = row(1);
         PairFixture fixture(
           surface, constant + Entries{"Allowed elastic slip=1e-3"}, tool + Entries{"Friction coefficient=.2"});
         const auto at = [&](const double x) { return place(fixture, x, x < 0. || x > length ? .1 : -height); };
-        Vector q      = at(-1.5 * step);
+        Vector q = at(-1.5 * step);
         fixture.pair.begin_stage(q, 0.);
         for (unsigned int k = 0; k < n_increments + 3; ++k)
           go(fixture, q, at((k - .5) * step), k + 1.);
@@ -389,9 +387,8 @@ BOOST_AUTO_TEST_CASE(friction_that_passes_from_node_to_node_is_certain)
   const FakeSurface surface = row(2);
   PairFixture fixture(
     surface, constant + Entries{"Allowed elastic slip=1e-3"}, flat + Entries{"Friction coefficient=.2"});
-  const auto at = [&](const double x, const bool first)
-  {
-    Vector q         = place(fixture, x, .1);
+  const auto at = [&](const double x, const bool first) {
+    Vector q = place(fixture, x, .1);
     q[first ? 1 : 3] = -.02;
     return q;
   };
@@ -457,10 +454,9 @@ BOOST_AUTO_TEST_CASE(the_deepest_point_of_an_edge_over_an_arc)
                                         << ", depth " << depth)
           {
             FakeSurface surface(2);
-            surface.area    = 4.;
+            surface.area = 4.;
             surface.squeeze = 8e-3;
-            const auto at   = [&](const double angle, const double p)
-            {
+            const auto at = [&](const double angle, const double p) {
               const double rho = concave == "true" ? 1. + p : 1. - p;
               return Point2(side * rho * std::sin(angle), (concave == "true" ? -1. : 1.) * rho * std::cos(angle));
             };
@@ -479,12 +475,12 @@ BOOST_AUTO_TEST_CASE(the_deepest_point_of_an_edge_over_an_arc)
             double deepest = 0.;
             for (unsigned int k = 0; k <= 20000; ++k)
             {
-              const double xi   = k / 20000.;
-              const Point2 x    = surface.X[0] + xi * (surface.X[1] - surface.X[0]);
+              const double xi = k / 20000.;
+              const Point2 x = surface.X[0] + xi * (surface.X[1] - surface.X[0]);
               const double face = squeeze == "off" ? 0.
                                                    : -surface.squeeze * ((1. - xi) * fixture.pair.committed()[0].force +
                                                                          xi * fixture.pair.committed()[1].force);
-              deepest           = std::max(deepest, face - fixture.pair.tool().project(x, 0., 0).distance);
+              deepest = std::max(deepest, face - fixture.pair.tool().project(x, 0., 0).distance);
             }
             BOOST_TEST(deepest > 0.);
             BOOST_TEST(std::abs(fixture.pair.penetration_between_nodes(q) - deepest) < 1e-10);
@@ -495,10 +491,10 @@ BOOST_AUTO_TEST_CASE(results_of_a_pair)
 {
   // Two nodes on a circle and the chord between them, which cuts it by the sagitta.
   FakeSurface surface(2);
-  surface.area   = 4.;
+  surface.area = 4.;
   const double a = .2;
   const double p = 1e-3;
-  surface.X      = {(1. - p) * Point2(std::sin(-a), std::cos(a)), (1. - p) * Point2(std::sin(a), std::cos(a))};
+  surface.X = {(1. - p) * Point2(std::sin(-a), std::cos(a)), (1. - p) * Point2(std::sin(a), std::cos(a))};
   PairFixture fixture(surface, constant, {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"});
   const Vector q(fixture.n);
   BOOST_TEST(std::abs(fixture.pair.closest(q, fixture.pair.tool().travel(0.)).second + p) < 1e-14);
@@ -536,8 +532,8 @@ BOOST_AUTO_TEST_CASE(a_tool_leaves_with_the_forces_of_the_last_equilibrium)
           q[i] = 3.; // multipliers
         fixture.pair.begin_stage(q, 0.);
         fixture.begin_increment(q, 1., stiffness);
-        q[0]                       = .01;
-        q[2]                       = .02;
+        q[0] = .01;
+        q[2] = .02;
         const DenseTarget balanced = fixture.settle(q);
         BOOST_TEST_REQUIRE(fixture.pair.n_touching() > 0u);
         fixture.pair.commit(q);
@@ -580,7 +576,7 @@ BOOST_AUTO_TEST_CASE(a_blank_that_rests_on_a_tool_touches_it)
 BOOST_AUTO_TEST_CASE(nodes_without_area_have_no_pair)
 {
   FakeSurface surface = row(1);
-  surface.area        = 0.;
+  surface.area = 0.;
   PairFixture fixture(surface, constant, flat);
   fixture.pair.begin_stage(Vector(fixture.n), 0.);
   fixture.begin_increment(Vector(fixture.n), 1., stiffness);

@@ -52,14 +52,14 @@ namespace
         Tensor1 normal;
         if (segment.kind == Shape::Segment::Kind::line)
         {
-          foot   = segment.start + part * (segment.end - segment.start);
+          foot = segment.start + part * (segment.end - segment.start);
           normal = Tensor1({-segment.tangent[1], segment.tangent[0]});
         }
         else
         {
           const double angle = segment.angle_start + part * segment.sweep;
-          normal             = Tensor1({std::cos(angle), std::sin(angle)});
-          foot               = segment.center + segment.radius * normal;
+          normal = Tensor1({std::cos(angle), std::sin(angle)});
+          foot = segment.center + segment.radius * normal;
           if (!segment.convex)
             normal *= -1.;
           if (!segment.convex && segment.radius < 3 * offset)
@@ -76,11 +76,11 @@ namespace
 
   struct Variant
   {
-    double arm;              // of the rotation; 0: no rotation
-    double slip;             // of every node along the tool since it touched
-    std::string drive;       // entry of the tool
+    double arm; // of the rotation; 0: no rotation
+    double slip; // of every node along the tool since it touched
+    std::string drive; // entry of the tool
     std::string enforcement; // registered
-    bool second;             // in the second increment of contact, from a state with friction
+    bool second; // in the second increment of contact, from a state with friction
   };
 
   using Branch = std::tuple<bool, bool, unsigned int, double>;
@@ -109,10 +109,10 @@ namespace
     {
       const auto &[foot, normal, number] = place;
       const Tensor1 tangent({normal[1], -normal[0]});
-      const bool own_unknown   = fixture.settings.enforcement->has_multiplier();
+      const bool own_unknown = fixture.settings.enforcement->has_multiplier();
       const unsigned int first = i * surface.dofs_per_node();
       // The contact point lies off the tool by the offset: x = X + u (+ arm d). Nodes differ in penetration.
-      const double p        = number % 3 == 2 && own_unknown ? -.01 : 4e-3 + 1e-3 * (number % 5);
+      const double p = number % 3 == 2 && own_unknown ? -.01 : 4e-3 + 1e-3 * (number % 5);
       Tensor1 contact_point = foot + (surface.offset - p) * normal;
       if (what.arm > 0.)
       {
@@ -120,8 +120,8 @@ namespace
         contact_point -= a * Tensor1({-std::sin(theta), std::cos(theta)});
         q[first + 2] = before[first + 2] = theta;
       }
-      surface.X[i]       = Point2(contact_point);
-      const double slip  = what.slip * (number % 2 == 0 ? 1. : -1.);
+      surface.X[i] = Point2(contact_point);
+      const double slip = what.slip * (number % 2 == 0 ? 1. : -1.);
       const Tensor1 from = (what.second ? 0. : .02) * normal - slip * tangent;
       for (unsigned int k = 0; k < 2; ++k)
         before[first + k] = from[k];
@@ -135,12 +135,12 @@ namespace
     {
       fixture.assemble(state, false);
       const Tensor1 shift = fixture.pair.travel(state) * fixture.tool.direction();
-      const Shape &shape  = fixture.tool.shape();
+      const Shape &shape = fixture.tool.shape();
       std::vector<Branch> result;
       for (unsigned int i = 0; i < fixture.pair.n_nodes(); ++i)
       {
         const PairState &pair = fixture.pair.trial()[i];
-        const auto foot       = fixture.tool.project(fixture.pair.node(state, i).x - shift, 0.);
+        const auto foot = fixture.tool.project(fixture.pair.node(state, i).x - shift, 0.);
         result.emplace_back(pair.touching,
                             pair.sticking,
                             foot.segment,
@@ -178,8 +178,7 @@ namespace
     constexpr double step = 1e-5;
     // Entries of the shape's documentation
     Entries entries = documented_entries(
-      [&](ParameterTree &tree)
-      {
+      [&](ParameterTree &tree) {
         Section section = tree.root();
         Registry<Shape>::make(shape, section);
       });
@@ -197,7 +196,7 @@ namespace
     BOOST_TEST_REQUIRE(4 * where.size() >= 3 * all.size());
 
     Placed placed(where, what, contact, entries);
-    PairFixture &fixture  = placed.fixture;
+    PairFixture &fixture = placed.fixture;
     unsigned int touching = 0, sliding = 0;
     for (const auto &state : fixture.pair.trial())
     {
@@ -207,8 +206,9 @@ namespace
     BOOST_TEST(touching > 0u);
     BOOST_TEST((what.slip < 1e-2 || sliding > 0u));
     BOOST_TEST((what.slip > 1e-2 || sliding < touching));
-    const Assembly assembly = [&](const Vector &state, AssemblyTarget &target)
-    { fixture.pair.assemble(state, target); };
+    const Assembly assembly = [&](const Vector &state, AssemblyTarget &target) {
+      fixture.pair.assemble(state, target);
+    };
     BOOST_TEST(tangent_error(assembly, placed.q, std::vector<double>(fixture.n, 1.), step) < 1e-7);
   }
 
@@ -257,8 +257,9 @@ BOOST_AUTO_TEST_CASE(first_touches_in_continuation)
       fixture.begin_increment(q, 1., stiffness);
       fixture.pair.soften(1e-2);
       fixture.settle(q);
-      const Assembly assembly = [&](const Vector &state, AssemblyTarget &target)
-      { fixture.pair.assemble(state, target); };
+      const Assembly assembly = [&](const Vector &state, AssemblyTarget &target) {
+        fixture.pair.assemble(state, target);
+      };
       BOOST_TEST(tangent_error(assembly, q, std::vector<double>(fixture.n, 1.), 1e-5) < 1e-7);
     }
 }
@@ -275,8 +276,7 @@ BOOST_AUTO_TEST_CASE(frictionless_forces_have_a_potential)
   fixture.begin_increment(q, 1., stiffness);
   const auto target = fixture.settle(q);
   BOOST_TEST((target.matrix - target.matrix.transpose()).norm() < 1e-13 * target.matrix.norm());
-  const auto potential = [&](const Vector &state)
-  {
+  const auto potential = [&](const Vector &state) {
     fixture.assemble(state);
     double sum = 0.;
     for (const auto &pair : fixture.pair.trial())

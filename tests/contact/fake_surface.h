@@ -49,17 +49,17 @@ namespace deltaform
                         ContactThickness,
                         ContactNode &node) const override
       {
-        node                      = ContactNode();
-        node.node                 = i;
-        node.n_dofs               = dofs_per_node();
-        node.area                 = i == axis_node ? 0. : area;
-        node.offset               = offset;
+        node = ContactNode();
+        node.node = i;
+        node.n_dofs = dofs_per_node();
+        node.area = i == axis_node ? 0. : area;
+        node.offset = offset;
         node.reference_coordinate = X[i][0];
-        node.thickness            = 2. * (arm + offset);
-        node.squeeze              = squeeze;
+        node.thickness = 2. * (arm + offset);
+        node.squeeze = squeeze;
         for (unsigned int k = 0; k < node.n_dofs; ++k)
           node.dofs[k] = i * node.n_dofs + k;
-        node.x           = X[i] + Tensor1({q[node.dofs[0]], q[node.dofs[1]]});
+        node.x = X[i] + Tensor1({q[node.dofs[0]], q[node.dofs[1]]});
         node.jacobian[0] = Tensor1({1., 0.});
         node.jacobian[1] = Tensor1({0., 1.});
         if (arm > 0.)
@@ -67,7 +67,7 @@ namespace deltaform
           const double a = side == Side::top ? arm : -arm, theta = q[node.dofs[2]];
           node.x += a * Tensor1({-std::sin(theta), std::cos(theta)});
           node.jacobian[2] = -a * Tensor1({std::cos(theta), std::sin(theta)});
-          node.second[2]   = a * Tensor1({std::sin(theta), -std::cos(theta)});
+          node.second[2] = a * Tensor1({std::sin(theta), -std::cos(theta)});
         }
       }
 

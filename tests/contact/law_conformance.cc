@@ -18,14 +18,13 @@ namespace
   std::unique_ptr<T> make(const std::string &name, const std::vector<std::string> &overrides = {})
   {
     std::vector<std::string> entries = documented_entries(
-      [&](ParameterTree &tree)
-      {
+      [&](ParameterTree &tree) {
         Section section = tree.root();
         Registry<T>::make(name, section);
       });
     entries.insert(entries.end(), overrides.begin(), overrides.end());
     ParameterTree tree = ParameterTree::parse("", "test", entries);
-    Section section    = tree.root();
+    Section section = tree.root();
     return Registry<T>::make(name, section);
   }
 
@@ -61,24 +60,24 @@ namespace
   {
     PairState state;
     state.stiffness = random.positive(1., 1e6);
-    state.epsilon   = random.positive(1e-3, 1e3) * state.stiffness;
+    state.epsilon = random.positive(1e-3, 1e3) * state.stiffness;
     return state;
   }
 
   PenaltyInput random_input(Random &random)
   {
     PenaltyInput input;
-    input.stiffness            = random.positive(1e-2, 1e7);
-    input.delta                = random.positive(1e-9, 1e-2);
-    input.area                 = random.positive(1e-6, 10.);
-    input.previous_epsilon     = random.positive(1e-3, 1e6) * input.stiffness;
-    input.penetration          = random.uniform(0., 1.) < .2 ? 0. : random.positive(1e-3, 1e3) * input.delta;
-    input.force                = input.previous_epsilon * input.penetration;
-    input.thickness            = random.positive(1e-3, 10.);
-    input.modulus              = random.positive(1., 1e6);
+    input.stiffness = random.positive(1e-2, 1e7);
+    input.delta = random.positive(1e-9, 1e-2);
+    input.area = random.positive(1e-6, 10.);
+    input.previous_epsilon = random.positive(1e-3, 1e6) * input.stiffness;
+    input.penetration = random.uniform(0., 1.) < .2 ? 0. : random.positive(1e-3, 1e3) * input.delta;
+    input.force = input.previous_epsilon * input.penetration;
+    input.thickness = random.positive(1e-3, 10.);
+    input.modulus = random.positive(1., 1e6);
     input.previous_penetration = random.uniform(0., 1.) < .3 ? 0. : random.positive(.1, 10.) * input.penetration;
-    input.coupling             = random.uniform(-3., 3.) * input.stiffness * input.delta;
-    input.neighbour            = random.uniform(0., 1.) < .5 ? 0. : random.positive(1e-3, 1e6) * input.stiffness;
+    input.coupling = random.uniform(-3., 3.) * input.stiffness * input.delta;
+    input.neighbour = random.uniform(0., 1.) < .5 ? 0. : random.positive(1e-3, 1e6) * input.stiffness;
     return input;
   }
 } // namespace
@@ -89,13 +88,12 @@ BOOST_AUTO_TEST_CASE(enforcement_complementarity)
 {
   for_all<Enforcement>(
     {},
-    [](const Enforcement &enforcement)
-    {
+    [](const Enforcement &enforcement) {
       Random random;
       for (unsigned int k = 0; k < 1000; ++k)
       {
         const PairState state = random_pair(random);
-        const double g        = random.positive(1e-9, 1e-1);
+        const double g = random.positive(1e-9, 1e-1);
         // Apart, and no force: no contact, whatever the distance.
         const NormalResponse apart = enforcement.respond(state, g, 0.);
         BOOST_TEST((!apart.touching && !apart.tied && apart.force == 0. && apart.derivative == 0.));
@@ -121,15 +119,14 @@ BOOST_AUTO_TEST_CASE(enforcement_complementarity)
 BOOST_AUTO_TEST_CASE(enforcement_derivative)
 {
   for_all<Enforcement>({},
-                       [](const Enforcement &enforcement)
-                       {
+                       [](const Enforcement &enforcement) {
                          Random random;
                          for (unsigned int k = 0; k < 1000; ++k)
                          {
                            const PairState state = random_pair(random);
                            const double gap = random.uniform(-1e-2, 1e-2), h = 1e-7;
                            const double lambda = random.uniform(-1., 1.) * state.stiffness;
-                           const auto at       = [&](const double g) { return enforcement.respond(state, g, lambda); };
+                           const auto at = [&](const double g) { return enforcement.respond(state, g, lambda); };
                            BOOST_TEST(at(gap).derivative <= 0.);
                            if (at(gap - h).touching == at(gap + h).touching)
                              BOOST_TEST(std::abs((at(gap + h).force - at(gap - h).force) / (2. * h) -
@@ -142,8 +139,7 @@ BOOST_AUTO_TEST_CASE(enforcement_derivative)
 BOOST_AUTO_TEST_CASE(penalty_factors_are_positive_and_finite)
 {
   for_all<PenaltyRule>({},
-                       [](const PenaltyRule &rule)
-                       {
+                       [](const PenaltyRule &rule) {
                          Random random;
                          for (unsigned int k = 0; k < 5000; ++k)
                          {
@@ -151,11 +147,11 @@ BOOST_AUTO_TEST_CASE(penalty_factors_are_positive_and_finite)
                            const auto usable = [](const double factor) { return factor > 0. && std::isfinite(factor); };
                            BOOST_TEST(usable(rule.predict(input)));
                            BOOST_TEST(usable(rule.correct(input)));
-                           PenaltyInput first     = input;
-                           first.force            = 0.;
+                           PenaltyInput first = input;
+                           first.force = 0.;
                            first.previous_epsilon = 0.;
-                           first.penetration      = 0.;
-                           first.coupling         = 0.;
+                           first.penetration = 0.;
+                           first.coupling = 0.;
                            BOOST_TEST(usable(rule.predict(first)));
                            BOOST_TEST(rule.floor(input) >= 0.);
                            // A pure function
@@ -169,8 +165,7 @@ BOOST_AUTO_TEST_CASE(a_promise_is_kept_by_corrections)
   // A spring k against the pair, pressed by a given way: p = k w / (k + eps). Corrections must end with p <= delta if
   // the rule promises that, raise the factor only, and leave alone what is fine.
   for_all<PenaltyRule>({},
-                       [](const PenaltyRule &rule)
-                       {
+                       [](const PenaltyRule &rule) {
                          if (!rule.promises())
                            return;
                          Random random;
@@ -178,18 +173,18 @@ BOOST_AUTO_TEST_CASE(a_promise_is_kept_by_corrections)
                          {
                            const double spring = random.positive(1., 1e5), way = random.positive(1e-4, 1.);
                            PenaltyInput input = random_input(random); // every field has a value
-                           input.stiffness    = random.positive(.1, 10.) * spring;
-                           input.modulus      = random.positive(.1, 10.) * spring * input.thickness / input.area;
-                           input.delta        = random.positive(1e-6, 2.) * way;
+                           input.stiffness = random.positive(.1, 10.) * spring;
+                           input.modulus = random.positive(.1, 10.) * spring * input.thickness / input.area;
+                           input.delta = random.positive(1e-6, 2.) * way;
                            input.force = input.penetration = input.previous_penetration = input.coupling = 0.;
-                           input.neighbour                                                               = 0.;
+                           input.neighbour = 0.;
                            input.previous_epsilon = 0.; // a first touch
                            input.previous_epsilon = rule.predict(input);
-                           unsigned int round     = 0;
+                           unsigned int round = 0;
                            for (; round < 40; ++round)
                            {
-                             input.penetration   = spring * way / (spring + input.previous_epsilon);
-                             input.force         = input.previous_epsilon * input.penetration;
+                             input.penetration = spring * way / (spring + input.previous_epsilon);
+                             input.force = input.previous_epsilon * input.penetration;
                              const double factor = rule.correct(input);
                              BOOST_TEST(factor >= input.previous_epsilon);
                              if (input.penetration <= input.delta)
@@ -198,7 +193,7 @@ BOOST_AUTO_TEST_CASE(a_promise_is_kept_by_corrections)
                                break;
                              }
                              BOOST_TEST(factor > input.previous_epsilon);
-                             input.previous_epsilon     = factor;
+                             input.previous_epsilon = factor;
                              input.previous_penetration = input.penetration;
                            }
                            BOOST_TEST(round < 30u);
@@ -211,23 +206,22 @@ BOOST_AUTO_TEST_CASE(predictions_keep_a_promise_at_constant_reaction)
 {
   // Repeated predictions settle, from wherever they start, and there the promise is kept.
   for_all<PenaltyRule>({},
-                       [](const PenaltyRule &rule)
-                       {
+                       [](const PenaltyRule &rule) {
                          if (!rule.promises())
                            return;
                          Random random;
                          for (unsigned int k = 0; k < 200; ++k)
                          {
                            PenaltyInput input = random_input(random);
-                           input.force        = random.positive(1e-3, 1e3);
-                           double change      = 1.;
+                           input.force = random.positive(1e-3, 1e3);
+                           double change = 1.;
                            for (unsigned int round = 0; round < 40 && change > 1e-12; ++round)
                            {
-                             input.penetration          = input.force / input.previous_epsilon;
-                             const double factor        = rule.predict(input);
-                             change                     = std::abs(factor / input.previous_epsilon - 1.);
+                             input.penetration = input.force / input.previous_epsilon;
+                             const double factor = rule.predict(input);
+                             change = std::abs(factor / input.previous_epsilon - 1.);
                              input.previous_penetration = input.penetration;
-                             input.previous_epsilon     = factor;
+                             input.previous_epsilon = factor;
                            }
                            BOOST_TEST(change <= 1e-12);
                            BOOST_TEST(input.force / input.previous_epsilon <= input.delta * (1. + 1e-12));
@@ -246,14 +240,14 @@ BOOST_AUTO_TEST_CASE(the_adaptive_rule_settles_at_its_aim)
     for (unsigned int k = 0; k < 200; ++k)
     {
       PenaltyInput input = random_input(random);
-      input.force        = random.positive(1e-3, 1e3);
-      const double goal  = input.force / (aim * input.delta);
-      double last        = std::abs(std::log(input.previous_epsilon / goal));
+      input.force = random.positive(1e-3, 1e3);
+      const double goal = input.force / (aim * input.delta);
+      double last = std::abs(std::log(input.previous_epsilon / goal));
       for (unsigned int round = 0; round < 30 && last > 1e-12; ++round)
       {
-        input.penetration      = input.force / input.previous_epsilon;
+        input.penetration = input.force / input.previous_epsilon;
         input.previous_epsilon = rule->predict(input);
-        const double now       = std::abs(std::log(input.previous_epsilon / goal));
+        const double now = std::abs(std::log(input.previous_epsilon / goal));
         BOOST_TEST(now < last);
         last = now;
       }
@@ -265,12 +259,11 @@ BOOST_AUTO_TEST_CASE(the_adaptive_rule_settles_at_its_aim)
 BOOST_AUTO_TEST_CASE(floors_bound_the_factor)
 {
   for_all<PenaltyRule>({},
-                       [](const PenaltyRule &rule)
-                       {
+                       [](const PenaltyRule &rule) {
                          Random random;
                          for (unsigned int k = 0; k < 1000; ++k)
                          {
-                           PenaltyInput input     = random_input(random);
+                           PenaltyInput input = random_input(random);
                            input.previous_epsilon = std::max(input.previous_epsilon, rule.floor(input));
                            BOOST_TEST(rule.predict(input) >= rule.floor(input) * (1. - 1e-14));
                          }
@@ -283,8 +276,7 @@ BOOST_AUTO_TEST_CASE(rules_without_a_promise_end_their_corrections)
   // others where the penetration is near delta; within the rounds that a solve allows.
   for (const std::string kind : {"per node", "per area"})
     for_all<PenaltyRule>({"Penalty factor=3e5", "Penalty factor is=" + kind},
-                         [](const PenaltyRule &rule)
-                         {
+                         [](const PenaltyRule &rule) {
                            if (rule.promises())
                              return;
                            Random random;
@@ -292,19 +284,19 @@ BOOST_AUTO_TEST_CASE(rules_without_a_promise_end_their_corrections)
                            {
                              const double spring = random.positive(1., 1e5), way = random.positive(1e-4, 1.);
                              PenaltyInput input = random_input(random);
-                             input.stiffness    = random.positive(.1, 10.) * spring;
-                             input.delta        = random.positive(1e-6, 2.) * way;
+                             input.stiffness = random.positive(.1, 10.) * spring;
+                             input.delta = random.positive(1e-6, 2.) * way;
                              input.force = input.previous_epsilon = input.previous_penetration = 0.;
-                             input.previous_epsilon                                            = rule.predict(input);
-                             unsigned int round                                                = 0;
+                             input.previous_epsilon = rule.predict(input);
+                             unsigned int round = 0;
                              for (; round < 60; ++round)
                              {
-                               input.penetration   = spring * way / (spring + input.previous_epsilon);
+                               input.penetration = spring * way / (spring + input.previous_epsilon);
                                const double factor = rule.correct(input);
                                if (factor == input.previous_epsilon)
                                  break;
                                BOOST_TEST(factor > input.previous_epsilon);
-                               input.previous_epsilon     = factor;
+                               input.previous_epsilon = factor;
                                input.previous_penetration = input.penetration;
                              }
                              BOOST_TEST(round < 20u);
@@ -318,8 +310,8 @@ BOOST_AUTO_TEST_CASE(the_constant_rule)
   for (unsigned int k = 0; k < 200; ++k)
   {
     const PenaltyInput input = random_input(random);
-    const auto by_node       = make<PenaltyRule>("constant", {"Penalty factor=3e5"});
-    const auto by_area       = make<PenaltyRule>("constant", {"Penalty factor=3e5", "Penalty factor is=per area"});
+    const auto by_node = make<PenaltyRule>("constant", {"Penalty factor=3e5"});
+    const auto by_area = make<PenaltyRule>("constant", {"Penalty factor=3e5", "Penalty factor is=per area"});
     BOOST_TEST(by_node->predict(input) == 3e5);
     BOOST_TEST(by_area->predict(input) == 3e5 * input.area);
   }
@@ -336,7 +328,7 @@ BOOST_AUTO_TEST_CASE(the_printed_rule)
   for (unsigned int k = 0; k < 200; ++k)
   {
     const PenaltyInput input = random_input(random);
-    const double exact       = (input.force + input.coupling) / input.delta;
+    const double exact = (input.force + input.coupling) / input.delta;
     BOOST_TEST(printed->predict(input) == exact);
     negative += exact < 0.;
     if (exact < 0.)
@@ -351,8 +343,7 @@ BOOST_AUTO_TEST_CASE(friction_within_its_cone)
 {
   for_all<FrictionLaw>(
     {"Friction coefficient=.3"},
-    [](const FrictionLaw &law)
-    {
+    [](const FrictionLaw &law) {
       Random random;
       for (unsigned int path = 0; path < 50; ++path)
       {
@@ -360,8 +351,8 @@ BOOST_AUTO_TEST_CASE(friction_within_its_cone)
         const double stiffness = random.positive(1., 1e4);
         for (unsigned int k = 0; k < 200; ++k)
         {
-          const double lambda        = random.uniform(0., 1.) < .1 ? 0. : random.positive(1e-3, 10.);
-          const double slip          = random.uniform(-2., 2.) * lambda / stiffness;
+          const double lambda = random.uniform(0., 1.) < .1 ? 0. : random.positive(1e-3, 10.);
+          const double slip = random.uniform(-2., 2.) * lambda / stiffness;
           const FrictionResponse now = law.update(lambda, t, slip, stiffness);
           BOOST_TEST(std::abs(now.force) <= law.limit(lambda) * (1. + 1e-14));
           BOOST_TEST((lambda > 0. || now.force == 0.));
@@ -382,18 +373,18 @@ BOOST_AUTO_TEST_CASE(friction_within_its_cone)
 BOOST_AUTO_TEST_CASE(friction_derivatives)
 {
   for_all<FrictionLaw>({"Friction coefficient=.3"},
-                       [](const FrictionLaw &law)
-                       {
+                       [](const FrictionLaw &law) {
                          Random random;
                          unsigned int sliding = 0, sticking = 0;
                          for (unsigned int k = 0; k < 2000; ++k)
                          {
                            const double lambda = random.uniform(.1, 10.), stiffness = random.positive(1., 1e4);
-                           const double t      = random.uniform(-1., 1.) * law.limit(lambda),
-                                        slip   = random.uniform(-1., 1.) * lambda / stiffness;
+                           const double t = random.uniform(-1., 1.) * law.limit(lambda),
+                                        slip = random.uniform(-1., 1.) * lambda / stiffness;
                            const double h_slip = 1e-6 * lambda / stiffness, h_lambda = 1e-6 * lambda;
-                           const auto at = [&](const double l, const double s)
-                           { return law.update(l, t, s, stiffness); };
+                           const auto at = [&](const double l, const double s) {
+                             return law.update(l, t, s, stiffness);
+                           };
                            const auto a = at(lambda, slip - h_slip), b = at(lambda, slip + h_slip);
                            const auto c = at(lambda - h_lambda, slip), d = at(lambda + h_lambda, slip),
                                       now = at(lambda, slip);
@@ -410,15 +401,14 @@ BOOST_AUTO_TEST_CASE(friction_derivatives)
 BOOST_AUTO_TEST_CASE(friction_knows_no_preferred_direction)
 {
   for_all<FrictionLaw>({"Friction coefficient=.3"},
-                       [](const FrictionLaw &law)
-                       {
+                       [](const FrictionLaw &law) {
                          Random random;
                          for (unsigned int k = 0; k < 500; ++k)
                          {
                            const double lambda = random.uniform(.1, 10.), t = random.uniform(-1., 1.),
                                         slip = random.uniform(-.1, .1);
-                           const auto one    = law.update(lambda, t, slip, 50.),
-                                      other  = law.update(lambda, -t, -slip, 50.);
+                           const auto one = law.update(lambda, t, slip, 50.),
+                                      other = law.update(lambda, -t, -slip, 50.);
                            BOOST_TEST(one.force == -other.force);
                            BOOST_TEST(one.slip_rate == other.slip_rate);
                            BOOST_TEST(one.force_rate == -other.force_rate);

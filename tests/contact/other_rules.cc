@@ -14,18 +14,18 @@ namespace
   std::unique_ptr<PenaltyRule> rule(const std::string &name, const std::vector<std::string> &entries = {})
   {
     ParameterTree tree = ParameterTree::parse("", "test", entries);
-    Section section    = tree.root();
+    Section section = tree.root();
     return Registry<PenaltyRule>::make(name, section);
   }
 
   PenaltyInput touching(const double p, const double q, const double delta)
   {
     PenaltyInput input;
-    input.stiffness            = 7.;
-    input.previous_epsilon     = 3.;
-    input.penetration          = p;
+    input.stiffness = 7.;
+    input.previous_epsilon = 3.;
+    input.penetration = p;
     input.previous_penetration = q;
-    input.delta                = delta;
+    input.delta = delta;
     return input;
   }
 } // namespace
@@ -35,9 +35,9 @@ BOOST_AUTO_TEST_SUITE(other_rules)
 BOOST_AUTO_TEST_CASE(element_stiffness)
 {
   PenaltyInput input = touching(1., 0., .1);
-  input.modulus      = 200.;
-  input.area         = 3.;
-  input.thickness    = .5;
+  input.modulus = 200.;
+  input.area = 3.;
+  input.thickness = .5;
   BOOST_TEST(rule("element stiffness")->predict(input) == .1 * 200. * 3. / .5, boost::test_tools::tolerance(1e-14));
   BOOST_TEST(rule("element stiffness", {"Stiffness factor=2"})->predict(input) == 2400.,
              boost::test_tools::tolerance(1e-14));
@@ -50,21 +50,21 @@ BOOST_AUTO_TEST_CASE(proportional)
   BOOST_TEST(law->correct(touching(.5, 0., .1)) == 15., boost::test_tools::tolerance(1e-14));
   BOOST_TEST(law->correct(touching(.109, 0., .1)) == 3.);
   BOOST_TEST(law->predict(touching(0., 0., .1)) == 3.);
-  PenaltyInput first     = touching(0., 0., .1);
+  PenaltyInput first = touching(0., 0., .1);
   first.previous_epsilon = 0.;
   BOOST_TEST(law->predict(first) == 14.);
 }
 
 BOOST_AUTO_TEST_CASE(gap_driven)
 {
-  const auto law  = rule("gap driven");
+  const auto law = rule("gap driven");
   const auto near = boost::test_tools::tolerance(1e-13);
-  BOOST_TEST(law->correct(touching(.9, 0., 1.)) == 3.);          // within delta
-  BOOST_TEST(law->correct(touching(20., 1., 1.)) == 6.);         // jumped in
-  BOOST_TEST(law->correct(touching(5., 5., 1.)) == 27., near);   // stays near: 3 (2 + 1)^2
-  BOOST_TEST(law->correct(touching(5., 9., 1.)) == 27., near);   // falls, within ten delta
+  BOOST_TEST(law->correct(touching(.9, 0., 1.)) == 3.); // within delta
+  BOOST_TEST(law->correct(touching(20., 1., 1.)) == 6.); // jumped in
+  BOOST_TEST(law->correct(touching(5., 5., 1.)) == 27., near); // stays near: 3 (2 + 1)^2
+  BOOST_TEST(law->correct(touching(5., 9., 1.)) == 27., near); // falls, within ten delta
   BOOST_TEST(law->correct(touching(17., 19., 1.)) == 15., near); // falls, far away: 3 (4 + 1)
-  BOOST_TEST(law->correct(touching(24., 20., 1.)) == 5., near);  // grows: 2 q/p
+  BOOST_TEST(law->correct(touching(24., 20., 1.)) == 5., near); // grows: 2 q/p
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,7 +11,7 @@ namespace
   FakeSurface squeezed_node()
   {
     FakeSurface surface(1);
-    surface.X[0]    = Point2(.3, 0.);
+    surface.X[0] = Point2(.3, 0.);
     surface.squeeze = give;
     return surface;
   }
@@ -47,8 +47,8 @@ BOOST_AUTO_TEST_CASE(two_springs_in_series)
     const std::string entry = share > 0. ? "Squeeze=on" : "Squeeze=off";
     SqueezedPair fixture(surface, constant + Entries{"Enforcement=penalty"}, entry);
     const DenseTarget target = fixture.settle(sunk(fixture, .1));
-    const double stiff       = 1. / (1. / factor + share * give);
-    const PairState &state   = fixture.pair.trial()[0];
+    const double stiff = 1. / (1. / factor + share * give);
+    const PairState &state = fixture.pair.trial()[0];
     BOOST_TEST(std::abs(state.force - .1 * stiff) < 1e-13);
     BOOST_TEST(std::abs(state.penetration() - .1 * stiff / factor) < 1e-15);
     BOOST_TEST(std::abs(target.matrix(1, 1) - stiff) < 1e-11);
@@ -75,8 +75,8 @@ BOOST_AUTO_TEST_CASE(an_exact_constraint_holds_at_the_squeezed_face)
 {
   const FakeSurface surface = squeezed_node();
   SqueezedPair fixture(surface, {"Enforcement=active set"});
-  Vector q           = sunk(fixture, .1);
-  q[2]               = .1 / give;
+  Vector q = sunk(fixture, .1);
+  q[2] = .1 / give;
   DenseTarget target = fixture.assemble(q);
   BOOST_TEST(std::abs(target.residual[2]) < 1e-15);
   BOOST_TEST(std::abs(fixture.pair.trial()[0].gap) < 1e-15);

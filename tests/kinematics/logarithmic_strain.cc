@@ -61,9 +61,9 @@ BOOST_AUTO_TEST_CASE(inverse_of_the_logarithm)
   for (const double spread : spreads)
     for (unsigned int k = 0; k < 20; ++k)
     {
-      const AxialTensor b    = tensor(random_tensor(generator, spread), .4);
+      const AxialTensor b = tensor(random_tensor(generator, spread), .4);
       const AxialTensor back = LogarithmicStrain::inverse(LogarithmicStrain::strain(b));
-      const double size      = b.xx + b.yy;
+      const double size = b.xx + b.yy;
       BOOST_TEST(std::abs(back.xx - b.xx) < 1e-13 * size);
       BOOST_TEST(std::abs(back.yy - b.yy) < 1e-13 * size);
       BOOST_TEST(std::abs(back.xy - b.xy) < 1e-13 * size);
@@ -78,20 +78,19 @@ BOOST_AUTO_TEST_CASE(rate_against_differences)
     for (unsigned int k = 0; k < 5; ++k)
     {
       const Eigen::Matrix2d b = random_tensor(generator, spread);
-      const auto rate         = LogarithmicStrain::rate(tensor(b, 1.3));
+      const auto rate = LogarithmicStrain::rate(tensor(b, 1.3));
       for (unsigned int c = 0; c < 5; ++c)
       {
-        const auto at = [&](const double step)
-        {
+        const auto at = [&](const double step) {
           Eigen::Matrix2d f = Eigen::Matrix2d::Identity();
-          double hoop       = 1.;
+          double hoop = 1.;
           if (c < 4)
             f(c / 2, c % 2) += step;
           else
             hoop += step;
           return LogarithmicStrain::strain(tensor(f * b * f.transpose(), hoop * hoop * 1.3));
         };
-        const double h  = 1e-3;
+        const double h = 1e-3;
         const auto plus = at(h), minus = at(-h), plus_half = at(.5 * h), minus_half = at(-.5 * h);
         for (unsigned int i = 0; i < 4; ++i)
         {
@@ -109,9 +108,9 @@ BOOST_AUTO_TEST_CASE(a_rotation_turns_the_strain)
   for (const double spread : spreads)
   {
     const AxialTensor b = tensor(random_tensor(generator, spread), 1.);
-    const auto e        = LogarithmicStrain::strain(b);
-    const auto rate     = LogarithmicStrain::rate(b);
-    const auto turn     = [&](const unsigned int i) { return rate[i][2] - rate[i][1]; };
+    const auto e = LogarithmicStrain::strain(b);
+    const auto rate = LogarithmicStrain::rate(b);
+    const auto turn = [&](const unsigned int i) { return rate[i][2] - rate[i][1]; };
     BOOST_TEST(std::abs(turn(0) + root_2 * e[3]) < 1e-13);
     BOOST_TEST(std::abs(turn(1) - root_2 * e[3]) < 1e-13);
     BOOST_TEST(std::abs(turn(3) - root_2 * (e[0] - e[1])) < 1e-13);

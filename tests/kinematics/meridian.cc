@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(random_polylines)
       radii.push_back(.2 + .15 * uniform(generator));
       angle += 1.7 * uniform(generator);
     }
-    radii.back()      = 0.;
+    radii.back() = 0.;
     const auto pieces = build_meridian(points, radii);
     check_chain(pieces, true);
     BOOST_TEST(pieces.front().start.distance(points.front()) < 1e-14);
@@ -101,8 +101,9 @@ BOOST_AUTO_TEST_CASE(random_polylines)
 
 BOOST_AUTO_TEST_CASE(wrong_polylines)
 {
-  const auto message = [](const std::vector<Point2> &points, const std::vector<double> &radii)
-  { return message_of<std::invalid_argument>([&] { build_meridian(points, radii); }); };
+  const auto message = [](const std::vector<Point2> &points, const std::vector<double> &radii) {
+    return message_of<std::invalid_argument>([&] { build_meridian(points, radii); });
+  };
   check_contains(message({{0., 0.}}, {0.}), {"two points"});
   check_contains(message({{0., 0.}, {1., 0.}}, {0.}), {"one fillet radius per point"});
   check_contains(message({{0., 0.}, {1., 0.}, {1., 0.}}, {0., 0., 0.}), {"points 2 and 3 coincide"});

@@ -37,11 +37,11 @@ namespace
   std::array<double, ShellStrain::size> values(const ShellStrain &strain)
   {
     std::array<double, ShellStrain::size> result;
-    result[ShellStrain::stretch]    = strain.lambda;
-    result[ShellStrain::curvature]  = strain.theta_prime;
-    result[ShellStrain::radius]     = strain.r;
+    result[ShellStrain::stretch] = strain.lambda;
+    result[ShellStrain::curvature] = strain.theta_prime;
+    result[ShellStrain::radius] = strain.r;
     result[ShellStrain::director_r] = strain.d_r();
-    result[ShellStrain::shear]      = strain.gamma;
+    result[ShellStrain::shear] = strain.gamma;
     return result;
   }
 

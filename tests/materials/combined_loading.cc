@@ -24,7 +24,7 @@ namespace
     double coarse = error(8);
     for (unsigned int n = 16; n <= 4096; n *= 2)
     {
-      const double fine     = error(n);
+      const double fine = error(n);
       const double measured = std::log2(coarse / fine);
       BOOST_TEST_MESSAGE(n << " steps: error " << fine << ", order " << measured);
       if (n >= 128)
@@ -51,13 +51,12 @@ BOOST_AUTO_TEST_CASE(tension_then_torsion)
   const auto material = perfectly_plastic();
   for (const auto third : {ThirdDirection::stress_given, ThirdDirection::strain_given})
     check_order(
-      [&](const unsigned int n_steps)
-      {
+      [&](const unsigned int n_steps) {
         MaterialPoint point(*material);
         double worst = 0.;
         for (unsigned int step = 0; step <= n_steps; ++step)
         {
-          const double f   = 1.4 * step / n_steps;
+          const double f = 1.4 * step / n_steps;
           const double t11 = Y * std::cos(f), t12 = Y * std::sin(f) / std::sqrt(3.);
           const double gamma =
             Y / std::sqrt(3.) * ((1. / G - 3. / E) * std::sin(f) + 3. / E * std::log((1. + std::sin(f)) / std::cos(f)));
@@ -84,7 +83,7 @@ BOOST_AUTO_TEST_CASE(tension_then_torsion)
 BOOST_AUTO_TEST_CASE(constant_strain_rate)
 {
   const auto material = perfectly_plastic();
-  const double R      = std::sqrt(2. / 3.) * Y;
+  const double R = std::sqrt(2. / 3.) * Y;
   // Two orthogonal deviatoric directions of unit length, first along the stress
   const Mandel first{{2. / std::sqrt(6.), -1. / std::sqrt(6.), -1. / std::sqrt(6.), 0.}};
   const Mandel second{{0., .5, -.5, std::sqrt(.5)}};
@@ -94,8 +93,7 @@ BOOST_AUTO_TEST_CASE(constant_strain_rate)
     for (unsigned int i = 0; i < 4; ++i)
       direction[i] = std::cos(w0) * first[i] + std::sin(w0) * second[i];
     check_order(
-      [&](const unsigned int n_steps)
-      {
+      [&](const unsigned int n_steps) {
         MaterialPoint point(*material);
         double worst = 0.;
         for (unsigned int step = 0; step <= n_steps; ++step)

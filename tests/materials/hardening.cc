@@ -99,8 +99,8 @@ BOOST_AUTO_TEST_CASE(slope_at_zero)
 
 BOOST_AUTO_TEST_CASE(two_branches_meet_where_the_benchmark_says)
 {
-  const auto law    = make_hardening("two-branch power");
-  const double at   = .36375937022652;
+  const auto law = make_hardening("two-branch power");
+  const double at = .36375937022652;
   const auto before = law->evaluate(at - 1e-9), after = law->evaluate(at + 1e-9);
   BOOST_TEST(std::abs(before.slope - 23.13724) < 1e-5);
   BOOST_TEST(std::abs(after.slope - 17.21521) < 1e-5);

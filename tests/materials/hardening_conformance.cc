@@ -36,8 +36,7 @@ BOOST_AUTO_TEST_CASE(there_are_laws)
 BOOST_AUTO_TEST_CASE(positive_and_never_under_the_initial_value)
 {
   for_all_laws(
-    [](const Hardening &law)
-    {
+    [](const Hardening &law) {
       const double initial = law.evaluate(0.).value;
       BOOST_TEST(initial >= 0.);
       BOOST_TEST(law.evaluate(0.).slope >= 0.);
@@ -54,15 +53,15 @@ BOOST_AUTO_TEST_CASE(positive_and_never_under_the_initial_value)
 BOOST_AUTO_TEST_CASE(slope_is_the_derivative)
 {
   for_all_laws(
-    [](const Hardening &law)
-    {
+    [](const Hardening &law) {
       for (const double e : sample_strains())
       {
-        const double h        = 1e-3 * e;
-        const auto difference = [&](const double step)
-        { return (law.evaluate(e + step).value - law.evaluate(e - step).value) / (2. * step); };
+        const double h = 1e-3 * e;
+        const auto difference = [&](const double step) {
+          return (law.evaluate(e + step).value - law.evaluate(e - step).value) / (2. * step);
+        };
         const double numerical = (4. * difference(h / 2.) - difference(h)) / 3.;
-        const FlowStress flow  = law.evaluate(e);
+        const FlowStress flow = law.evaluate(e);
         BOOST_TEST_CONTEXT("at " << e)
         BOOST_TEST(std::abs(flow.slope - numerical) <= 1e-6 * std::abs(flow.slope) + 1e-13 * flow.value / h);
       }
@@ -72,14 +71,13 @@ BOOST_AUTO_TEST_CASE(slope_is_the_derivative)
 BOOST_AUTO_TEST_CASE(continuous)
 {
   for_all_laws(
-    [](const Hardening &law)
-    {
+    [](const Hardening &law) {
       // A jump shows as a rise over one step that halving the step does not halve.
       const unsigned int n_steps = 1 << 20;
-      double before              = law.evaluate(0.).value;
+      double before = law.evaluate(0.).value;
       for (unsigned int i = 1; i <= n_steps; ++i)
       {
-        const double e    = 2. * i / n_steps;
+        const double e = 2. * i / n_steps;
         const double here = law.evaluate(e).value;
         if (std::abs(here - before) > 1e-4 * here && i > 1)
         {
@@ -87,7 +85,7 @@ BOOST_AUTO_TEST_CASE(continuous)
           for (unsigned int k = 0; k < 30; ++k)
           {
             const double middle = (left + right) / 2.;
-            const double value  = law.evaluate(middle).value;
+            const double value = law.evaluate(middle).value;
             if (std::abs(value - law.evaluate(left).value) > std::abs(law.evaluate(right).value - value))
               right = middle;
             else

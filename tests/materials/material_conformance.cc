@@ -16,7 +16,7 @@ namespace
   void check_tangent(MaterialPoint &point, const Mandel &e, const ThirdDirection third, const double third_stress)
   {
     std::array<double, 16> C{};
-    Mandel e_copy       = e;
+    Mandel e_copy = e;
     const Mandel stress = point.update(e_copy, third, third_stress, C.data());
     BOOST_TEST(point.status.good());
     const double E = point.material.young_modulus();
@@ -24,15 +24,14 @@ namespace
     {
       if (third == ThirdDirection::stress_given && j == 2)
         continue;
-      const double h        = 1e-4 * (norm(e) < 1e-4 ? 1e-2 * elastic_size : 1e-3);
-      const auto difference = [&](const double step)
-      {
+      const double h = 1e-4 * (norm(e) < 1e-4 ? 1e-2 * elastic_size : 1e-3);
+      const auto difference = [&](const double step) {
         Mandel plus = e, minus = e;
         plus[j] += step;
         minus[j] -= step;
-        const Mandel t_plus  = point.update(plus, third, third_stress),
+        const Mandel t_plus = point.update(plus, third, third_stress),
                      t_minus = point.update(minus, third, third_stress);
-        Mandel d             = testing::difference(t_plus, t_minus);
+        Mandel d = testing::difference(t_plus, t_minus);
         for (auto &component : d)
           component /= 2. * step;
         return d;
@@ -72,8 +71,7 @@ BOOST_AUTO_TEST_SUITE(material_conformance)
 BOOST_AUTO_TEST_CASE(zero_strain_zero_stress)
 {
   for_all_materials(
-    [](const Material &material)
-    {
+    [](const Material &material) {
       for (const auto third : both_modes)
       {
         MaterialPoint point(material);
@@ -89,8 +87,7 @@ BOOST_AUTO_TEST_CASE(zero_strain_zero_stress)
 BOOST_AUTO_TEST_CASE(tangent)
 {
   for_all_materials(
-    [](const Material &material)
-    {
+    [](const Material &material) {
       std::mt19937 generator(1);
       for (const auto third : both_modes)
         for (const double third_stress : {0., -3.})
@@ -127,8 +124,7 @@ BOOST_AUTO_TEST_CASE(tangent)
 BOOST_AUTO_TEST_CASE(rotation_in_the_plane)
 {
   for_all_materials(
-    [](const Material &material)
-    {
+    [](const Material &material) {
       std::mt19937 generator(2);
       for (const auto third : both_modes)
         for (const double angle : {.3, 1.1, -2.})
@@ -138,7 +134,7 @@ BOOST_AUTO_TEST_CASE(rotation_in_the_plane)
           {
             Mandel e = random_strain(generator, plastic_size), e_turned = rotated(e, angle);
             const Mandel expected = rotated(point.update(e, third, 2.), angle);
-            const Mandel stress   = turned.update(e_turned, third, 2.);
+            const Mandel stress = turned.update(e_turned, third, 2.);
             BOOST_TEST(norm(difference(stress, expected)) <= 1e-12 * norm(stress));
             BOOST_TEST(std::abs(e[2] - e_turned[2]) <= 1e-14);
             point.commit();
@@ -151,27 +147,26 @@ BOOST_AUTO_TEST_CASE(rotation_in_the_plane)
 BOOST_AUTO_TEST_CASE(rollback_and_starting_guess)
 {
   for_all_materials(
-    [](const Material &material)
-    {
+    [](const Material &material) {
       std::mt19937 generator(3);
       constexpr double infinity = std::numeric_limits<double>::infinity();
-      constexpr double nan      = std::numeric_limits<double>::quiet_NaN();
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
       for (const auto third : both_modes)
       {
         MaterialPoint point(material);
         for (unsigned int step = 0; step < 10; ++step)
         {
-          Mandel e              = random_strain(generator, plastic_size / 2.);
-          const Mandel e_asked  = e;
-          const auto committed  = point.committed;
+          Mandel e = random_strain(generator, plastic_size / 2.);
+          const Mandel e_asked = e;
+          const auto committed = point.committed;
           const Mandel expected = point.update(e, third, 1.);
-          const auto trial      = point.trial;
+          const auto trial = point.trial;
           BOOST_TEST((point.committed == committed));
           // Whatever the trial values are, the answer is the same.
           for (const double garbage : {0., 1e-300, 1e-12, 1e-3, .1, 10., 1e300, -1., infinity, nan})
           {
             point.trial.assign(material.history_size(), garbage);
-            Mandel e_again      = e_asked;
+            Mandel e_again = e_asked;
             const Mandel stress = point.update(e_again, third, 1.);
             BOOST_TEST_CONTEXT("starting from " << garbage)
             {
@@ -192,24 +187,23 @@ BOOST_AUTO_TEST_CASE(rollback_and_starting_guess)
 BOOST_AUTO_TEST_CASE(stress_given_is_strain_given_with_the_third_strain_found)
 {
   for_all_materials(
-    [](const Material &material)
-    {
+    [](const Material &material) {
       std::mt19937 generator(4);
       for (const double third_stress : {0., -5., 40.})
       {
         MaterialPoint plane(material), solid(material);
         for (unsigned int step = 0; step < 5; ++step)
         {
-          Mandel e            = random_strain(generator, step < 2 ? 1e-3 : plastic_size);
+          Mandel e = random_strain(generator, step < 2 ? 1e-3 : plastic_size);
           const Mandel stress = plane.update(e, ThirdDirection::stress_given, third_stress);
 
           const auto third_stress_at = [&](const double e3) {
             return solid.solid({{e[0], e[1], e3, e[3]}})[2] - third_stress;
           };
           std::uintmax_t n_iterations = 200;
-          const auto bracket          = boost::math::tools::toms748_solve(
+          const auto bracket = boost::math::tools::toms748_solve(
             third_stress_at, -2., 2., boost::math::tools::eps_tolerance<double>(53), n_iterations);
-          const double e3       = (bracket.first + bracket.second) / 2.;
+          const double e3 = (bracket.first + bracket.second) / 2.;
           const Mandel expected = solid.solid({{e[0], e[1], e3, e[3]}});
           BOOST_TEST(std::abs(e[2] - e3) <= 1e-10 * norm(e));
           BOOST_TEST(norm(difference(stress, expected)) <= 1e-10 * norm(stress));
@@ -224,8 +218,7 @@ BOOST_AUTO_TEST_CASE(stress_given_is_strain_given_with_the_third_strain_found)
 BOOST_AUTO_TEST_CASE(dissipation_and_isochoric_flow)
 {
   for_all_materials(
-    [](const Material &material)
-    {
+    [](const Material &material) {
       std::mt19937 generator(5);
       for (const auto third : both_modes)
         for (const double size : {1e-4, 1e-3, 1e-2, 1.})
@@ -233,11 +226,11 @@ BOOST_AUTO_TEST_CASE(dissipation_and_isochoric_flow)
           MaterialPoint point(material);
           for (unsigned int step = 0; step < 50; ++step)
           {
-            Mandel e            = random_strain(generator, size);
+            Mandel e = random_strain(generator, size);
             const Mandel stress = point.update(e, third, step % 3 - 1.);
             BOOST_TEST(point.status.good());
             const Mandel before = material.plastic_strain(point.committed.data());
-            const Mandel now    = material.plastic_strain(point.trial.data());
+            const Mandel now = material.plastic_strain(point.trial.data());
             BOOST_TEST(scalar_product(stress, difference(now, before)) >= -1e-14 * norm(stress) * norm(now));
             BOOST_TEST(std::abs(now[0] + now[1] + now[2]) <= 1e-13 * (norm(now) + norm(before)));
             BOOST_TEST(point.equivalent_plastic_strain() >= material.equivalent_plastic_strain(point.committed.data()));
@@ -255,15 +248,14 @@ BOOST_AUTO_TEST_CASE(dissipation_and_isochoric_flow)
 BOOST_AUTO_TEST_CASE(elastic_energy_is_the_work_of_elastic_loading)
 {
   for_all_materials(
-    [](const Material &material)
-    {
+    [](const Material &material) {
       std::mt19937 generator(6);
       for (const auto third : both_modes)
       {
         MaterialPoint point(material);
-        Mandel e            = random_strain(generator, elastic_size);
+        Mandel e = random_strain(generator, elastic_size);
         const Mandel stress = point.update(e, third, .03);
-        const double work   = scalar_product(stress, e) / 2.;
+        const double work = scalar_product(stress, e) / 2.;
         BOOST_TEST(std::abs(material.elastic_energy(stress) - work) <= 1e-13 * work);
         BOOST_TEST(material.elastic_energy({}) == 0.);
         const Mandel elastic = material.elastic_strain(stress);
@@ -276,8 +268,7 @@ BOOST_AUTO_TEST_CASE(elastic_energy_is_the_work_of_elastic_loading)
 BOOST_AUTO_TEST_CASE(strains_that_are_not_finite_shorten_the_step)
 {
   for_all_materials(
-    [](const Material &material)
-    {
+    [](const Material &material) {
       for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
         for (const auto third : both_modes)
           for (const unsigned int component : {0, 1, 2, 3})
@@ -289,14 +280,14 @@ BOOST_AUTO_TEST_CASE(strains_that_are_not_finite_shorten_the_step)
             const std::array<double, 3> third_stress{};
             std::vector<double> committed(3 * material.history_size(), 0.), trial(committed);
             MaterialBatch batch;
-            batch.n_points        = 3;
+            batch.n_points = 3;
             batch.third_direction = third;
-            batch.strain          = strain.data();
-            batch.third_stress    = third_stress.data();
-            batch.committed       = committed.data();
-            batch.trial           = trial.data();
-            batch.stress          = stress.data();
-            const Status status   = material.update(batch);
+            batch.strain = strain.data();
+            batch.third_stress = third_stress.data();
+            batch.committed = committed.data();
+            batch.trial = trial.data();
+            batch.stress = stress.data();
+            const Status status = material.update(batch);
             BOOST_TEST(!status.good());
             BOOST_TEST(status.place == 1u);
           }
@@ -306,8 +297,7 @@ BOOST_AUTO_TEST_CASE(strains_that_are_not_finite_shorten_the_step)
 BOOST_AUTO_TEST_CASE(moduli)
 {
   for_all_materials(
-    [](const Material &material)
-    {
+    [](const Material &material) {
       const double E = material.young_modulus(), nu = material.poisson_ratio();
       BOOST_TEST(std::abs(material.shear_modulus() - E / (2. * (1. + nu))) <= 1e-14 * E);
       // Uniaxial stress

@@ -15,8 +15,9 @@ namespace
       BOOST_TEST_CONTEXT(name << ", " << entry << " = " << value)
     BOOST_CHECK_EXCEPTION(make_material(name, "perfectly plastic", {"Material/" + entry + "=" + value}),
                           SceneError,
-                          [&](const SceneError &error)
-                          { return std::string(error.what()).find(entry) != std::string::npos; });
+                          [&](const SceneError &error) {
+                            return std::string(error.what()).find(entry) != std::string::npos;
+                          });
   }
 } // namespace
 
@@ -36,8 +37,9 @@ BOOST_AUTO_TEST_CASE(unknown_law)
 {
   BOOST_CHECK_EXCEPTION(make_material("elastoplastic", "swift", {"Material/Hardening/Law=swfit"}),
                         SceneError,
-                        [](const SceneError &error)
-                        { return std::string(error.what()).find("nearest: swift") != std::string::npos; });
+                        [](const SceneError &error) {
+                          return std::string(error.what()).find("nearest: swift") != std::string::npos;
+                        });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -20,7 +20,7 @@ namespace deltaform
     inline std::unique_ptr<Hardening> make_hardening(const std::string &law)
     {
       ParameterTree tree = ParameterTree::documentation();
-      Section section    = tree.root().sub("Hardening");
+      Section section = tree.root().sub("Hardening");
       return Registry<Hardening>::make(law, section);
     }
 
@@ -28,8 +28,8 @@ namespace deltaform
     inline std::unique_ptr<Hardening> make_hardening(const std::string &law, const std::vector<std::string> &entries)
     {
       ParameterTree tree = ParameterTree::parse("", "test", entries);
-      Section section    = tree.root();
-      auto hardening     = Registry<Hardening>::make(law, section);
+      Section section = tree.root();
+      auto hardening = Registry<Hardening>::make(law, section);
       tree.check_unused();
       return hardening;
     }
@@ -56,21 +56,19 @@ namespace deltaform
     make_material(const std::string &name, const std::string &law, const std::vector<std::string> &overrides = {})
     {
       std::vector<std::string> entries = documented_entries(
-        [&](ParameterTree &tree)
-        {
+        [&](ParameterTree &tree) {
           Section section = tree.root().sub("Material");
           Registry<Material>::make(name, section);
         });
       for (const auto &entry : documented_entries(
-             [&](ParameterTree &tree)
-             {
+             [&](ParameterTree &tree) {
                Section section = tree.root().sub("Material").sub("Hardening");
                Registry<Hardening>::choose(section, "Law", law, "");
              }))
         entries.push_back(entry);
       entries.insert(entries.end(), overrides.begin(), overrides.end());
       ParameterTree tree = ParameterTree::parse("", "test", entries);
-      Section section    = tree.root().sub("Material");
+      Section section = tree.root().sub("Material");
       return Registry<Material>::make(name, section);
     }
 
@@ -100,15 +98,15 @@ namespace deltaform
       {
         Mandel stress{};
         MaterialBatch batch;
-        batch.n_points        = 1;
+        batch.n_points = 1;
         batch.third_direction = third;
-        batch.strain          = &e;
-        batch.third_stress    = &third_stress;
-        batch.committed       = committed.data();
-        batch.trial           = trial.data();
-        batch.stress          = &stress;
-        batch.tangent         = C;
-        status                = material.update(batch);
+        batch.strain = &e;
+        batch.third_stress = &third_stress;
+        batch.committed = committed.data();
+        batch.trial = trial.data();
+        batch.stress = &stress;
+        batch.tangent = C;
+        status = material.update(batch);
         return stress;
       }
 

@@ -17,7 +17,7 @@ namespace
       return stiffness * total;
     const auto excess = [&](const double t) { return t - law.evaluate(std::max(0., total - t / stiffness)).value; };
     std::uintmax_t n_iterations = 200;
-    const auto bracket          = boost::math::tools::toms748_solve(
+    const auto bracket = boost::math::tools::toms748_solve(
       excess, 0., stiffness * total, boost::math::tools::eps_tolerance<double>(53), n_iterations);
     return (bracket.first + bracket.second) / 2.;
   }
@@ -41,20 +41,20 @@ namespace
       Mandel strain{}, expected{};
       if (kind == Stretch::uniaxial)
       {
-        t                = stress_on_the_curve(law, e1, E);
-        plastic          = e1 - t / E;
+        t = stress_on_the_curve(law, e1, E);
+        plastic = e1 - t / E;
         thickness_strain = -nu * t / E - plastic / 2.;
-        strain           = {{e1, thickness_strain, 0., 0.}};
-        expected         = {{t, 0., 0., 0.}};
+        strain = {{e1, thickness_strain, 0., 0.}};
+        expected = {{t, 0., 0., 0.}};
       }
       else
       {
         // plastic strain p in both directions, -2 p in the third: equivalent 2 p
-        t                = stress_on_the_curve(law, 2. * e1, E / (2. * (1. - nu)));
-        plastic          = 2. * (e1 - (1. - nu) * t / E);
+        t = stress_on_the_curve(law, 2. * e1, E / (2. * (1. - nu)));
+        plastic = 2. * (e1 - (1. - nu) * t / E);
         thickness_strain = -2. * nu * t / E - plastic;
-        strain           = {{e1, e1, 0., 0.}};
-        expected         = {{t, t, 0., 0.}};
+        strain = {{e1, e1, 0., 0.}};
+        expected = {{t, t, 0., 0.}};
       }
       const Mandel stress = point.update(strain, ThirdDirection::stress_given);
       BOOST_TEST(point.status.good());
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(every_material_with_every_hardening_law)
     for (const double young : {2e3, 69004., 1e7})
       BOOST_TEST_CONTEXT(name << ", E = " << young)
       {
-        const auto law      = make_hardening(name);
+        const auto law = make_hardening(name);
         const auto material = make_material(
           "elastoplastic", name, {"Material/Young's modulus=" + std::to_string(young), "Material/Poisson's ratio=.3"});
         for (const auto kind : {Stretch::uniaxial, Stretch::equibiaxial})
@@ -96,15 +96,15 @@ BOOST_AUTO_TEST_CASE(as_printed_on_either_side_of_its_jump)
                                             "First exponent=.504",
                                             "Second coefficient=24.4",
                                             "As printed=true"};
-  std::vector<std::string> overrides     = {"Material/Young's modulus=13393", "Material/Hardening/As printed=true"};
-  const auto material                    = make_material("elastoplastic", "two-branch power", overrides);
+  std::vector<std::string> overrides = {"Material/Young's modulus=13393", "Material/Hardening/As printed=true"};
+  const auto material = make_material("elastoplastic", "two-branch power", overrides);
   for (const double e : {.2, .35, .37, .8})
   {
     MaterialPoint point(*material);
     Mandel strain{{e, -e / 2., 0., 0.}};
     const Mandel stress = point.update(strain, ThirdDirection::stress_given);
     BOOST_TEST(point.status.good());
-    const double plastic  = point.equivalent_plastic_strain();
+    const double plastic = point.equivalent_plastic_strain();
     const double expected = 5.4 + (e < .36 ? 27.8 : 24.4) * std::pow(plastic, .504);
     BOOST_TEST(std::abs(mises(stress) - expected) <= 1e-12 * expected);
   }

@@ -11,7 +11,7 @@ using namespace deltaform;
 namespace
 {
   constexpr double young = 200e3, poisson = .3, flow_stress = 300.;
-  const double shear  = young / (2. * (1. + poisson));
+  const double shear = young / (2. * (1. + poisson));
   const double radius = std::sqrt(2. / 3.) * flow_stress; // of the yield surface, |s|
 
   /// Elastic, perfectly plastic.
@@ -38,15 +38,15 @@ namespace
       Mandel stress{};
       const double third_stress = 0.;
       MaterialBatch batch;
-      batch.n_points        = 1;
+      batch.n_points = 1;
       batch.third_direction = third;
-      batch.strain          = &strain;
-      batch.third_stress    = &third_stress;
-      batch.committed       = history.committed(0);
-      batch.carried         = carried.at(0);
-      batch.trial           = history.trial(0);
-      batch.stress          = &stress;
-      batch.tangent         = tangent;
+      batch.strain = &strain;
+      batch.third_stress = &third_stress;
+      batch.committed = history.committed(0);
+      batch.carried = carried.at(0);
+      batch.trial = history.trial(0);
+      batch.stress = &stress;
+      batch.tangent = tangent;
       BOOST_TEST(material.update(batch).good());
       return stress;
     }
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_SUITE(two_steps)
 BOOST_AUTO_TEST_CASE(orders_one_and_two)
 {
   const double beyond = radius / (2. * shear); // turns by 50 degrees
-  const double first  = error("backward Euler", 80, beyond) / error("backward Euler", 160, beyond);
+  const double first = error("backward Euler", 80, beyond) / error("backward Euler", 160, beyond);
   const double second = error("two steps", 80, beyond) / error("two steps", 160, beyond);
   BOOST_TEST(first == 2., boost::test_tools::tolerance(.05));
   BOOST_TEST(second == 4., boost::test_tools::tolerance(.1));
@@ -189,8 +189,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_carried_without_a_last_increment_or_far_beyond_i
 BOOST_AUTO_TEST_CASE(estimated_error_is_half_the_sine_of_the_turn)
 {
   const double pressure = 1000.; // has no part in it
-  const auto stress     = [&](const double psi)
-  {
+  const auto stress = [&](const double psi) {
     Mandel s = combined(std::cos(psi), std::sin(psi));
     for (unsigned int k = 0; k < 3; ++k)
       s[k] += pressure;

@@ -22,14 +22,14 @@ namespace
       if (before > 0.)
         point.committed = {0., 0., 0., std::sqrt(1.5) * before, before};
       const double flow_before = law.evaluate(before).value;
-      const double first_rise  = before > 0. ? 0. : law.evaluate(1e-300).value - flow_before;
-      const double q           = (flow_before > 0. ? flow_before : 100.) * (1. + overshoot);
+      const double first_rise = before > 0. ? 0. : law.evaluate(1e-300).value - flow_before;
+      const double q = (flow_before > 0. ? flow_before : 100.) * (1. + overshoot);
       Mandel strain{{0., 0., 0., std::sqrt(1.5) * before + q / (std::sqrt(6.) * G)}};
       std::array<double, 16> C{};
       const Mandel stress = point.update(strain, third, 0., C.data());
       BOOST_TEST(point.status.good());
-      const double now      = point.equivalent_plastic_strain();
-      const double q_now    = std::sqrt(1.5) * stress[3];
+      const double now = point.equivalent_plastic_strain();
+      const double q_now = std::sqrt(1.5) * stress[3];
       const double flow_now = law.evaluate(now).value;
       // of the strain that goes in, and of the smallest numbers
       const double round_off = 3. * G * before * 1e-15 + first_rise;
@@ -71,8 +71,7 @@ BOOST_AUTO_TEST_CASE(every_hardening_law)
 
 BOOST_AUTO_TEST_CASE(vertical_flow_curves)
 {
-  const auto check = [](const std::string &name, const std::vector<std::string> &entries)
-  {
+  const auto check = [](const std::string &name, const std::vector<std::string> &entries) {
     std::vector<std::string> overrides;
     for (const auto &entry : entries)
       overrides.push_back("Material/Hardening/" + entry);
@@ -100,17 +99,17 @@ BOOST_AUTO_TEST_CASE(general_directions_in_plane_stress)
     BOOST_TEST_CONTEXT(name)
     {
       const auto material = make_material("elastoplastic", name);
-      const auto law      = make_hardening(name);
-      const double yield  = law->evaluate(0.).value / material->young_modulus();
+      const auto law = make_hardening(name);
+      const double yield = law->evaluate(0.).value / material->young_modulus();
       for (double size = .5 * yield; size < 1e4 * yield; size *= 3.)
         for (unsigned int k = 0; k < 30; ++k)
         {
           MaterialPoint point(*material);
-          Mandel strain       = random_strain(generator, size);
+          Mandel strain = random_strain(generator, size);
           const Mandel stress = point.update(strain, ThirdDirection::stress_given, .1 * law->evaluate(0.).value);
           BOOST_TEST(point.status.good());
           const double plastic = point.equivalent_plastic_strain();
-          const double flow    = law->evaluate(plastic).value;
+          const double flow = law->evaluate(plastic).value;
           BOOST_TEST(mises(stress) <= (1. + 1e-14) * flow);
           if (plastic > 0.)
             BOOST_TEST(std::abs(mises(stress) - flow) <= 1e-14 * flow);

@@ -13,8 +13,9 @@ BOOST_AUTO_TEST_SUITE(earlier_run)
 BOOST_AUTO_TEST_CASE(only_what_the_program_has_written_goes)
 {
   const TemporaryFolder folder;
-  const auto write = [&](const std::string &name, const std::string &content)
-  { std::ofstream(folder.file(name)) << content; };
+  const auto write = [&](const std::string &name, const std::string &content) {
+    std::ofstream(folder.file(name)) << content;
+  };
   const std::string head = "# a title\n# deltaform 0.1.0, units: mm\n# units: mm\nR0\n0\n";
   for (const auto *const name : {"profile_1.csv", "contact_0.6.csv", "tools_40_release.csv"})
     write(name, head);

@@ -25,13 +25,13 @@ namespace
   {
     HistoryRow row;
     row.increment = increment;
-    row.stage     = "form, slowly";
-    row.time      = increment / 3.;
+    row.stage = "form, slowly";
+    row.time = increment / 3.;
     for (unsigned int i = 0; i < n_tools; ++i)
       row.tools.push_back({1. + i, 2. + i, 3. + i});
     row.newton_iterations = 5;
-    row.max_epsilon       = 1e7;
-    row.energy_error      = -1e-5;
+    row.max_epsilon = 1e7;
+    row.energy_error = -1e-5;
     return row;
   }
 
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(condition_numbers_only_where_asked)
   const TemporaryFolder folder;
   const auto path = folder.file("history.csv");
   History history(path, {}, {}, units, options);
-  HistoryRow one       = row(1, 0);
+  HistoryRow one = row(1, 0);
   one.condition_scaled = 12.5;
   history.append(one);
   const auto lines = lines_of(path);
@@ -108,28 +108,28 @@ BOOST_AUTO_TEST_CASE(a_row_is_on_disk_when_it_is_known)
   const TemporaryFolder folder;
   const auto path = folder.file("history.csv");
   History history(path, comments, {"punch"}, units);
-  HistoryRow one                    = row(1, 1);
-  one.penalty_rounds                = 6;
-  one.penalty_iterations            = 65;
-  one.cutbacks                      = 7;
-  one.max_penetration               = 8;
-  one.max_penetration_over_delta    = 9;
+  HistoryRow one = row(1, 1);
+  one.penalty_rounds = 6;
+  one.penalty_iterations = 65;
+  one.cutbacks = 7;
+  one.max_penetration = 8;
+  one.max_penetration_over_delta = 9;
   one.max_penetration_between_nodes = 10;
-  one.min_epsilon                   = 11;
-  one.max_epsilon                   = 12;
-  one.floor_share                   = 13;
-  one.contact_pairs                 = 14;
-  one.min_thickness                 = 15;
-  one.tool_work                     = 16;
-  one.elastic_energy                = 17;
-  one.plastic_energy                = 18;
-  one.friction_energy               = 19;
-  one.contact_energy                = 20;
-  one.epsilon_work                  = 21;
-  one.thickness_work                = 22;
-  one.load_work                     = 23;
-  one.energy_error                  = 24;
-  one.balance_error                 = 25;
+  one.min_epsilon = 11;
+  one.max_epsilon = 12;
+  one.floor_share = 13;
+  one.contact_pairs = 14;
+  one.min_thickness = 15;
+  one.tool_work = 16;
+  one.elastic_energy = 17;
+  one.plastic_energy = 18;
+  one.friction_energy = 19;
+  one.contact_energy = 20;
+  one.epsilon_work = 21;
+  one.thickness_work = 22;
+  one.load_work = 23;
+  one.energy_error = 24;
+  one.balance_error = 25;
   history.append(one);
   BOOST_TEST(lines_of(path).back() ==
              "1,\"form, slowly\",0.3333333333,1,2,3,5,6,65,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25");
@@ -171,8 +171,9 @@ BOOST_AUTO_TEST_CASE(only_the_same_history_is_resumed)
   const auto path = folder.file("history.csv");
   write(path, 2);
   const std::string before = content_of(path);
-  const auto resume        = [&](const std::string &file, const std::string &tool)
-  { return message_of<SceneError>([&]() { History(file, comments, {tool}, units, resume_after(1)); }); };
+  const auto resume = [&](const std::string &file, const std::string &tool) {
+    return message_of<SceneError>([&]() { History(file, comments, {tool}, units, resume_after(1)); });
+  };
   check_contains(resume(path, "die"), {"history.csv", "columns"});
   BOOST_TEST(content_of(path) == before);
   check_contains(resume(folder.file("none.csv"), "punch"), {"none.csv", "No such file"});

@@ -15,8 +15,8 @@ namespace
   {
     Drawing drawing;
     drawing.points_per_cell = 4;
-    drawing.points          = {{0., 0.}, {1., 0.}, {2., 0.}, {0., 1.}, {1., 1.}, {2., 1.}};
-    drawing.cells           = {0, 1, 4, 3, 1, 2, 5, 4};
+    drawing.points = {{0., 0.}, {1., 0.}, {2., 0.}, {0., 1.}, {1., 1.}, {2., 1.}};
+    drawing.cells = {0, 1, 4, 3, 1, 2, 5, 4};
     drawing.fields = {{"displacement", "length", true, 2, {.1, .2, 1.1, 1.2, 2.1, 2.2, 3.1, 3.2, 4.1, 4.2, 5.1, 5.2}},
                       {"equivalent_plastic_strain", "1", true, 1, {0., 1., 2., 3., 4., 5.}},
                       {"pressure", "stress", false, 1, {7., 8.}}};
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(quadrilaterals_are_read_back)
 BOOST_AUTO_TEST_CASE(fields_have_units_values_and_real_vectors)
 {
   const TemporaryFolder folder;
-  const auto path    = folder.file("blank_0000.vtu");
+  const auto path = folder.file("blank_0000.vtu");
   const auto drawing = two_squares();
   write_vtu(path, drawing, units);
 
@@ -59,8 +59,8 @@ BOOST_AUTO_TEST_CASE(fields_have_units_values_and_real_vectors)
   BOOST_REQUIRE_EQUAL(file.fields.size(), 2u);
   BOOST_REQUIRE_EQUAL(file.cell_fields.size(), 1u);
   const auto &displacement = file.fields.at("displacement [in]");
-  const auto &strain       = file.fields.at("equivalent_plastic_strain [-]");
-  const auto &pressure     = file.cell_fields.at("pressure [tonf/in^2]");
+  const auto &strain = file.fields.at("equivalent_plastic_strain [-]");
+  const auto &pressure = file.cell_fields.at("pressure [tonf/in^2]");
   BOOST_TEST(displacement.n_components == 3u);
   BOOST_REQUIRE_EQUAL(displacement.values.size(), 18u);
   for (unsigned int i = 0; i < 6; ++i)
@@ -96,9 +96,9 @@ BOOST_AUTO_TEST_CASE(lines_are_read_back)
   const auto path = folder.file("tools_0000.vtu");
   Drawing drawing;
   drawing.points_per_cell = 2;
-  drawing.points          = {{0., 0.}, {1., 0.}, {2., 1.}};
-  drawing.cells           = {0, 1, 1, 2};
-  drawing.fields          = {{"tool", "index", false, 1, {0., 1.}}};
+  drawing.points = {{0., 0.}, {1., 0.}, {2., 1.}};
+  drawing.cells = {0, 1, 1, 2};
+  drawing.fields = {{"tool", "index", false, 1, {0., 1.}}};
   write_vtu(path, drawing, units);
 
   const VtuFile file(path);

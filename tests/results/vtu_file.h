@@ -31,9 +31,9 @@ public:
     BOOST_TEST(file.get<std::string>("<xmlattr>.type") == "UnstructuredGrid");
     BOOST_TEST(!file.get_optional<std::string>("<xmlattr>.compressor"));
     const auto &piece = file.get_child("UnstructuredGrid.Piece");
-    n_points          = piece.get<unsigned int>("<xmlattr>.NumberOfPoints");
-    n_cells           = piece.get<unsigned int>("<xmlattr>.NumberOfCells");
-    points            = array(piece.get_child("Points.DataArray"));
+    n_points = piece.get<unsigned int>("<xmlattr>.NumberOfPoints");
+    n_cells = piece.get<unsigned int>("<xmlattr>.NumberOfCells");
+    points = array(piece.get_child("Points.DataArray"));
     for (const auto &[name, element] : piece.get_child("Cells"))
       if (name == "DataArray")
         cells[element.get<std::string>("<xmlattr>.Name")] = array(element);
@@ -55,7 +55,7 @@ private:
   {
     static const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string result;
-    std::uint32_t bits  = 0;
+    std::uint32_t bits = 0;
     unsigned int n_bits = 0;
     for (const char c : text)
     {

@@ -54,10 +54,9 @@ BOOST_AUTO_TEST_CASE(nothing_to_say)
 
 BOOST_AUTO_TEST_CASE(walls_of_shapes)
 {
-  const auto walls = [](const std::string &name, const std::string &entries)
-  {
+  const auto walls = [](const std::string &name, const std::string &entries) {
     ParameterTree tree = ParameterTree::parse(entries, "test.prm");
-    Section section    = tree.root();
+    Section section = tree.root();
     return walls_along_z("tool", Side::bottom, *Registry<Shape>::make(name, section));
   };
   const auto die = walls("die", "set Throat radius = 25.8\n set Profile radius = 6");

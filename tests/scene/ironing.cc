@@ -14,7 +14,7 @@ namespace
       section.flow_stress = 200.;
     sections[0].squeeze = 10.;
     sections[1].squeeze = squeeze;
-    sections[1].place   = 7.;
+    sections[1].place = 7.;
     return sections;
   }
 } // namespace

@@ -65,8 +65,7 @@ BOOST_AUTO_TEST_CASE(falling_stress_is_no_neck)
 BOOST_AUTO_TEST_CASE(torn_is_what_necks_for_some_increments_and_loses_its_force)
 {
   // F = eps^n exp(-eps), past its maximum at .2: from .3 to .35 it falls by 1.9 %, from .21 to .25 by .3 %.
-  const auto torn_after = [](const double start, const double step, const unsigned int increments)
-  {
+  const auto torn_after = [](const double start, const double step, const unsigned int increments) {
     NeckingWatch watch;
     for (unsigned int k = 0; k <= increments; ++k)
       watch.observe(bar(.2, .15, start + k * step));

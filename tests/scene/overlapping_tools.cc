@@ -69,8 +69,7 @@ BOOST_AUTO_TEST_CASE(who_cannot_clash)
 BOOST_AUTO_TEST_CASE(only_near_the_blank)
 {
   // Two rings that overlap outside of the strip, which ends at 10.
-  const auto rings = [](const std::string &start)
-  {
+  const auto rings = [](const std::string &start) {
     return " set Names = upper, lower\n" +
            tool("upper",
                 "  set Shape = plate\n  set Inner radius = " + start +

@@ -12,11 +12,11 @@ namespace
   {
     ReleasedForces result;
     result.reset(3, 1, 1, 1);
-    result.any         = true;
+    result.any = true;
     result.on_blank[1] = 8.;
     Stage stage;
-    stage.begin           = 1.;
-    stage.end             = 3.;
+    stage.begin = 1.;
+    stage.end = 3.;
     stage.release_at_once = at_once;
     result.begin_stage(stage);
     return result;

@@ -28,7 +28,7 @@ namespace
         scene(tree), check(scene.actors)
     {
       row.min_thickness = 3.;
-      row.time          = 1.;
+      row.time = 1.;
     }
 
     /// Warnings after the increment of @ref row.
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_SUITE(result_check)
 BOOST_AUTO_TEST_CASE(a_sound_row_says_nothing)
 {
   Fixture fixture;
-  fixture.row.energy_error  = -.0199;
+  fixture.row.energy_error = -.0199;
   fixture.row.balance_error = 9e-4;
   fixture.row.min_thickness = 1.01;
   BOOST_TEST(fixture.warnings().empty());
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(forces_count_in_every_row)
   fixture.row.balance_error = 2e-3;
   BOOST_TEST(one_has(fixture.warnings(), "leave 0.2 % of the largest of them unbalanced at time 1"));
   fixture.row.balance_error = 0.;
-  fixture.row.time          = 2.;
+  fixture.row.time = 2.;
   BOOST_TEST(one_has(fixture.warnings(), "at time 1"));
 }
 

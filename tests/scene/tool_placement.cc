@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(an_overlap_is_measured_from_the_face)
   // A circle of radius 2 whose pole is .3 above the lower face, at x = 4: node 14 of the mid-surface.
   const std::string circle = "  set Shape = circle\n  set Radius = 2\n  set Side = bottom\n  set Position r = 4\n"
                              "  set Position z = -2.5\n";
-  const auto wrong         = find(circle, .3, .1, "set Elements = 20\n");
+  const auto wrong = find(circle, .3, .1, "set Elements = 20\n");
   BOOST_TEST_REQUIRE(wrong.has_value());
   BOOST_TEST_MESSAGE(wrong->message);
   BOOST_TEST(wrong->entry == "Position z");
@@ -91,13 +91,13 @@ BOOST_AUTO_TEST_CASE(a_profile_at_the_wrong_place_is_not_walked_backwards)
 
 BOOST_AUTO_TEST_CASE(a_profile_of_plane_strain_has_no_mirror_image)
 {
-  const auto reaches = [](const std::string &symmetry, const std::string &entry)
-  {
+  const auto reaches = [](const std::string &symmetry, const std::string &entry) {
     const std::string die =
       "  set Shape = profile\n  set Points = 0 0; 12 0\n  set Side = bottom\n  set Position z = -thickness/2\n" + entry;
-    std::string text   = strip(" set Names = die\n" + tool("die", die));
-    const auto replace = [&](const std::string &was, const std::string &now)
-    { text.replace(text.find(was), was.size(), now); };
+    std::string text = strip(" set Names = die\n" + tool("die", die));
+    const auto replace = [&](const std::string &was, const std::string &now) {
+      text.replace(text.find(was), was.size(), now);
+    };
     replace("plane strain", symmetry);
     replace("-10 0; 10 0", "0 0; 10 0");
     const ReadScene read(text);

@@ -109,11 +109,11 @@ namespace
     for (const auto &name : comparison.columns)
     {
       const auto &expected = reference.column(name);
-      const auto &found    = table.column(name);
+      const auto &found = table.column(name);
       const double largest = std::abs(*std::max_element(
         expected.begin(), expected.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
-      double error         = 0.;
-      std::size_t worst    = 0;
+      double error = 0.;
+      std::size_t worst = 0;
       if (comparison.over.empty() && expected.size() != found.size())
         throw std::runtime_error(comparison.file + " has " + std::to_string(found.size()) + " rows, the reference " +
                                  std::to_string(expected.size()));
@@ -154,9 +154,9 @@ namespace
     const auto expected = Directives::read(scene.string(), work.string());
     fs::remove_all(work);
     fs::create_directories(work);
-    const fs::path log     = work / "console.txt";
+    const fs::path log = work / "console.txt";
     const std::string call = "'" + program.string() + "' " + expected.command + " >'" + log.string() + "' 2>&1";
-    const int result       = std::system(call.c_str()); // NOLINT: the commands are those of the test scenes
+    const int result = std::system(call.c_str()); // NOLINT: the commands are those of the test scenes
     const std::string said = content(log);
     std::cout << scene.filename().string() << ": deltaform " << expected.command << '\n';
 

@@ -23,7 +23,7 @@ namespace
 
   double number(const std::string &cell)
   {
-    char *end          = nullptr;
+    char *end = nullptr;
     const double value = std::strtod(cell.c_str(), &end);
     return end != cell.c_str() && *end == '\0' ? value : std::numeric_limits<double>::quiet_NaN();
   }
@@ -101,7 +101,7 @@ double
 interpolate(const std::vector<double> &x, const std::vector<double> &y, const double place)
 {
   const auto [low, high] = std::minmax_element(x.begin(), x.end());
-  const double slack     = 1e-9 * std::max(std::abs(*low), std::abs(*high));
+  const double slack = 1e-9 * std::max(std::abs(*low), std::abs(*high));
   for (unsigned int i = 0; i < x.size(); ++i)
   {
     if (std::abs(x[i] - place) <= slack)

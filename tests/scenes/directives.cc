@@ -19,7 +19,8 @@ namespace
   class Words
   {
   public:
-    explicit Words(const std::string &text) : stream_(text)
+    explicit Words(const std::string &text)
+      : stream_(text)
     {
     }
 
@@ -44,7 +45,7 @@ namespace
 
     static double to_number(const std::string &word, const std::string &meaning)
     {
-      char *end          = nullptr;
+      char *end = nullptr;
       const double value = std::strtod(word.c_str(), &end);
       if (end == word.c_str() || *end != '\0')
         throw std::runtime_error("'" + word + "' is no number (" + meaning + ")");
@@ -83,7 +84,7 @@ namespace
     Check check;
     check.text = text.substr(0, colon);
     Words what(check.text);
-    check.file   = what.next("the file");
+    check.file = what.next("the file");
     check.column = what.next("the column");
     check.select = what.next("first, last, max, min, maxabs or at");
     if (check.select == "at")
@@ -93,7 +94,7 @@ namespace
       if (equal == std::string::npos)
         throw std::runtime_error("'at' needs 'column=value'");
       check.at_column = place.substr(0, equal);
-      check.at        = Words::to_number(place.substr(equal + 1), "place");
+      check.at = Words::to_number(place.substr(equal + 1), "place");
     }
     else if (check.select != "first" && check.select != "last" && check.select != "max" && check.select != "min" &&
              check.select != "maxabs")
@@ -110,7 +111,7 @@ namespace
     {
       expected.expect("within");
       check.tolerance = expected.number("tolerance");
-      check.relative  = expected.followed_by("relative");
+      check.relative = expected.followed_by("relative");
     }
     expected.end();
     return check;
@@ -134,7 +135,7 @@ namespace
     comparison.reference = words.next("the reference");
     words.expect("tolerance");
     comparison.tolerance = words.number("tolerance");
-    comparison.relative  = words.followed_by("relative");
+    comparison.relative = words.followed_by("relative");
     words.end();
     return comparison;
   }
@@ -156,15 +157,14 @@ Directives::read(const std::string &scene, const std::string &work)
       here = scene + ":" + std::to_string(lines.size());
   }
 
-  const auto expand = [&](const std::string &text)
-  {
+  const auto expand = [&](const std::string &text) {
     if (text.find("{here}") != std::string::npos && here.empty())
       throw std::runtime_error("no line is marked with '# <-- here'");
     return replaced(replaced(replaced(text, "{here}", here), "{scene}", scene), "{work}", work);
   };
   Directives result;
   result.command = expand("'{scene}' --quiet --output '{work}'");
-  bool anything  = false;
+  bool anything = false;
   for (unsigned int i = 0; i < lines.size(); ++i)
   {
     std::istringstream words(lines[i]);

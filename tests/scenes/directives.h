@@ -15,10 +15,10 @@ struct Check
 
   std::string text;
   std::string file, column;
-  std::string select;    ///< first, last, max, min, maxabs or at
+  std::string select; ///< first, last, max, min, maxabs or at
   std::string at_column; ///< of 'at'
-  double at        = 0;
-  Kind kind        = Kind::within;
+  double at = 0;
+  Kind kind = Kind::within;
   double reference = 0, tolerance = 0;
   bool relative = false;
 };
@@ -31,7 +31,7 @@ struct Comparison
   std::string file, over, reference; ///< over: empty compares row by row
   std::vector<std::string> columns;
   double tolerance = 0;
-  bool relative    = false;
+  bool relative = false;
 };
 
 /**

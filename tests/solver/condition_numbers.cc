@@ -58,8 +58,8 @@ BOOST_AUTO_TEST_CASE(closed_forms)
                three_digits);
     // [1 a; 0 1]: singular values solve s^2 + 1/s^2 = 2 + a^2; embedded in a unit matrix.
     Eigen::MatrixXd shear = Eigen::MatrixXd::Identity(10, 10);
-    shear(0, 1)           = 100.;
-    const double t        = 1. + .5 * 1e4;
+    shear(0, 1) = 100.;
+    const double t = 1. + .5 * 1e4;
     BOOST_TEST(condition::number(sparse(shear), method) == t + std::sqrt(t * t - 1.), three_digits);
     // Hilbert's matrix of order 6: 1.4951e7 (Todd 1954)
     Eigen::MatrixXd hilbert(6, 6);
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(singular)
   for (const auto method : {Method::dense, Method::lanczos})
   {
     Eigen::MatrixXd A = Eigen::MatrixXd::Identity(5, 5);
-    A(3, 3)           = 0.;
+    A(3, 3) = 0.;
     BOOST_TEST(condition::number(sparse(A), method) > 1e300);
     // Singular only to working precision: a chain of springs that nothing holds.
     BOOST_TEST(condition::number(free_chain(400), method) > 1e12);
@@ -93,9 +93,9 @@ BOOST_AUTO_TEST_CASE(singular)
 
 BOOST_AUTO_TEST_CASE(complement_of_a_rigid_mode)
 {
-  const int n                 = 80;
-  const Matrix A              = free_chain(n);
-  const auto mode             = [](const int k) { return 2. - 2. * std::cos(k * M_PI / n); };
+  const int n = 80;
+  const Matrix A = free_chain(n);
+  const auto mode = [](const int k) { return 2. - 2. * std::cos(k * M_PI / n); };
   const Eigen::MatrixXd rigid = Eigen::VectorXd::Constant(n, 1. / std::sqrt(n));
   for (const auto method : {Method::dense, Method::lanczos})
     BOOST_TEST(condition::number_on_complement(A, rigid, method) == mode(n - 1) / mode(1), three_digits);
@@ -106,11 +106,10 @@ BOOST_AUTO_TEST_CASE(frames_and_scaling)
   // A stiff spring along an inclined direction: without the frame the scaling cannot remove it.
   const double angle = .6;
   const Tensor1 normal({std::cos(angle), std::sin(angle)});
-  Matrix A                = free_chain(30);
+  Matrix A = free_chain(30);
   Eigen::MatrixXd dense_A = A;
   dense_A += .1 * Eigen::MatrixXd::Identity(30, 30);
-  const auto with = [&](const double epsilon)
-  {
+  const auto with = [&](const double epsilon) {
     Eigen::MatrixXd B = dense_A;
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
@@ -118,7 +117,7 @@ BOOST_AUTO_TEST_CASE(frames_and_scaling)
     return sparse(B);
   };
   const std::vector<condition::Frame> frames{{10, 11, normal}};
-  const double soft  = condition::number(condition::scale_in_frames(with(1e2), frames)),
+  const double soft = condition::number(condition::scale_in_frames(with(1e2), frames)),
                stiff = condition::number(condition::scale_in_frames(with(1e9), frames));
   BOOST_TEST(stiff == soft, boost::test_tools::tolerance(.05));
   BOOST_TEST(condition::number(with(1e9)) > 1e6 * condition::number(with(1e2)));
@@ -132,16 +131,15 @@ BOOST_AUTO_TEST_CASE(frames_and_scaling)
 BOOST_AUTO_TEST_CASE(the_axes_do_not_matter)
 {
   // Two nodes described in axes of their own, turned by different angles, normals with them: a not symmetric matrix.
-  const int n     = 60;
-  const Matrix A  = random_band(n, 3);
-  Matrix turned   = A;
-  const auto turn = [&](const int r, const int z, const double angle)
-  {
+  const int n = 60;
+  const Matrix A = random_band(n, 3);
+  Matrix turned = A;
+  const auto turn = [&](const int r, const int z, const double angle) {
     Eigen::MatrixXd T = Eigen::MatrixXd::Identity(n, n);
     T(r, r) = T(z, z) = std::cos(angle);
-    T(r, z)           = -std::sin(angle);
-    T(z, r)           = std::sin(angle);
-    turned            = sparse(T.transpose() * Eigen::MatrixXd(turned) * T);
+    T(r, z) = -std::sin(angle);
+    T(z, r) = std::sin(angle);
+    turned = sparse(T.transpose() * Eigen::MatrixXd(turned) * T);
   };
   const auto normal = [](const double angle) { return Tensor1({std::cos(angle), std::sin(angle)}); };
   turn(7, 8, .9);

@@ -79,14 +79,14 @@ namespace
     {
       Vector increments(n), d(n);
       Eigen::MatrixXd dense = matrix;
-      Eigen::VectorXd load  = -residual;
+      Eigen::VectorXd load = -residual;
       for (unsigned int i = 0; i < n; ++i)
         if (prescribed[i])
         {
           increments[i] = .01 * i;
           dense.row(i).setZero();
           dense(i, i) = 1.;
-          load[i]     = increments[i];
+          load[i] = increments[i];
         }
       system.set_prescribed(prescribed);
       BOOST_TEST(system.factorize());
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(updates_of_a_free_chain_need_one_factorization)
       for (const double factor : {1e-3, 1., 1e5, 1e10})
       {
         chain.begin();
-        chain.add({0}, {factor}, {.5});                   // a penalty
+        chain.add({0}, {factor}, {.5}); // a penalty
         chain.add({10, 11}, {2., 1., -1., 4.}, {0., 1.}); // friction: not symmetric
         chain.multiplier(20, true);
         chain.multiplier(21, false);

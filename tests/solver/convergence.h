@@ -15,7 +15,7 @@ namespace deltaform
     inline NewtonSettings newton_settings(const std::vector<std::string> &entries)
     {
       ParameterTree tree = ParameterTree::parse("", "test", entries);
-      Section section    = tree.root();
+      Section section = tree.root();
       return NewtonSettings(section);
     }
 

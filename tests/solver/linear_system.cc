@@ -79,14 +79,14 @@ namespace
     std::uniform_real_distribution<double> uniform(-1., 1.);
     Vector increments(assembled.n), d(assembled.n);
     Eigen::MatrixXd matrix = assembled.matrix;
-    Eigen::VectorXd load   = -assembled.residual;
+    Eigen::VectorXd load = -assembled.residual;
     for (unsigned int i = 0; i < assembled.n; ++i)
       if (prescribed[i])
       {
         increments[i] = uniform(generator);
         matrix.row(i).setZero();
         matrix(i, i) = 1.;
-        load[i]      = increments[i];
+        load[i] = increments[i];
       }
     assembled.system.set_prescribed(prescribed);
     BOOST_TEST(assembled.system.factorize());
@@ -113,8 +113,7 @@ BOOST_AUTO_TEST_SUITE(linear_system)
 BOOST_AUTO_TEST_CASE(solutions_are_those_of_dense_algebra)
 {
   for_all_solvers(
-    [](const std::string &solver)
-    {
+    [](const std::string &solver) {
       for (const unsigned int n_border : {0, 1, 2})
         BOOST_TEST_CONTEXT("border " << n_border)
         {
@@ -138,8 +137,7 @@ BOOST_AUTO_TEST_CASE(solutions_are_those_of_dense_algebra)
 BOOST_AUTO_TEST_CASE(prescribed_unknowns_of_the_border)
 {
   for_all_solvers(
-    [](const std::string &solver)
-    {
+    [](const std::string &solver) {
       std::mt19937 generator(2);
       Assembled assembled(solver, 2);
       for (const bool first : {false, true})
@@ -148,8 +146,8 @@ BOOST_AUTO_TEST_CASE(prescribed_unknowns_of_the_border)
           assembled.fill(generator);
           std::vector<bool> prescribed(assembled.n, false);
           prescribed[3] = prescribed[17] = true;
-          prescribed[n_sparse]           = first;
-          prescribed[n_sparse + 1]       = second;
+          prescribed[n_sparse] = first;
+          prescribed[n_sparse + 1] = second;
           compare(assembled, prescribed, generator);
         }
     });
@@ -201,15 +199,13 @@ BOOST_AUTO_TEST_CASE(a_pass_without_tangent_keeps_it)
 BOOST_AUTO_TEST_CASE(singular_systems_are_reported)
 {
   for_all_solvers(
-    [](const std::string &solver)
-    {
+    [](const std::string &solver) {
       // A free unknown without stiffness
       dealii::DynamicSparsityPattern pattern(3, 3);
       for (unsigned int i = 0; i < 3; ++i)
         pattern.add(i, i);
       System system(std::move(pattern), 0, solver);
-      const auto assemble = [&](const double last)
-      {
+      const auto assemble = [&](const double last) {
         system.clear(true);
         const double values[] = {2., 5., last}, load = 1.;
         for (DofIndex i = 0; i < 3; ++i)
@@ -238,7 +234,7 @@ BOOST_AUTO_TEST_CASE(a_border_that_nothing_holds_is_reported)
   pattern.add(0, 0);
   System system(std::move(pattern), 1, "klu");
   const DofIndex dofs[] = {0, 1};
-  const double load[]   = {1., 1.};
+  const double load[] = {1., 1.};
   Vector zero(2), d(2);
   for (const double coupling : {0., 1.})
   {
@@ -256,8 +252,7 @@ BOOST_AUTO_TEST_CASE(elements_may_come_in_another_order)
   Assembled assembled("klu", 1);
   auto &system = assembled.system;
   const std::vector<std::vector<DofIndex>> elements{{0, 1, 2, 3}, {1, 2, 3, 4}, {3, 4}, {n_sparse, 5, 6}, {4, 5, 6, 7}};
-  const auto pass = [&](const std::vector<unsigned int> &order)
-  {
+  const auto pass = [&](const std::vector<unsigned int> &order) {
     system.clear(true);
     for (const auto e : order)
     {

@@ -17,9 +17,9 @@ namespace
       setenv("OMPI_MCA_btl", "self", 0);
       setenv("OMPI_MCA_pml", "ob1", 0);
       auto &suite = boost::unit_test::framework::master_test_suite();
-      argc        = suite.argc;
-      argv        = suite.argv;
-      mpi         = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
+      argc = suite.argc;
+      argv = suite.argv;
+      mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
     }
 
     int argc;

@@ -100,18 +100,18 @@ namespace
 
     NewtonResult solve(const double start,
                        const std::vector<std::string> &entries = {},
-                       const double goal                       = 0.,
-                       const Damping damping                   = Damping::none)
+                       const double goal = 0.,
+                       const Damping damping = Damping::none)
     {
       const NewtonSettings settings = newton_settings(entries);
       Timers timers;
       const std::vector<double> scale(2, 1.), size(2, 1.);
       Newton newton(*this, system, settings, scale, size, timers);
       q.reinit(2);
-      q[0]                 = start;
-      Vector prescribed    = q;
+      q[0] = start;
+      Vector prescribed = q;
       const auto committed = q;
-      prescribed[1]        = goal;
+      prescribed[1] = goal;
       visited.clear();
       factors.clear();
       return newton.solve(q, prescribed, {false, true}, committed, 0., damping);
@@ -120,7 +120,7 @@ namespace
     Function internal, slope;
     double load, spring = 0., largest_step = 1e300, step = 0., slack = 0.;
     std::function<bool(double)> allowed = [](double) { return true; };
-    unsigned int n_corrections          = 0;
+    unsigned int n_corrections = 0;
     mutable unsigned int n_inconsistent = 0;
     System system;
     Vector q;
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_SUITE(newton)
 
 BOOST_AUTO_TEST_CASE(quadratic_convergence)
 {
-  Scalar problem            = stiffening(10.);
+  Scalar problem = stiffening(10.);
   const NewtonResult result = problem.solve(0., {"Force tolerance=1e-12"});
   BOOST_TEST(result.converged());
   BOOST_TEST(std::abs(problem.q[0] - 2.) < 1e-12);
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(a_linear_problem_takes_one_iteration)
 
 BOOST_AUTO_TEST_CASE(loads_that_start_at_zero_do_not_stall)
 {
-  Scalar problem            = stiffening(0.);
+  Scalar problem = stiffening(0.);
   const NewtonResult result = problem.solve(0.);
   BOOST_TEST(result.converged());
   BOOST_TEST(result.iterations <= 1u);
@@ -172,8 +172,8 @@ BOOST_AUTO_TEST_CASE(loads_that_start_at_zero_do_not_stall)
 
 BOOST_AUTO_TEST_CASE(prescribed_unknowns_move_their_neighbours)
 {
-  Scalar problem            = stiffening(0.);
-  problem.spring            = 2.;
+  Scalar problem = stiffening(0.);
+  problem.spring = 2.;
   const NewtonResult result = problem.solve(0., {"Force tolerance=1e-12"}, 3.);
   BOOST_TEST(result.converged());
   BOOST_TEST(problem.q[1] == 3.);
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(prescribed_unknowns_move_their_neighbours)
   BOOST_TEST(std::abs(u + u * u * u - 2. * (3. - u)) < 1e-11);
   BOOST_TEST(problem.visited[1] > 0.); // in the first iteration
   // In parts where the step is not admissible as a whole
-  problem.largest_step      = .25;
+  problem.largest_step = .25;
   const NewtonResult slower = problem.solve(0., {"Force tolerance=1e-12"}, 3.);
   BOOST_TEST(slower.converged());
   BOOST_TEST(problem.q[1] == 3.);
@@ -206,13 +206,13 @@ BOOST_AUTO_TEST_CASE(the_line_search_finds_what_full_steps_miss)
 
 BOOST_AUTO_TEST_CASE(forbidden_states_are_avoided)
 {
-  Scalar problem            = stiffening(10.);
-  problem.allowed           = [](const double u) { return u < 2.5; };
+  Scalar problem = stiffening(10.);
+  problem.allowed = [](const double u) { return u < 2.5; };
   const NewtonResult result = problem.solve(0., {"Force tolerance=1e-10"}); // the first step goes to 10
   BOOST_TEST(result.converged());
   BOOST_TEST(std::abs(problem.q[0] - 2.) < 1e-8);
 
-  problem.allowed           = [](const double u) { return u < 1e-6; };
+  problem.allowed = [](const double u) { return u < 1e-6; };
   const NewtonResult failed = problem.solve(0.);
   BOOST_TEST((failed.outcome == Outcome::inadmissible));
   BOOST_TEST(std::string(failed.status.cause) == "not allowed");
@@ -239,14 +239,14 @@ BOOST_AUTO_TEST_CASE(failures_are_told_apart)
 BOOST_AUTO_TEST_CASE(creeping_is_given_up)
 {
   // Steps of which not a hundredth is admissible, far from equilibrium: not the twenty that are allowed are made.
-  Scalar problem       = stiffening(10.);
+  Scalar problem = stiffening(10.);
   problem.largest_step = .005;
-  const auto creeping  = problem.solve(0.);
+  const auto creeping = problem.solve(0.);
   BOOST_TEST((creeping.outcome == Outcome::diverged));
   BOOST_TEST(creeping.iterations == 3u);
   BOOST_TEST(creeping.residuals.size() == 4u);
   BOOST_TEST(problem.solve(0., {}, 0., Damping::damped).iterations > 3u); // the last resort goes on
-  problem.largest_step = .3;                                              // .03, .06, ...
+  problem.largest_step = .3; // .03, .06, ...
   BOOST_TEST(problem.solve(0.).converged());
   // At the solution's door short steps are no failure.
   problem.largest_step = 1e-6;
@@ -256,35 +256,35 @@ BOOST_AUTO_TEST_CASE(creeping_is_given_up)
 BOOST_AUTO_TEST_CASE(damped_steps_go_on_while_they_lead_down)
 {
   // From 0 to 2 in steps of .008: after 200 of them the residual is a quarter of the forces.
-  Scalar problem       = stiffening(10.);
+  Scalar problem = stiffening(10.);
   problem.largest_step = .008;
-  const auto slow      = problem.solve(0., {}, 0., Damping::damped);
+  const auto slow = problem.solve(0., {}, 0., Damping::damped);
   BOOST_TEST(slow.converged());
   BOOST_TEST(slow.iterations > 200u);
   // Steps of .005 have got to two thirds by then: not on their way.
   problem.largest_step = .005;
-  const auto far       = problem.solve(0., {}, 0., Damping::damped);
+  const auto far = problem.solve(0., {}, 0., Damping::damped);
   BOOST_TEST((far.outcome == Outcome::diverged));
   BOOST_TEST(far.iterations == 200u);
   // And not for ever.
   problem.largest_step = 1e-4;
-  const auto endless   = problem.solve(1.6, {}, 0., Damping::damped);
+  const auto endless = problem.solve(1.6, {}, 0., Damping::damped);
   BOOST_TEST((endless.outcome == Outcome::diverged));
   BOOST_TEST(endless.iterations == 800u);
 }
 
 BOOST_AUTO_TEST_CASE(rounds_of_corrections)
 {
-  Scalar problem          = stiffening(10.);
-  problem.n_corrections   = 3;
+  Scalar problem = stiffening(10.);
+  problem.n_corrections = 3;
   const NewtonResult done = problem.solve(0.);
   BOOST_TEST(done.converged());
   BOOST_TEST(done.rounds == 3u);
   const double u = problem.q[0];
   BOOST_TEST(std::abs(u + u * u * u - 10. * 1.1 * 1.1 * 1.1) < 1e-6);
 
-  Scalar endless              = stiffening(10.);
-  endless.n_corrections       = 100;
+  Scalar endless = stiffening(10.);
+  endless.n_corrections = 100;
   const NewtonResult given_up = endless.solve(0., {"Maximal corrections=5"});
   BOOST_TEST((given_up.outcome == Outcome::not_corrected));
   BOOST_TEST(given_up.rounds == 6u);
@@ -292,10 +292,10 @@ BOOST_AUTO_TEST_CASE(rounds_of_corrections)
 
 BOOST_AUTO_TEST_CASE(a_small_residual_alone_is_no_solution)
 {
-  Scalar problem         = stiffening(10.);
-  const auto at_once     = problem.solve(0.);
+  Scalar problem = stiffening(10.);
+  const auto at_once = problem.solve(0.);
   problem.n_inconsistent = 2;
-  const auto later       = problem.solve(0.);
+  const auto later = problem.solve(0.);
   BOOST_TEST(later.converged());
   BOOST_TEST(later.iterations > at_once.iterations);
   BOOST_TEST(problem.n_inconsistent == 0u);
@@ -304,13 +304,12 @@ BOOST_AUTO_TEST_CASE(a_small_residual_alone_is_no_solution)
 BOOST_AUTO_TEST_CASE(damped_steps_snap_through)
 {
   // A shallow arch: R = u (u - 1)(u - 2) - load has its limit point at u = 1 - 1/sqrt(3), load = 2/sqrt(27) = .3849.
-  const auto arch = []()
-  {
+  const auto arch = []() {
     return Scalar([](const double u) { return u * (u - 1.) * (u - 2.); },
                   [](const double u) { return 3. * u * u - 6. * u + 2.; },
                   .3849 + .02);
   };
-  Scalar problem    = arch();
+  Scalar problem = arch();
   const auto damped = problem.solve(.4, {}, 0., Damping::damped);
   BOOST_TEST(damped.converged());
   const double u = problem.q[0];

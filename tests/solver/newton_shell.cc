@@ -38,8 +38,7 @@ BOOST_AUTO_TEST_SUITE(newton_shell)
 BOOST_AUTO_TEST_CASE(elastic)
 {
   for_all_shells(Entries{"Material/Model=linear elastic"},
-                 [](const Entries &entries)
-                 {
+                 [](const Entries &entries) {
                    ShellProblem problem(entries, {}, {});
                    check_order(problem.increment(1., 2.)); // deflection of several thicknesses
                    check_order(problem.increment(2., 4.));
@@ -49,8 +48,7 @@ BOOST_AUTO_TEST_CASE(elastic)
 BOOST_AUTO_TEST_CASE(plastic)
 {
   for_all_shells(yielding,
-                 [](const Entries &entries)
-                 {
+                 [](const Entries &entries) {
                    ShellProblem problem(entries, {}, {});
                    for (unsigned int k = 1; k < 10; ++k)
                      problem.increment(.1 * k, .2 * k);
@@ -67,8 +65,7 @@ BOOST_AUTO_TEST_CASE(in_contact_with_friction)
     for (const std::string point : {"normal offset", "outer fibre"})
       for_all_shells(
         yielding + Entries{"Blank/Contact point=" + point},
-        [&](const Entries &entries)
-        {
+        [&](const Entries &entries) {
           BOOST_TEST_CONTEXT(enforcement << ", " << point)
           {
             ShellProblem problem(entries, {"Enforcement=" + enforcement, "Allowed penetration=5e-2*.05"}, punch);
@@ -102,8 +99,7 @@ BOOST_AUTO_TEST_CASE(driven_by_a_force)
 {
   // The travel of the tool is an unknown of the border.
   for_all_shells(yielding,
-                 [](const Entries &entries)
-                 {
+                 [](const Entries &entries) {
                    const Entries driven{"Shape=flat punch",
                                         "Radius=.3",
                                         "Edge radius=.2",

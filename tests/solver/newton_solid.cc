@@ -45,8 +45,7 @@ BOOST_AUTO_TEST_SUITE(newton_solid)
 BOOST_AUTO_TEST_CASE(elastic)
 {
   for_all_solids(Entries{"Material/Model=linear elastic"},
-                 [](const Entries &entries)
-                 {
+                 [](const Entries &entries) {
                    ShellProblem problem(entries, {}, {}, "solid");
                    check_order(problem.increment(1., 2.));
                    check_order(problem.increment(2., 4.));
@@ -56,8 +55,7 @@ BOOST_AUTO_TEST_CASE(elastic)
 BOOST_AUTO_TEST_CASE(plastic)
 {
   for_all_solids(yielding,
-                 [](const Entries &entries)
-                 {
+                 [](const Entries &entries) {
                    ShellProblem problem(entries, {}, {}, "solid");
                    for (unsigned int k = 1; k < 10; ++k)
                      problem.increment(.1 * k, .2 * k);
@@ -77,8 +75,7 @@ BOOST_AUTO_TEST_CASE(in_contact_with_friction)
   for (const std::string enforcement : {"penalty", "active set"})
     for_all_solids(
       yielding,
-      [&](const Entries &entries)
-      {
+      [&](const Entries &entries) {
         ShellProblem problem(entries, {"Enforcement=" + enforcement, "Allowed penetration=5e-2*.05"}, punch, "solid");
         unsigned int assessed = 0, good = 0;
         for (unsigned int k = 1; k <= 20; ++k)

@@ -29,7 +29,7 @@ namespace deltaform
         if (!tool.empty())
         {
           fixture = std::make_unique<PairFixture>(*blank, contact, tool);
-          n       = fixture->n;
+          n = fixture->n;
         }
         const unsigned int n_border = fixture ? fixture->tool.force_driven() : 0;
         dealii::DynamicSparsityPattern pattern(n - n_border, n - n_border);
@@ -149,14 +149,14 @@ namespace deltaform
         {
           if (share < 1. && (!fixture || result.converged()))
             break;
-          pressure    = new_pressure;
+          pressure = new_pressure;
           factors_due = true;
           if (fixture)
           {
             fixture->pair.begin_increment(time);
             fixture->pair.soften(share);
           }
-          q      = committed;
+          q = committed;
           result = newton.solve(q, committed, prescribed, committed, 0.);
         }
         if (!result.converged())

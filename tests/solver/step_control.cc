@@ -12,7 +12,7 @@ namespace
   StepSettings settings(const std::vector<std::string> &entries = {})
   {
     ParameterTree tree = ParameterTree::parse("", "test", entries);
-    Section section    = tree.root();
+    Section section = tree.root();
     return StepSettings(section);
   }
 } // namespace
@@ -53,8 +53,7 @@ BOOST_AUTO_TEST_CASE(no_slivers)
 BOOST_AUTO_TEST_CASE(easy_increments_grow_and_hard_ones_shrink)
 {
   const StepSettings what = settings({"Target iterations=8", "Growth=1.5", "Shrink=.5"});
-  const auto after        = [&](const unsigned int iterations)
-  {
+  const auto after = [&](const unsigned int iterations) {
     StepControl control(what, 0., 1., .01, 1e-3, .1, {});
     control.accept(iterations);
     return control.increment();

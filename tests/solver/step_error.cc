@@ -11,7 +11,7 @@ namespace
   StepSettings settings(const std::vector<std::string> &entries)
   {
     ParameterTree tree = ParameterTree::parse("", "test", entries);
-    Section section    = tree.root();
+    Section section = tree.root();
     return StepSettings(section);
   }
 } // namespace

@@ -14,15 +14,15 @@ namespace
   std::unique_ptr<Shape> make(const std::string &name, const std::string &entries)
   {
     ParameterTree tree = ParameterTree::parse(entries, "test.prm");
-    Section section    = tree.root();
-    auto shape         = Registry<Shape>::make(name, section);
+    Section section = tree.root();
+    auto shape = Registry<Shape>::make(name, section);
     tree.check_unused();
     return shape;
   }
 
   void check_pole(const Shape &shape)
   {
-    const double radius    = shape.smallest_radius();
+    const double radius = shape.smallest_radius();
     const double round_off = 1e-15 * (std::isinf(radius) ? 1. : 1. + radius);
     for (const double z : {.3, -.1})
     {
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(plate)
 BOOST_AUTO_TEST_CASE(circle)
 {
   const auto cylinder = make("circle", "set Radius = 2");
-  Projection p        = cylinder->project({-1.8, 2.4});
+  Projection p = cylinder->project({-1.8, 2.4});
   BOOST_TEST(std::abs(p.distance - 1.) < 1e-15);
   BOOST_TEST(std::abs(p.normal[0] + .6) < 1e-15);
   BOOST_TEST(std::abs(p.turning - 1 / 3.) < 1e-15);
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(circle)
   BOOST_TEST(std::abs(cylinder->slip(a, b) - 4 * std::atan(.005)) < 1e-13);
 
   const auto bore = make("circle", "set Radius = 2\n set Concave = true");
-  p               = bore->project({-.6, -.8});
+  p = bore->project({-.6, -.8});
   BOOST_TEST(std::abs(p.distance - 1.) < 1e-15);
   BOOST_TEST(std::abs(p.normal[0] - .6) < 1e-15);
   BOOST_TEST(std::abs(p.turning + 1.) < 1e-15);
@@ -167,18 +167,16 @@ BOOST_AUTO_TEST_CASE(profile)
   BOOST_TEST(std::isinf(cut->project({-1e-6, 1.5}).distance));
   // A profile that ends on the axis, the blank below.
   const auto upper = make("profile", "set Points = 4 5; 4 1; 0 1\n set Fillet radii = 0, 1, 0");
-  Projection p     = upper->project({0., .5});
+  Projection p = upper->project({0., .5});
   BOOST_TEST(p.distance == .5);
   BOOST_TEST(p.normal[1] == -1.);
   const double length = upper->length();
   BOOST_TEST(std::abs(upper->project({-.5, .5}).arc_length - (length + .5)) < 1e-14);
 
-  const auto refuses = [](const std::string &entries, const std::string &part)
-  {
+  const auto refuses = [](const std::string &entries, const std::string &part) {
     BOOST_CHECK_EXCEPTION(make("profile", entries),
                           SceneError,
-                          [&](const SceneError &error)
-                          {
+                          [&](const SceneError &error) {
                             BOOST_TEST_MESSAGE(error.what());
                             return std::string(error.what()).find(part) != std::string::npos;
                           });

@@ -32,8 +32,7 @@ namespace
   {
     BOOST_CHECK_EXCEPTION(Polygon(points, radii, closed),
                           std::invalid_argument,
-                          [&](const std::invalid_argument &error)
-                          {
+                          [&](const std::invalid_argument &error) {
                             BOOST_TEST_MESSAGE(error.what());
                             return std::string(error.what()).find(part) != std::string::npos;
                           });

@@ -44,7 +44,7 @@ namespace
   std::unique_ptr<Shape> documented(const std::string &name)
   {
     ParameterTree tree = ParameterTree::documentation();
-    Section section    = tree.root();
+    Section section = tree.root();
     return Registry<Shape>::make(name, section);
   }
 
@@ -111,8 +111,7 @@ BOOST_AUTO_TEST_SUITE(shape_conformance)
 BOOST_AUTO_TEST_CASE(normal_and_tangent_are_a_frame)
 {
   for_all(
-    [](const Shape &, const Point2 &, const Projection &p)
-    {
+    [](const Shape &, const Point2 &, const Projection &p) {
       BOOST_TEST(std::abs(p.normal.norm() - 1) < 1e-14);
       BOOST_TEST(std::abs(p.tangent.norm() - 1) < 1e-14);
       BOOST_TEST(std::abs(p.normal[0] + p.tangent[1]) < 1e-15); // the tangent turned by +90 degrees
@@ -131,13 +130,13 @@ BOOST_AUTO_TEST_CASE(material_above_is_outside)
       const auto shape = documented(name);
       std::mt19937 generator(21);
       std::uniform_real_distribution<double> part(0., 1.);
-      const auto box         = shape->bounding_box();
+      const auto box = shape->bounding_box();
       unsigned int n_checked = 0;
       double first_r = 1e300, last_r = -1e300;
       for (const Point2 &point : shape->polyline())
       {
         first_r = std::min(first_r, point[0]);
-        last_r  = std::max(last_r, point[0]);
+        last_r = std::max(last_r, point[0]);
       }
       for (unsigned int i = 0; i < 200; ++i)
       {
@@ -159,7 +158,7 @@ BOOST_AUTO_TEST_CASE(named_shapes_touch_first_at_their_origin_s_height)
     BOOST_TEST_CONTEXT("shape '" << name << "'")
     {
       const auto shape = documented(name);
-      const bool test  = name.size() > 6 && name.compare(name.size() - 6, 6, "(test)") == 0;
+      const bool test = name.size() > 6 && name.compare(name.size() - 6, 6, "(test)") == 0;
       if (test || shape->in_scene_frame() || name == "circle")
         continue;
       BOOST_TEST(std::abs(shape->bounding_box().second[1]) < 1e-12);
@@ -171,9 +170,8 @@ BOOST_AUTO_TEST_CASE(named_shapes_touch_first_at_their_origin_s_height)
 BOOST_AUTO_TEST_CASE(foot_point_is_on_the_profile)
 {
   for_all(
-    [](const Shape &shape, const Point2 &x, const Projection &p)
-    {
-      const Point2 foot  = x - p.distance * p.normal;
+    [](const Shape &shape, const Point2 &x, const Projection &p) {
+      const Point2 foot = x - p.distance * p.normal;
       const Projection q = shape.project(foot);
       BOOST_TEST(std::abs(q.distance) < 1e-13);
       BOOST_TEST(std::abs(q.arc_length - p.arc_length) < 1e-12);
@@ -184,8 +182,7 @@ BOOST_AUTO_TEST_CASE(foot_point_is_on_the_profile)
 BOOST_AUTO_TEST_CASE(foot_point_is_the_closest_of_all)
 {
   for_all(
-    [](const Shape &shape, const Point2 &x, const Projection &p)
-    {
+    [](const Shape &shape, const Point2 &x, const Projection &p) {
       if (x[0] < 0) // may be close to the mirror image
         return false;
       for (const Shape::Segment &segment : shape.segments())
@@ -199,14 +196,13 @@ BOOST_AUTO_TEST_CASE(normal_is_the_gradient_of_the_distance)
 {
   constexpr double h = 1e-6;
   for_all(
-    [](const Shape &shape, const Point2 &x, const Projection &p)
-    {
+    [](const Shape &shape, const Point2 &x, const Projection &p) {
       if (!is_smooth(shape, x, p, h))
         return false;
       for (unsigned int d = 0; d < 2; ++d)
       {
         Tensor1 step;
-        step[d]            = h;
+        step[d] = h;
         const double slope = (shape.project(x + step).distance - shape.project(x - step).distance) / (2 * h);
         BOOST_TEST(std::abs(slope - p.normal[d]) < 1e-8);
       }
@@ -218,14 +214,13 @@ BOOST_AUTO_TEST_CASE(turning_is_the_derivative_of_the_normal)
 {
   constexpr double h = 1e-6;
   for_all(
-    [](const Shape &shape, const Point2 &x, const Projection &p)
-    {
+    [](const Shape &shape, const Point2 &x, const Projection &p) {
       if (!is_smooth(shape, x, p, h))
         return false;
       for (unsigned int d = 0; d < 2; ++d)
       {
         Tensor1 step;
-        step[d]             = h;
+        step[d] = h;
         const Tensor1 slope = (shape.project(x + step).normal - shape.project(x - step).normal) / (2 * h);
         BOOST_TEST((slope - p.turning * p.tangent[d] * p.tangent).norm() < 1e-7);
       }
@@ -237,8 +232,7 @@ BOOST_AUTO_TEST_CASE(slip_rate_is_the_derivative_of_the_arc_length)
 {
   constexpr double h = 1e-6;
   for_all(
-    [](const Shape &shape, const Point2 &x, const Projection &p)
-    {
+    [](const Shape &shape, const Point2 &x, const Projection &p) {
       if (!is_smooth(shape, x, p, h))
         return false;
       for (unsigned int d = 0; d < 2; ++d)
@@ -257,9 +251,8 @@ BOOST_AUTO_TEST_CASE(mean_curvature_is_how_the_normal_turns)
 {
   // Between two feet, whatever joints lie between them: the angle between their normals.
   for_all(
-    [](const Shape &shape, const Point2 &x, const Projection &p)
-    {
-      const Point2 foot  = x - p.distance * p.normal;
+    [](const Shape &shape, const Point2 &x, const Projection &p) {
+      const Point2 foot = x - p.distance * p.normal;
       const Projection a = shape.project(foot - .05 * p.tangent), b = shape.project(foot + .05 * p.tangent);
       const double between = shape.slip(a.arc_length, b.arc_length);
       if (!(between > .01 && between < .2))
@@ -284,12 +277,11 @@ BOOST_AUTO_TEST_CASE(mean_curvature_is_how_the_normal_turns)
 BOOST_AUTO_TEST_CASE(mean_curvature_has_no_jumps)
 {
   for_all(
-    [](const Shape &shape, const Point2 &, const Projection &p)
-    {
+    [](const Shape &shape, const Point2 &, const Projection &p) {
       constexpr double reach = .1, h = 1e-7;
-      const double s      = p.arc_length;
+      const double s = p.arc_length;
       const double change = shape.mean_curvature(s + h, reach) - shape.mean_curvature(s - h, reach);
-      const double slope  = shape.curvature_change(s, reach);
+      const double slope = shape.curvature_change(s, reach);
       BOOST_TEST(std::abs(change) <= 2 * h / (reach * shape.smallest_radius()) + 1e-13);
       if (slope == shape.curvature_change(s - h, reach) && slope == shape.curvature_change(s + h, reach))
         BOOST_TEST(std::abs(change - 2 * h * slope) < 1e-13); // round-off of s over reach and radius
@@ -301,10 +293,9 @@ BOOST_AUTO_TEST_CASE(slip_of_a_node_kept_off_does_work_with_its_share_of_the_for
 {
   // d(slip)/d(node) = 1/(1 + mean k offset) for a node at the distance of the offset, joints or not.
   for_all(
-    [](const Shape &shape, const Point2 &x, const Projection &p)
-    {
+    [](const Shape &shape, const Point2 &x, const Projection &p) {
       constexpr double offset = .04, h = 1e-6;
-      const Point2 node     = x + (offset - p.distance) * p.normal;
+      const Point2 node = x + (offset - p.distance) * p.normal;
       const Projection here = shape.project(node), a = shape.project(node - h * p.tangent),
                        b = shape.project(node + h * p.tangent);
       if (std::abs(here.distance - offset) > 1e-9 || here.slip_rate == 0. || a.segment != b.segment ||
@@ -323,8 +314,7 @@ BOOST_AUTO_TEST_CASE(slip_of_a_node_kept_off_does_work_with_its_share_of_the_for
 BOOST_AUTO_TEST_CASE(warm_start_changes_nothing)
 {
   for_all(
-    [](const Shape &shape, const Point2 &x, const Projection &p)
-    {
+    [](const Shape &shape, const Point2 &x, const Projection &p) {
       const unsigned int n = static_cast<unsigned int>(shape.segments().size());
       for (unsigned int hint = 0; hint <= n; ++hint)
       {
@@ -345,11 +335,11 @@ BOOST_AUTO_TEST_CASE(no_jump_and_no_gap_at_the_joints)
     BOOST_TEST_CONTEXT("shape '" << name << "'")
     {
       const auto shape = documented(name);
-      const auto &all  = shape->segments();
+      const auto &all = shape->segments();
       for (unsigned int i = 0; i < all.size(); ++i)
       {
         const Shape::Segment &s = all[i];
-        const double side       = s.convex ? 1. : -1.;
+        const double side = s.convex ? 1. : -1.;
         std::vector<std::pair<Point2, Tensor1>> rays; // along the normals at the ends of arcs and corners
         if (s.kind == Shape::Segment::Kind::arc)
           rays = {{s.start, side * s.from}, {s.end, side * s.to}};
@@ -367,7 +357,7 @@ BOOST_AUTO_TEST_CASE(no_jump_and_no_gap_at_the_joints)
               {
                 const double r = a == 0 ? x[0] : std::nextafter(x[0], a * 1e9);
                 const double z = b == 0 ? x[1] : std::nextafter(x[1], b * 1e9);
-                const auto p   = shape->project(Point2(r, z));
+                const auto p = shape->project(Point2(r, z));
                 BOOST_TEST(std::abs(p.distance - distance) < 1e-14);
                 BOOST_TEST((p.normal - normal).norm() < 4e-15 / distance + 1e-13);
               }

@@ -22,8 +22,7 @@ namespace
   {
     BOOST_CHECK_EXCEPTION(make(entries),
                           SceneError,
-                          [&](const SceneError &error)
-                          {
+                          [&](const SceneError &error) {
                             BOOST_TEST_MESSAGE(error.what());
                             return std::string(error.what()).find(part) != std::string::npos;
                           });
@@ -85,7 +84,7 @@ BOOST_AUTO_TEST_CASE(derivatives_in_the_scene)
   constexpr double h = 1e-6;
   for (const std::string side : {"top", "bottom"})
   {
-    const Tool tool     = make("set Shape = flat punch\n set Radius = 1\n set Edge radius = .5\n set Side = " + side +
+    const Tool tool = make("set Shape = flat punch\n set Radius = 1\n set Edge radius = .5\n set Side = " + side +
                            "\n set Position z = .1\n set Direction = 3 4\n set Motion = t\n");
     const double mirror = side == "top" ? -1. : 1., travel = .5;
     const Point2 x(.3 + .5 + .3, .5 + mirror * (-.5 + .7)); // off the edge
@@ -95,7 +94,7 @@ BOOST_AUTO_TEST_CASE(derivatives_in_the_scene)
     for (unsigned int d = 0; d < 2; ++d)
     {
       Tensor1 step;
-      step[d]            = h;
+      step[d] = h;
       const Projection a = tool.project(x - step, travel), b = tool.project(x + step, travel);
       BOOST_TEST(std::abs((b.distance - a.distance) / (2 * h) - p.normal[d]) < 1e-9);
       BOOST_TEST(((b.normal - a.normal) / (2 * h) - p.turning * p.tangent[d] * p.tangent).norm() < 1e-9);
@@ -125,8 +124,8 @@ BOOST_AUTO_TEST_CASE(a_force_instead_of_a_motion)
 
 BOOST_AUTO_TEST_CASE(a_profile_is_not_mirrored)
 {
-  const Tool tool    = make("set Shape = profile\n set Points = 3 1; 0 1\n set Side = top\n set Position z = 0\n"
-                            "set Motion = .25");
+  const Tool tool = make("set Shape = profile\n set Points = 3 1; 0 1\n set Side = top\n set Position z = 0\n"
+                         "set Motion = .25");
   const Projection p = tool.project({1., 0.}, tool.travel(0.));
   BOOST_TEST(p.distance == .75);
   BOOST_TEST(p.normal[1] == -1.);

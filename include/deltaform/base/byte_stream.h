@@ -13,7 +13,8 @@ namespace deltaform
   class ByteStream
   {
   public:
-    ByteStream() : stream_(bytes_)
+    ByteStream()
+      : stream_(bytes_)
     {
       bytes_.reserve(room);
     }

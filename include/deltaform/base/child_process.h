@@ -18,7 +18,7 @@ namespace deltaform
   /// A process that has ended.
   struct EndedProcess
   {
-    int process     = 0;
+    int process = 0;
     int exit_status = 0; ///< 128 + the signal if one ended it, as shells do
   };
 

@@ -17,11 +17,11 @@ namespace deltaform
   /// The exit statuses of the program; part of its interface.
   namespace exit_status
   {
-    constexpr int done           = 0;
-    constexpr int wrong_scene    = 1;
-    constexpr int not_converged  = 2;
+    constexpr int done = 0;
+    constexpr int wrong_scene = 1;
+    constexpr int not_converged = 2;
     constexpr int promise_broken = 3;
-    constexpr int wrong_usage    = 64;
+    constexpr int wrong_usage = 64;
   } // namespace exit_status
 
   /// What the user asks for.
@@ -30,9 +30,9 @@ namespace deltaform
     enum class Command
     {
       run,
-      check,            ///< build the scene and say what is wrong with it, compute nothing
-      sweep,            ///< one run per combination of the varied values
-      list,             ///< what can be chosen
+      check, ///< build the scene and say what is wrong with it, compute nothing
+      sweep, ///< one run per combination of the varied values
+      list, ///< what can be chosen
       print_parameters, ///< of the scene, or of everything if no scene is named
       version,
       help
@@ -48,13 +48,13 @@ namespace deltaform
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
     Command command = Command::run;
-    std::string scene;             ///< file name; may be empty for the commands that need none
+    std::string scene; ///< file name; may be empty for the commands that need none
     std::vector<std::string> sets; ///< "Section/Entry=value", in order
-    std::string output;            ///< folder; empty: what the scene says
-    bool quiet        = false;
-    bool resume       = false;
-    unsigned int jobs = 1;             ///< runs of a sweep at a time
-    double seconds    = infinity;      ///< a run of a sweep may take
+    std::string output; ///< folder; empty: what the scene says
+    bool quiet = false;
+    bool resume = false;
+    unsigned int jobs = 1; ///< runs of a sweep at a time
+    double seconds = infinity; ///< a run of a sweep may take
     std::vector<Variation> variations; ///< of a sweep
 
     /// @param argv as in main, with the program's name first. @throws UsageError

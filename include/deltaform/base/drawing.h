@@ -12,9 +12,9 @@ namespace deltaform
   {
     std::string name;
     std::string unit;
-    bool per_point            = true; ///< else per cell
-    unsigned int n_components = 1;    ///< 1, 2 (a vector) or 4: a symmetric tensor, rr, zz, hoop, rz
-    std::vector<double> values;       ///< the components of the first point, of the second, ...
+    bool per_point = true; ///< else per cell
+    unsigned int n_components = 1; ///< 1, 2 (a vector) or 4: a symmetric tensor, rr, zz, hoop, rz
+    std::vector<double> values; ///< the components of the first point, of the second, ...
   };
 
   /// What results write for ParaView: lines (2 points per cell) or quadrilaterals (4) in the (r, z) plane, with fields.

@@ -19,10 +19,10 @@ namespace deltaform
     enum class Console
     {
       automatic, ///< plain lines to a pipe, a rewritten line on a terminal
-      plain,     ///< lines even on a terminal
-      terminal,  ///< a rewritten line even in a pipe
-      quiet,     ///< warnings only
-      silent     ///< nothing at all: the processes other than the first of a parallel run
+      plain, ///< lines even on a terminal
+      terminal, ///< a rewritten line even in a pipe
+      quiet, ///< warnings only
+      silent ///< nothing at all: the processes other than the first of a parallel run
     };
 
     /// On standard output, warnings on standard error.
@@ -32,7 +32,7 @@ namespace deltaform
     Journal(Console console, std::ostream &out, std::ostream &warnings);
 
     ~Journal();
-    Journal(const Journal &)            = delete;
+    Journal(const Journal &) = delete;
     Journal &operator=(const Journal &) = delete;
 
     /// Begin the log, or go on with the one there is; what has been said so far is written to it. @throws SceneError if

@@ -28,14 +28,14 @@ namespace deltaform
       std::string name;
       std::string value; ///< default, or an example if required
       bool required = false;
-      std::string unit;    ///< dimension; empty where there is none
+      std::string unit; ///< dimension; empty where there is none
       std::string allowed; ///< "(0, inf)", "one of a, b"; empty for free text
       std::string sentence;
       std::function<void(const std::string &)> check; ///< throws std::invalid_argument if a value is not allowed
     };
 
     explicit ParameterTree(SceneFile scene);
-    ParameterTree(const ParameterTree &)            = delete;
+    ParameterTree(const ParameterTree &) = delete;
     ParameterTree &operator=(const ParameterTree &) = delete;
 
     /// Read a scene; @p overrides are "A/B/entry=value". @throws SceneError

@@ -49,8 +49,8 @@ namespace deltaform
       Origin origin;
     };
 
-    std::string name;                    ///< the file as the user called it
-    std::vector<Entry> entries;          ///< in order; an entry that replaces an included one appears once
+    std::string name; ///< the file as the user called it
+    std::vector<Entry> entries; ///< in order; an entry that replaces an included one appears once
     std::vector<Subsection> subsections; ///< in order, each path once, where it first begins
 
     /**

@@ -14,8 +14,8 @@ namespace deltaform
   /// Allowed values of a number. Infinite bounds are no bounds; an exclusive bound is not itself allowed.
   struct Range
   {
-    double lower         = -std::numeric_limits<double>::infinity();
-    double upper         = std::numeric_limits<double>::infinity();
+    double lower = -std::numeric_limits<double>::infinity();
+    double upper = std::numeric_limits<double>::infinity();
     bool lower_exclusive = false;
     bool upper_exclusive = false;
 
@@ -59,15 +59,18 @@ namespace deltaform
   {
     T value;
     bool required = false;
-    Default(T v) : value(std::move(v))
+    Default(T v)
+      : value(std::move(v))
     {
     }
-    Default(T v, const bool is_required) : value(std::move(v)), required(is_required)
+    Default(T v, const bool is_required)
+      : value(std::move(v)), required(is_required)
     {
     }
     /// So that a literal is a default, without the detour by std::string.
     template <std::size_t n>
-    Default(const char (&literal)[n]) : value(literal)
+    Default(const char (&literal)[n])
+      : value(literal)
     {
     }
   };

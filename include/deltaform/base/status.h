@@ -15,7 +15,7 @@ namespace deltaform
       shorten_step ///< the state cannot be reached in one step: the step control takes a smaller one
     };
 
-    Outcome outcome   = Outcome::good;
+    Outcome outcome = Outcome::good;
     const char *cause = ""; ///< a sentence in the language of the law, a string literal
     /// Where it happened: index of the point in the batch, later of the cell or node (invalid_index: nowhere in
     /// particular).

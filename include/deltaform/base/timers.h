@@ -25,14 +25,15 @@ namespace deltaform
     class Scope
     {
     public:
-      Scope(Timers &timers, const Index index) : timers_(timers), index_(index), start_(Clock::now())
+      Scope(Timers &timers, const Index index)
+        : timers_(timers), index_(index), start_(Clock::now())
       {
       }
       ~Scope()
       {
         timers_.add(index_, std::chrono::duration<double>(Clock::now() - start_).count());
       }
-      Scope(const Scope &)            = delete;
+      Scope(const Scope &) = delete;
       Scope &operator=(const Scope &) = delete;
 
     private:
@@ -56,7 +57,7 @@ namespace deltaform
         timers_.sections_[index_].seconds -= parts;
         timers_.named_ -= parts;
       }
-      Remainder(const Remainder &)            = delete;
+      Remainder(const Remainder &) = delete;
       Remainder &operator=(const Remainder &) = delete;
 
     private:
@@ -89,7 +90,7 @@ namespace deltaform
     {
       std::string name;
       unsigned long calls = 0;
-      double seconds      = 0.;
+      double seconds = 0.;
     };
 
     Clock::time_point start_;

@@ -14,7 +14,7 @@ namespace deltaform
   using DofIndex = dealii::types::global_dof_index;
 
   /// A point and a vector of the (r, z) or (x, y) plane.
-  using Point2  = dealii::Point<2>;
+  using Point2 = dealii::Point<2>;
   using Tensor1 = dealii::Tensor<1, 2>;
   using Tensor2 = dealii::Tensor<2, 2>;
 

@@ -34,7 +34,7 @@ namespace deltaform
   /// How far an increment goes.
   struct IncrementSize
   {
-    double strain   = 0; ///< largest change of logarithmic strain of any point
+    double strain = 0; ///< largest change of logarithmic strain of any point
     double rotation = 0; ///< largest angle that a point turns by
   };
 
@@ -244,7 +244,7 @@ namespace deltaform
     ///@{
     /// load() restores the mesh as well: the number of unknowns may change.
     virtual void save(std::ostream &stream) const = 0;
-    virtual void load(std::istream &stream)       = 0;
+    virtual void load(std::istream &stream) = 0;
     ///@}
   };
 } // namespace deltaform

@@ -5,11 +5,11 @@ namespace deltaform
   /// What a cross-section of a sheet carries, at a node: what criteria of necking and ironing ask for.
   struct SheetSection
   {
-    double place     = 0; ///< R0 (length)
+    double place = 0; ///< R0 (length)
     double thickness = 0; ///< current (length)
-    double stretch   = 0; ///< meridional logarithmic strain, mean over the thickness
-    double thinning  = 0; ///< -ln(thickness/initial thickness)
-    double stress    = 0; ///< meridional Kirchhoff stress, mean over the thickness (stress)
+    double stretch = 0; ///< meridional logarithmic strain, mean over the thickness
+    double thinning = 0; ///< -ln(thickness/initial thickness)
+    double stress = 0; ///< meridional Kirchhoff stress, mean over the thickness (stress)
     double squeeze = 0; ///< smaller one of the contact pressures of both faces, each a mean over one thickness (stress)
     double flow_stress = 0; ///< mean over the thickness; 0 where no tools squeeze the section (stress)
   };

@@ -20,18 +20,18 @@ namespace deltaform
   enum class ContactPoint : unsigned char
   {
     normal_offset, ///< the node, half a thickness away from the tool along the tool's normal
-    outer_fibre    ///< on the face of the blank, half a thickness along the director
+    outer_fibre ///< on the face of the blank, half a thickness along the director
   };
 
   /// What stays the same at a quadrature point on the meridian of a shell.
   struct ShellPoint
   {
     std::array<double, 3> shape{}, gradient{}; ///< N_a and dN_a/dS
-    double radius      = 1;                    ///< R (plane strain: 1)
-    double angle       = 0;                    ///< of the reference tangent
-    double angle_prime = 0;                    ///< reference curvature
-    double lambda = 1, gamma = 0;              ///< reference values of Lambda and Gamma
-    double weight = 0;                         ///< 2 pi dS (plane strain: dS)
+    double radius = 1; ///< R (plane strain: 1)
+    double angle = 0; ///< of the reference tangent
+    double angle_prime = 0; ///< reference curvature
+    double lambda = 1, gamma = 0; ///< reference values of Lambda and Gamma
+    double weight = 0; ///< 2 pi dS (plane strain: dS)
   };
 
   /**
@@ -128,7 +128,7 @@ namespace deltaform
     /// Reference volume that a layer of a point stands for. @param sine of the angle of the undeformed meridian
     double layer_volume(const ShellPoint &point, const double sine, const unsigned int layer) const
     {
-      const double along  = point.lambda - layer_position_[layer] * point.angle_prime;
+      const double along = point.lambda - layer_position_[layer] * point.angle_prime;
       const double around = axisymmetric_ ? point.radius - layer_position_[layer] * sine : 1.;
       return point.weight * layer_weight_[layer] * along * around;
     }
@@ -173,12 +173,12 @@ namespace deltaform
     PointHistory history_;
     CarriedFlow carried_; ///< of no points if the material does not want it
     std::vector<Mandel> strain_, stress_, committed_strain_, committed_stress_;
-    std::vector<double> thickness_ratio_;                 ///< committed, per quadrature point
-    std::vector<double> node_thickness_;                  ///< committed
-    std::vector<double> node_relief_;                     ///< elastic part of half of it by the transverse stress
+    std::vector<double> thickness_ratio_; ///< committed, per quadrature point
+    std::vector<double> node_thickness_; ///< committed
+    std::vector<double> node_relief_; ///< elastic part of half of it by the transverse stress
     std::array<std::vector<double>, 2> contact_pressure_; ///< committed, per side and node
-    std::vector<double> third_stress_;                    ///< per layer point of the whole blank
-    std::optional<BlankEnergy> energy_ = BlankEnergy();   ///< none if nobody asks
-    mutable std::vector<double> node_area_;               ///< of the last assembled configuration
+    std::vector<double> third_stress_; ///< per layer point of the whole blank
+    std::optional<BlankEnergy> energy_ = BlankEnergy(); ///< none if nobody asks
+    mutable std::vector<double> node_area_; ///< of the last assembled configuration
   };
 } // namespace deltaform

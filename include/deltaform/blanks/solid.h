@@ -107,8 +107,8 @@ namespace deltaform
     struct QuadraturePoint
     {
       std::array<double, 9> shape{}, gradient_r{}, gradient_z{}; ///< N_a, dN_a/dR, dN_a/dZ
-      double radius = 1;                                         ///< R (plane strain: 1)
-      double weight = 0;                                         ///< volume: 2 pi R dA (plane strain: dA)
+      double radius = 1; ///< R (plane strain: 1)
+      double weight = 0; ///< volume: 2 pi R dA (plane strain: dA)
     };
 
     /// In-plane block (row-major) and hoop stretch of the deformation.
@@ -122,9 +122,9 @@ namespace deltaform
     struct ContactFace
     {
       std::vector<unsigned int> nodes;
-      std::vector<Edge> edges;          ///< numbers of contact nodes
-      std::vector<double> arc;          ///< S0
-      std::vector<bool> weightless;     ///< the tributary area vanishes: no pair
+      std::vector<Edge> edges; ///< numbers of contact nodes
+      std::vector<double> arc; ///< S0
+      std::vector<bool> weightless; ///< the tributary area vanishes: no pair
       mutable std::vector<double> area; ///< committed or last assembled
     };
 
@@ -245,22 +245,22 @@ namespace deltaform
     dealii::DoFHandler<2> dof_handler_;
     unsigned int n_nodes_per_cell_, n_points_per_cell_;
     /// Nodes, known to all processes, and cells with their points and history, known to the process that owns them.
-    std::vector<std::array<unsigned int, 9>> cells_;                ///< nodes: corners, middles of the edges, centre
-    std::vector<Point2> nodes_;                                     ///< undeformed
-    std::vector<Point2> parameters_;                                ///< of the nodes in the triangulation
-    std::vector<std::array<DofIndex, 2>> node_dofs_;                ///< from n_free_ on: of hanging nodes
-    DofIndex n_free_ = 0;                                           ///< number of unknowns
-    dealii::IndexSet owned_;                                        ///< unknowns of this process
+    std::vector<std::array<unsigned int, 9>> cells_; ///< nodes: corners, middles of the edges, centre
+    std::vector<Point2> nodes_; ///< undeformed
+    std::vector<Point2> parameters_; ///< of the nodes in the triangulation
+    std::vector<std::array<DofIndex, 2>> node_dofs_; ///< from n_free_ on: of hanging nodes
+    DofIndex n_free_ = 0; ///< number of unknowns
+    dealii::IndexSet owned_; ///< unknowns of this process
     std::vector<std::vector<std::pair<DofIndex, double>>> hanging_; ///< what the numbers from n_free_ on are
-    std::vector<QuadraturePoint> points_;                           ///< cell by cell
+    std::vector<QuadraturePoint> points_; ///< cell by cell
     std::vector<double> projection_; ///< of the volumetric strain, per cell: from points to points
     std::vector<Point2> quadrature_; ///< points in the unit cell
     std::map<std::string, std::vector<Edge>> boundary_edges_;
     std::map<std::pair<unsigned int, unsigned int>, unsigned int> edge_cells_; ///< by the ends of edges of the boundary
     std::array<ContactFace, 2> faces_;
     std::vector<std::array<unsigned int, 2>> columns_; ///< strip: bottom and top node of every station
-    bool linear_ = false;                              ///< small strain, and moduli that do not depend on the strain
-    std::vector<double> constant_matrices_;            ///< of linear_, cell by cell
+    bool linear_ = false; ///< small strain, and moduli that do not depend on the strain
+    std::vector<double> constant_matrices_; ///< of linear_, cell by cell
     double shortest_edge_ = 0, outermost_ = 0;
 
     // Refinement so far
@@ -270,12 +270,12 @@ namespace deltaform
 
     // State: committed and, where it differs, trial
     PointHistory history_;
-    CarriedFlow carried_;    ///< of no points if the material does not want it
+    CarriedFlow carried_; ///< of no points if the material does not want it
     std::vector<Turn> spin_; ///< how far the last increment turned each point; with carried_ only
     std::vector<Mandel> strain_, stress_, committed_stress_;
     std::vector<Deformation> deformation_, committed_deformation_;
     std::vector<std::array<double, 4>> plastic_metric_; ///< committed C_p^-1: rr, zz, hoop, rz
-    double smallest_thickness_         = 0;
+    double smallest_thickness_ = 0;
     std::optional<BlankEnergy> energy_ = BlankEnergy(); ///< none if nobody asks
   };
 } // namespace deltaform

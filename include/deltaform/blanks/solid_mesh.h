@@ -84,7 +84,7 @@ namespace deltaform
     std::vector<std::string> boundaries_;
     std::vector<Station> stations_;
     unsigned int stations_per_cell_ = 1;
-    double thickness_               = 0;
-    int first_level_                = 0;
+    double thickness_ = 0;
+    int first_level_ = 0;
   };
 } // namespace deltaform

@@ -317,30 +317,30 @@ namespace deltaform
     ContactThickness thickness_;
     bool squeezed_ = false; ///< the sheet's half thickness on this side is a spring of the pair
 
-    DofIndex travel_dof_       = dealii::numbers::invalid_dof_index;
+    DofIndex travel_dof_ = dealii::numbers::invalid_dof_index;
     DofIndex first_multiplier_ = dealii::numbers::invalid_dof_index;
-    double time_               = 0;
+    double time_ = 0;
     double last_time_ = 0, last_step_ = 0; ///< end and length of the last accepted increment
 
     std::vector<PairState> committed_, trial_;
     /// What a pair adds to the residual in the rows of its node's unknowns: accepted, and as assembled last.
     std::vector<std::array<double, ContactNode::max_dofs>> committed_residual_, residual_;
-    std::vector<double> area_, thickness_of_;      ///< of the last assembled configuration
+    std::vector<double> area_, thickness_of_; ///< of the last assembled configuration
     std::vector<std::array<double, 9>> stiffness_; ///< nodal blocks of the blank's tangent
-    std::vector<Point2> committed_x_;              ///< contact point relative to the tool at the last commit
-    std::vector<Point2> x_;                        ///< the same at the last assembly
-    std::vector<Point2> projected_x_;              ///< the same at the last projection
-    std::vector<double> projected_gap_;            ///< distance then; -1: none known
-    std::vector<double> noise_;                    ///< round-off of the gap, which is a difference of large numbers
-    std::vector<unsigned int> hint_;               ///< segment of the last projection
-    bool status_changed_  = false;
-    bool at_start_        = false; ///< no step has been made in this increment: only the last one knows who touches
-    double slack_         = 0;     ///< see allow_slack()
+    std::vector<Point2> committed_x_; ///< contact point relative to the tool at the last commit
+    std::vector<Point2> x_; ///< the same at the last assembly
+    std::vector<Point2> projected_x_; ///< the same at the last projection
+    std::vector<double> projected_gap_; ///< distance then; -1: none known
+    std::vector<double> noise_; ///< round-off of the gap, which is a difference of large numbers
+    std::vector<unsigned int> hint_; ///< segment of the last projection
+    bool status_changed_ = false;
+    bool at_start_ = false; ///< no step has been made in this increment: only the last one knows who touches
+    double slack_ = 0; ///< see allow_slack()
     double median_factor_ = 0;
-    double softening_     = 1;                              ///< share of the factor of first touches, see soften()
-    double slip_limit_    = 0;                              ///< allowed elastic slip at the end of the increment
-    std::vector<ContactNode> description_;                  ///< of touching nodes at the last assembly
-    std::vector<Tensor1> normal_;                           ///< the same
+    double softening_ = 1; ///< share of the factor of first touches, see soften()
+    double slip_limit_ = 0; ///< allowed elastic slip at the end of the increment
+    std::vector<ContactNode> description_; ///< of touching nodes at the last assembly
+    std::vector<Tensor1> normal_; ///< the same
     std::vector<double> base_multiplier_, step_multiplier_; ///< estimates of lambda along a Newton step
     Tensor1 tool_force_;
     std::optional<ContactEnergy> energy_ = ContactEnergy(); ///< none if nobody asks

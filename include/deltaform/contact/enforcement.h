@@ -7,11 +7,11 @@ namespace deltaform
   /// Normal force of a pair and what it depends on.
   struct NormalResponse
   {
-    bool touching     = false;
-    double force      = 0;     ///< lambda; negative only between iterations
-    double derivative = 0;     ///< d lambda / d gap <= 0 (0 if the force is an unknown of its own)
-    bool tied         = false; ///< multiplier: gap + compliance lambda = 0 is demanded, else lambda = 0
-    double compliance = 0;     ///< of an exact constraint: sheet that is squeezed, continuation of a first touch
+    bool touching = false;
+    double force = 0; ///< lambda; negative only between iterations
+    double derivative = 0; ///< d lambda / d gap <= 0 (0 if the force is an unknown of its own)
+    bool tied = false; ///< multiplier: gap + compliance lambda = 0 is demanded, else lambda = 0
+    double compliance = 0; ///< of an exact constraint: sheet that is squeezed, continuation of a first touch
   };
 
   /**

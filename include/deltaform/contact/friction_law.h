@@ -5,10 +5,10 @@ namespace deltaform
   /// Tangential force of a pair and its derivatives.
   struct FrictionResponse
   {
-    double force      = 0; ///< t
-    double slip_rate  = 0; ///< dt/d slip
+    double force = 0; ///< t
+    double slip_rate = 0; ///< dt/d slip
     double force_rate = 0; ///< dt/d lambda
-    bool sticking     = true;
+    bool sticking = true;
   };
 
   /// Tangential force from the normal force and the slip of an increment.

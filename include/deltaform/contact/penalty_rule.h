@@ -5,16 +5,16 @@ namespace deltaform
   /// What a rule may know of a pair; all of it is in the rows of contact_*.csv or can be derived from them.
   struct PenaltyInput
   {
-    double force                = 0; ///< lambda: reaction of the pair (last increment, or converged iterate)
-    double penetration          = 0; ///< p
+    double force = 0; ///< lambda: reaction of the pair (last increment, or converged iterate)
+    double penetration = 0; ///< p
     double previous_penetration = 0; ///< p when the rule was asked before; 0 at a first touch
-    double previous_epsilon     = 0; ///< 0 if the pair had none
-    double stiffness            = 0; ///< K_nn = n^T K n of the blank without contact
-    double coupling             = 0; ///< [C^T K C (p - delta)]_i, if the rule needs it
-    double area                 = 0; ///< tributary area
-    double thickness            = 0; ///< of the blank at the node
-    double modulus              = 0; ///< Young's modulus of the blank
-    double delta                = 0; ///< allowed penetration
+    double previous_epsilon = 0; ///< 0 if the pair had none
+    double stiffness = 0; ///< K_nn = n^T K n of the blank without contact
+    double coupling = 0; ///< [C^T K C (p - delta)]_i, if the rule needs it
+    double area = 0; ///< tributary area
+    double thickness = 0; ///< of the blank at the node
+    double modulus = 0; ///< Young's modulus of the blank
+    double delta = 0; ///< allowed penetration
     double neighbour = 0; ///< larger of the neighbouring pairs' and the tool's median factor; for a first touch
   };
 

@@ -20,7 +20,7 @@ namespace deltaform
   struct LogarithmicStrain
   {
     using Mandel = std::array<double, 4>;
-    using Rate   = std::array<std::array<double, 5>, 4>;
+    using Rate = std::array<std::array<double, 5>, 4>;
 
     /// Strain only. @p b must be positive definite.
     static Mandel strain(const AxialTensor &b);

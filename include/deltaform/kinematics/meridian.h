@@ -10,9 +10,9 @@ namespace deltaform
   struct MeridianPiece
   {
     Point2 start;
-    double angle     = 0; ///< of the tangent at the start
+    double angle = 0; ///< of the tangent at the start
     double curvature = 0; ///< d angle / d arc length; 0: straight
-    double length    = 0;
+    double length = 0;
     double arc_start = 0; ///< arc length of the meridian at the start of the piece
 
     /// Angle of the tangent at @p s in [0, length].

@@ -52,11 +52,11 @@ namespace deltaform
     std::array<std::array<double, 3>, size> derivative(const double shape, const double gradient) const
     {
       std::array<std::array<double, 3>, size> b{};
-      b[stretch]    = {{gradient * cosine, gradient * sine, gamma * shape}};
-      b[curvature]  = {{0., 0., gradient}};
-      b[radius]     = {{shape, 0., 0.}};
+      b[stretch] = {{gradient * cosine, gradient * sine, gamma * shape}};
+      b[curvature] = {{0., 0., gradient}};
+      b[radius] = {{shape, 0., 0.}};
       b[director_r] = {{0., 0., -cosine * shape}};
-      b[shear]      = {{-gradient * sine, gradient * cosine, -lambda * shape}};
+      b[shear] = {{-gradient * sine, gradient * cosine, -lambda * shape}};
       return b;
     }
 

@@ -85,7 +85,7 @@ namespace deltaform
 
   private:
     unsigned int values_per_point_ = 0;
-    bool active_                   = false;
+    bool active_ = false;
     std::vector<double> last_, carried_;
   };
 } // namespace deltaform

@@ -20,7 +20,7 @@ namespace deltaform
   inline double flow_error(const Mandel &before, const Mandel &after)
   {
     const double mean_before = (before[0] + before[1] + before[2]) / 3.;
-    const double mean_after  = (after[0] + after[1] + after[2]) / 3.;
+    const double mean_after = (after[0] + after[1] + after[2]) / 3.;
     double aa = 0., bb = 0., ab = 0.;
     for (unsigned int k = 0; k < 4; ++k)
     {

@@ -17,7 +17,7 @@ namespace deltaform
   enum class ThirdDirection : unsigned char
   {
     strain_given, ///< strain[p][2] is input: solid, plane strain or axisymmetric
-    stress_given  ///< third_stress[p] is input, strain[p][2] is output: shells (plane stress)
+    stress_given ///< third_stress[p] is input, strain[p][2] is output: shells (plane stress)
   };
 
   /**
@@ -26,23 +26,23 @@ namespace deltaform
    */
   struct MaterialBatch
   {
-    unsigned int n_points          = 0;
+    unsigned int n_points = 0;
     ThirdDirection third_direction = ThirdDirection::strain_given;
-    Mandel *strain                 = nullptr; ///< in; [2] out for stress_given
-    const double *third_stress     = nullptr; ///< in for stress_given: Kirchhoff stress along direction 3
-    const double *committed        = nullptr; ///< in: history at the last accepted increment
+    Mandel *strain = nullptr; ///< in; [2] out for stress_given
+    const double *third_stress = nullptr; ///< in for stress_given: Kirchhoff stress along direction 3
+    const double *committed = nullptr; ///< in: history at the last accepted increment
     double *carried = nullptr; ///< in, or null: what a law of two steps adds to the committed history before the flow
-                               ///< of this increment (CarriedFlow); out: zero where the flow did not go on
-    double *trial   = nullptr; ///< in: a starting guess from the last iteration; out: history at this strain
-    Mandel *stress  = nullptr; ///< out
+      ///< of this increment (CarriedFlow); out: zero where the flow did not go on
+    double *trial = nullptr; ///< in: a starting guess from the last iteration; out: history at this strain
+    Mandel *stress = nullptr; ///< out
     double *tangent = nullptr; ///< out if not null: n_points x 4 x 4 row-major, d stress / d strain. For
-                               ///< stress_given it is condensed: row and column [2] are zero.
+      ///< stress_given it is condensed: row and column [2] are zero.
   };
 
   /// Energies per reference volume at one point.
   struct PointEnergy
   {
-    double elastic;   ///< stored, recoverable
+    double elastic; ///< stored, recoverable
     double hardening; ///< stored otherwise (0 for J2 with isotropic hardening: all plastic work counts as dissipation)
   };
 

@@ -28,9 +28,9 @@ namespace deltaform
     std::string boundary;
     Component component;
     std::vector<DofIndex> dofs;
-    TimeFunction value;               ///< of the first unknown
+    TimeFunction value; ///< of the first unknown
     std::vector<TimeFunction> values; ///< of every unknown, where they depend on its place; else empty
-    bool hold;                        ///< keep the value that the unknown has when the stage begins
+    bool hold; ///< keep the value that the unknown has when the stage begins
     std::vector<std::string> stages;
   };
 
@@ -57,7 +57,7 @@ namespace deltaform
 
     std::string name;
     Kind kind;
-    std::string face;     ///< of a pressure
+    std::string face; ///< of a pressure
     std::string boundary; ///< of an edge load
     Component component = Component::z;
     std::vector<DofIndex> dofs;

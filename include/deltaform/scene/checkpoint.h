@@ -21,10 +21,10 @@ namespace deltaform
       std::string name, value;
     };
 
-    std::vector<Entry> scene;   ///< every entry with its value
+    std::vector<Entry> scene; ///< every entry with its value
     unsigned int increment = 0; ///< the last one that was accepted
-    double time            = 0; ///< at its end
-    unsigned int stage     = 0; ///< to which it belongs
+    double time = 0; ///< at its end
+    unsigned int stage = 0; ///< to which it belongs
     std::string simulation, recorder;
 
     /// File name inside a folder of results.

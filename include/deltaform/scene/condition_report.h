@@ -12,11 +12,11 @@ namespace deltaform
   /// Condition numbers of one tangent; NaN where unknown. Derivation and meaning: doc/theory/condition.md.
   struct ConditionNumbers
   {
-    double raw             = std::numeric_limits<double>::quiet_NaN(); ///< with contact, as assembled
-    double scaled          = std::numeric_limits<double>::quiet_NaN(); ///< after diagonal scaling in the contact frames
+    double raw = std::numeric_limits<double>::quiet_NaN(); ///< with contact, as assembled
+    double scaled = std::numeric_limits<double>::quiet_NaN(); ///< after diagonal scaling in the contact frames
     double without_contact = std::numeric_limits<double>::quiet_NaN(); ///< on the complement of the rigid modes
-    double digits_lost     = std::numeric_limits<double>::quiet_NaN(); ///< by a direct solution
-    unsigned int n_rigid   = 0;
+    double digits_lost = std::numeric_limits<double>::quiet_NaN(); ///< by a direct solution
+    unsigned int n_rigid = 0;
     std::string rigid_modes; ///< motions that the blank without contact does not resist
   };
 

@@ -13,10 +13,10 @@ namespace deltaform
   struct ToolWall
   {
     std::string tool;
-    Side side     = Side::top; ///< of the blank that the tool touches
-    double r      = 0;         ///< place of the wall [length]
-    double length = 0;         ///< along z [length]; infinite if it goes on for ever
-    bool outward  = false;     ///< does it face growing r? The blank is on that side of it.
+    Side side = Side::top; ///< of the blank that the tool touches
+    double r = 0; ///< place of the wall [length]
+    double length = 0; ///< along z [length]; infinite if it goes on for ever
+    bool outward = false; ///< does it face growing r? The blank is on that side of it.
   };
 
   /// The walls along z of a tool's shape.

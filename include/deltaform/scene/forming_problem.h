@@ -237,7 +237,7 @@ namespace deltaform
     std::string stage_name_;
     double time_ = 0;
     std::vector<std::size_t> visited_; ///< sets of active constraints met in this solve
-    bool cycling_     = false;
+    bool cycling_ = false;
     bool factors_due_ = false; ///< the rule has to predict in the next assembly
     std::vector<ContactPair *> active_pairs_;
     std::function<void(const System &)> before_contact_; ///< mostly empty
@@ -245,11 +245,11 @@ namespace deltaform
     std::vector<Tensor1> tool_forces_;
     std::vector<double> travels_;
     Vector load_forces_; ///< committed: loads, supports, released
-    Vector reactions_;   ///< committed: supports
+    Vector reactions_; ///< committed: supports
     std::vector<Tensor1> load_resultants_;
     Work work_;
-    double largest_force_     = 0;     ///< norm of all nodal forces so far
-    double largest_resultant_ = 0;     ///< of a tool, a support or a load so far
-    bool at_once_             = false; ///< see releases_at_once()
+    double largest_force_ = 0; ///< norm of all nodal forces so far
+    double largest_resultant_ = 0; ///< of a tool, a support or a load so far
+    bool at_once_ = false; ///< see releases_at_once()
   };
 } // namespace deltaform

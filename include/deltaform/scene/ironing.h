@@ -41,6 +41,6 @@ namespace deltaform
     static constexpr unsigned int enough_increments = 2;
 
     unsigned int n_pressed_ = 0; ///< increments in a row with a section above its flow stress
-    std::string worst_;          ///< the section that is furthest above it in the last increment
+    std::string worst_; ///< the section that is furthest above it in the last increment
   };
 } // namespace deltaform

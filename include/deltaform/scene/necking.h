@@ -43,10 +43,10 @@ namespace deltaform
 
   private:
     static constexpr unsigned int enough_increments = 5;
-    static constexpr double enough_loss             = .01;
+    static constexpr double enough_loss = .01;
 
     std::vector<SheetSection> before_, now_;
     unsigned int n_necking_ = 0; ///< increments in a row with a finding
-    double lost_            = 0; ///< share of the section force that was lost in them
+    double lost_ = 0; ///< share of the section force that was lost in them
   };
 } // namespace deltaform

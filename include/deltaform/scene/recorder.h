@@ -14,7 +14,7 @@ namespace deltaform
   struct RunOutcome
   {
     int exit_status;
-    std::string message;               ///< why it stopped; empty if it is done
+    std::string message; ///< why it stopped; empty if it is done
     std::vector<std::string> warnings; ///< what makes input or result doubtful
     unsigned int increments, iterations;
   };

@@ -29,7 +29,7 @@ namespace deltaform
     /// Is there anything to release?
     bool any = false;
 
-    Vector on_blank;               ///< force on each unknown
+    Vector on_blank; ///< force on each unknown
     std::vector<Tensor1> of_tools; ///< of the blank on each tool
     std::vector<double> of_supports;
     std::vector<Tensor1> of_loads;

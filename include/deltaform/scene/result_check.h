@@ -51,6 +51,6 @@ namespace deltaform
     double largest_turn_ = 0, snap_time_ = 0;
     double last_energy_error_ = 0, thinnest_ = 0;
     double friction_ = 0, friction_error_ = 0, work_ = 0; ///< at the end
-    std::string neck_ignored_;                            ///< what `Continue after necking` has passed over
+    std::string neck_ignored_; ///< what `Continue after necking` has passed over
   };
 } // namespace deltaform

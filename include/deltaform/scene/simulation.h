@@ -17,8 +17,8 @@ namespace deltaform
   struct IncrementCost
   {
     unsigned int iterations = 0, rounds = 0, cutbacks = 0;
-    unsigned int linear_iterations     = 0;    ///< of an iterative linear solver
-    unsigned int correction_iterations = 0;    ///< of the iterations, those after the first convergence
+    unsigned int linear_iterations = 0; ///< of an iterative linear solver
+    unsigned int correction_iterations = 0; ///< of the iterations, those after the first convergence
     std::optional<ConditionNumbers> condition; ///< where asked
   };
 
@@ -53,7 +53,7 @@ namespace deltaform
     {
       usual,
       damped, ///< damped steps as well: shorter increments did not help
-      all     ///< the shortest increment: where the blank snaps through, strains and rotations may be large
+      all ///< the shortest increment: where the blank snaps through, strains and rotations may be large
     };
 
     /// Try the increment from the committed state to @p time. @return empty if accepted, else the cause of the failure
@@ -91,12 +91,12 @@ namespace deltaform
     std::vector<std::string> warnings_;
     std::string message_; ///< why the run stopped
 
-    unsigned int stage_ = 0;     ///< index of the current one
-    bool resumed_       = false; ///< in the middle of the current stage
+    unsigned int stage_ = 0; ///< index of the current one
+    bool resumed_ = false; ///< in the middle of the current stage
     /// After the last accepted increment of the stage, if there is one: what a resumed run goes on with.
     std::optional<StepControl::State> step_;
     unsigned int accepted_iterations_ = 0;
-    unsigned int since_refinement_    = 0;       ///< increments
+    unsigned int since_refinement_ = 0; ///< increments
     std::optional<Checkpoint> before_giving_up_; ///< what a run that failed can be resumed from
   };
 } // namespace deltaform

@@ -13,7 +13,7 @@ namespace deltaform
     std::string name;
     double begin = 0, end = 1;
     double first_increment, smallest_increment, largest_increment;
-    bool release_at_once        = false; ///< of what ended with the stage before
+    bool release_at_once = false; ///< of what ended with the stage before
     bool continue_after_necking = false; ///< go on with a warning
   };
 

@@ -12,9 +12,9 @@ namespace deltaform
   {
     std::vector<std::string> values; ///< of the varied entries, in the order of the command line
     std::string folder;
-    std::string main_tool;   ///< empty if there is none
-    int exit_status = -1;    ///< -1: has not ended
-    bool overdue    = false; ///< it took longer than a run may, and was ended
+    std::string main_tool; ///< empty if there is none
+    int exit_status = -1; ///< -1: has not ended
+    bool overdue = false; ///< it took longer than a run may, and was ended
   };
 
   /**

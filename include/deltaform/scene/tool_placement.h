@@ -11,7 +11,7 @@ namespace deltaform
   /// What is wrong with the place of a tool at the moment it comes.
   struct Misplacement
   {
-    std::string entry;   ///< of the tool's section: which one to change
+    std::string entry; ///< of the tool's section: which one to change
     std::string message; ///< which tool, where, how deep, and what to do
   };
 

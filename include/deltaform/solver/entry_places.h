@@ -49,8 +49,8 @@ namespace deltaform
         for (unsigned int j = 0; j < n; ++j)
           places_.push_back(find(dofs[i], dofs[j]));
       const std::size_t first = place_;
-      key_                    = keys_.size();
-      place_                  = places_.size();
+      key_ = keys_.size();
+      place_ = places_.size();
       return places_.data() + first;
     }
 

@@ -27,10 +27,10 @@ namespace deltaform
 
 
     std::string name;
-    bool automatic              = false; ///< name is the program's choice
-    double tolerance            = 1e-10;
+    bool automatic = false; ///< name is the program's choice
+    double tolerance = 1e-10;
     unsigned int max_iterations = 2000;
-    bool linear_path            = true; ///< a part of the tangent that does not change is factorized once
+    bool linear_path = true; ///< a part of the tangent that does not change is factorized once
   };
 
   /**

@@ -74,12 +74,12 @@ namespace deltaform
       not_corrected ///< converged, but the corrections did not end
     };
 
-    Outcome outcome         = Outcome::diverged;
+    Outcome outcome = Outcome::diverged;
     unsigned int iterations = 0, rounds = 0, line_searches = 0;
     unsigned int correction_iterations = 0; ///< those after the first convergence: what the corrections cost
     Status status;
     unsigned int worst_dof = invalid_index; ///< largest share of the residual
-    std::vector<double> residuals;          ///< relative, of every iteration since the last correction
+    std::vector<double> residuals; ///< relative, of every iteration since the last correction
 
     bool converged() const
     {
@@ -149,21 +149,21 @@ namespace deltaform
     bool descend(const Vector &q, const std::vector<bool> &is_prescribed, const Vector &increments, Vector &d);
 
     static constexpr unsigned int damped_iterations = 200; ///< instead of the maximal number of iterations
-    static constexpr double on_its_way              = .5;  ///< relative residual below which damped steps may go on,
-    static constexpr unsigned int most_extensions   = 4;   ///< up to so many times that number
-    static constexpr unsigned int slack_iterations  = 4;   ///< before slack is allowed; three times as many: more
+    static constexpr double on_its_way = .5; ///< relative residual below which damped steps may go on,
+    static constexpr unsigned int most_extensions = 4; ///< up to so many times that number
+    static constexpr unsigned int slack_iterations = 4; ///< before slack is allowed; three times as many: more
 
-    static constexpr double creeping                  = 1e-2; ///< share of a step below which it is a creeping one
-    static constexpr double far_from_equilibrium      = 1e-2; ///< relative residual above which such steps are counted
-    static constexpr unsigned int most_creeping_steps = 3;    ///< then an undamped attempt is given up
+    static constexpr double creeping = 1e-2; ///< share of a step below which it is a creeping one
+    static constexpr double far_from_equilibrium = 1e-2; ///< relative residual above which such steps are counted
+    static constexpr unsigned int most_creeping_steps = 3; ///< then an undamped attempt is given up
 
     NonlinearProblem &problem_;
     System &system_;
     const NewtonSettings &settings_;
     const std::vector<double> &scale_, &size_;
-    double smallest_motion_;            ///< displacements below are not a scale to measure steps by
+    double smallest_motion_; ///< displacements below are not a scale to measure steps by
     mutable double last_magnitude_ = 0; ///< the scale of the last measured residual
-    double damping_                = 0; ///< of the next iteration, force over length
+    double damping_ = 0; ///< of the next iteration, force over length
     Timers &timers_;
     Timers::Index timer_solve_;
   };

@@ -71,7 +71,7 @@ namespace deltaform
     /// What later increments depend on, for a run that is resumed.
     struct State
     {
-      double increment   = 0;
+      double increment = 0;
       unsigned int quiet = 0, shortened = 0;
       double error = 0;
     };
@@ -87,11 +87,11 @@ namespace deltaform
   private:
     const StepSettings &settings_;
     static constexpr unsigned int most_leaps = 4;
-    unsigned int leaps_                      = 0; ///< tries of longer increments since the last one was accepted
+    unsigned int leaps_ = 0; ///< tries of longer increments since the last one was accepted
     double end_, smallest_, largest_, increment_;
     std::vector<double> meet_;
-    unsigned int shortened_ = 0;  ///< iterations of the increment that was the last to make the next one shorter
-    unsigned int quiet_     = 0;  ///< accepted increments that have to pass before it grows again
-    double error_           = 0.; ///< of the last accepted increment; 0: none
+    unsigned int shortened_ = 0; ///< iterations of the increment that was the last to make the next one shorter
+    unsigned int quiet_ = 0; ///< accepted increments that have to pass before it grows again
+    double error_ = 0.; ///< of the last accepted increment; 0: none
   };
 } // namespace deltaform

@@ -189,16 +189,16 @@ namespace deltaform
     unsigned int n_sparse_, n_border_;
     DofIndex first_ = 0, end_; ///< own rows
     std::unique_ptr<LinearSolver> solver_;
-    std::unique_ptr<Rows> rows_;         ///< null if all rows are here
+    std::unique_ptr<Rows> rows_; ///< null if all rows are here
     std::unique_ptr<Constant> constant_; ///< null if the whole tangent changes from pass to pass
-    bool symmetric_elimination_;         ///< of prescribed unknowns: what an iterative solver needs
-    bool common_           = false;      ///< what is added now is the same on all processes
-    double prescribed_row_ = 1.;         ///< diagonal of the rows of prescribed unknowns
-    const int *row_start_  = nullptr;
-    const int *columns_    = nullptr;
-    double *values_        = nullptr;
-    double shift_          = 0; ///< of the last factorization
-    bool tangent_          = true;
+    bool symmetric_elimination_; ///< of prescribed unknowns: what an iterative solver needs
+    bool common_ = false; ///< what is added now is the same on all processes
+    double prescribed_row_ = 1.; ///< diagonal of the rows of prescribed unknowns
+    const int *row_start_ = nullptr;
+    const int *columns_ = nullptr;
+    double *values_ = nullptr;
+    double shift_ = 0; ///< of the last factorization
+    bool tangent_ = true;
     EntryPlaces places_;
     std::vector<int> diagonal_places_; ///< of the own rows
     std::vector<bool> prescribed_;
@@ -209,7 +209,7 @@ namespace deltaform
       DofIndex row, column;
       double value;
     };
-    std::vector<Eliminated> eliminated_;               ///< entries in columns of prescribed unknowns
+    std::vector<Eliminated> eliminated_; ///< entries in columns of prescribed unknowns
     std::vector<Vector> border_columns_, border_rows_; ///< couplings of the border with the sparse unknowns
     std::vector<double> border_block_;
     unsigned int n_factorizations_ = 0;

@@ -11,12 +11,12 @@ namespace deltaform
   struct Projection
   {
     double distance; ///< signed: positive on the blank's side, negative inside the tool
-    Tensor1 normal;  ///< unit, gradient of the distance: points out of the tool, to the blank
+    Tensor1 normal; ///< unit, gradient of the distance: points out of the tool, to the blank
     Tensor1 tangent; ///< unit, along growing arc length
     double turning; ///< d(angle of the normal)/d(displacement along the tangent) = k/(1 + k distance), k the curvature,
-                    ///< convex positive: d(normal)/dx = turning tangent (x) tangent
-    double slip_rate;  ///< d(arc length of the foot point)/d(displacement along the tangent) = 1/(1 + k distance); 0 at
-                       ///< a corner
+      ///< convex positive: d(normal)/dx = turning tangent (x) tangent
+    double slip_rate; ///< d(arc length of the foot point)/d(displacement along the tangent) = 1/(1 + k distance); 0 at
+      ///< a corner
     double arc_length; ///< of the foot point along the profile
     unsigned int segment; ///< warm start of the next projection
   };
@@ -38,28 +38,28 @@ namespace deltaform
         arc
       };
 
-      Kind kind   = Kind::line;
-      bool convex = true;   ///< arc: center on the tool's side
-      Point2 start, end;    ///< ends (equal for a corner)
-      Point2 lower, upper;  ///< smallest box that holds the segment
-      double length    = 0; ///< arc length (of an endless line: as drawn)
+      Kind kind = Kind::line;
+      bool convex = true; ///< arc: center on the tool's side
+      Point2 start, end; ///< ends (equal for a corner)
+      Point2 lower, upper; ///< smallest box that holds the segment
+      double length = 0; ///< arc length (of an endless line: as drawn)
       double arc_start = 0; ///< arc length of the profile at the start
-      Tensor1 tangent;      ///< line: direction
+      Tensor1 tangent; ///< line: direction
       double first = 0,
-             last  = 0;       ///< line: foot points have a distance from the start, along the tangent, in [first, last]
-      Point2 center;          ///< arc
-      double radius = 0;      ///< arc: >= 0
-      Tensor1 from, to;       ///< arc: unit vectors from the center to start and end (of a corner: +- the normals)
+             last = 0; ///< line: foot points have a distance from the start, along the tangent, in [first, last]
+      Point2 center; ///< arc
+      double radius = 0; ///< arc: >= 0
+      Tensor1 from, to; ///< arc: unit vectors from the center to start and end (of a corner: +- the normals)
       double angle_start = 0; ///< arc: polar angle of `from`
-      double sweep       = 0; ///< arc: signed angle from start to end, negative if convex, |sweep| < pi
+      double sweep = 0; ///< arc: signed angle from start to end, negative if convex, |sweep| < pi
     };
 
     /// What is at an end of the profile.
     enum class End
     {
-      free,    ///< nothing: past it there is no contact
+      free, ///< nothing: past it there is no contact
       endless, ///< the line goes on for ever
-      axis     ///< it lies on r = 0 and goes on as its mirror image, so that a node on the axis is an ordinary node
+      axis ///< it lies on r = 0 and goes on as its mirror image, so that a node on the axis is an ordinary node
     };
 
     virtual ~Shape() = default;
@@ -149,7 +149,7 @@ namespace deltaform
     void build(const std::vector<Point2> &points,
                const std::vector<double> &radii,
                End start = End::free,
-               End end   = End::free);
+               End end = End::free);
 
     /// The same for a closed profile: the last point is joined to the first, and all radii count.
     void build_closed(const std::vector<Point2> &points, const std::vector<double> &radii);

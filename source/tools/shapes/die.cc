@@ -11,7 +11,7 @@ namespace deltaform
     public:
       explicit Die(Section &section)
       {
-        const double throat         = section.number("Throat radius",
+        const double throat = section.number("Throat radius",
                                              required(1.),
                                              Range::positive(),
                                              "length",

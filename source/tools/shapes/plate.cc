@@ -14,13 +14,13 @@ namespace deltaform
     public:
       explicit Plate(Section &section)
       {
-        const double inner       = section.number("Inner radius",
+        const double inner = section.number("Inner radius",
                                             Default<double>(0.),
                                             Range::any(),
                                             "length",
                                             "Coordinate r (plane strain: x, may be negative) where the plate starts; "
-                                                  "at 0 it has no edge and goes on across the axis.");
-        const double outer       = section.number("Outer radius",
+                                            "at 0 it has no edge and goes on across the axis.");
+        const double outer = section.number("Outer radius",
                                             Default<double>(endless_radius),
                                             Range::any(),
                                             "length",
@@ -36,12 +36,11 @@ namespace deltaform
         if (!endless && edge_radius * (from_axis ? 1 : 2) > outer - inner)
           section.fail("Edge radius", "The edge radius does not fit on the plate.");
 
-        const double size  = endless ? std::max({1., 2 * std::abs(inner), 2 * edge_radius}) : outer - inner;
+        const double size = endless ? std::max({1., 2 * std::abs(inner), 2 * edge_radius}) : outer - inner;
         const double depth = edge_radius + .25 * size;
         std::vector<Point2> points;
         std::vector<double> radii;
-        const auto add = [&](const double r, const double z, const double radius)
-        {
+        const auto add = [&](const double r, const double z, const double radius) {
           points.emplace_back(r, z);
           radii.push_back(radius);
         };

@@ -25,11 +25,11 @@ namespace deltaform
         if (radii_.empty())
           radii_.assign(points_.size(), 0.);
         is_closed_ = section.flag("Closed", false, "The last point is joined to the first.");
-        across_    = section.choice("Across the axis",
+        across_ = section.choice("Across the axis",
                                  "auto",
                                  {"auto", "true", "false"},
                                  "Is an end on r = 0 no edge, so that the profile goes on as its mirror image? auto: "
-                                    "yes if the blank is axisymmetric, no in plane strain.");
+                                 "yes if the blank is axisymmetric, no in plane strain.");
 
         if (points_.size() < 2)
           section.fail("Points", "A profile needs at least two points.");
