@@ -154,7 +154,7 @@ namespace deltaform
       before_contact_(*system_);
     for (auto *pair : active_pairs_)
       pair->assemble(q, *system_);
-    if (tangent && status_changed())
+    if (tangent && changed())
     {
       std::size_t signature = 0;
       for (const auto *pair : active_pairs_)
@@ -191,6 +191,12 @@ namespace deltaform
   }
 
 
+  ActiveSet *FormingProblem::active_set()
+  {
+    return active_pairs_.empty() ? nullptr : this;
+  }
+
+
   void FormingProblem::prepare_step(const Vector &d)
   {
     for (auto *pair : active_pairs_)
@@ -205,7 +211,7 @@ namespace deltaform
   }
 
 
-  bool FormingProblem::status_changed() const
+  bool FormingProblem::changed() const
   {
     return std::any_of(
       active_pairs_.begin(), active_pairs_.end(), [](const ContactPair *pair) { return pair->status_changed(); });

@@ -185,7 +185,7 @@ namespace deltaform
     if (scene_.steps->extrapolate && last_increment_ > 0)
       q.sadd(1. + (time - time_) / last_increment_, -(time - time_) / last_increment_, before_);
 
-    const auto solve = [&](const Damping damped) {
+    const auto solve = [&](const NewtonVariant damped) {
       const unsigned int before = result.iterations;
       result = newton_.solve(
         q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(), problem_.force_floor(), damped);
@@ -193,7 +193,7 @@ namespace deltaform
     };
     const auto failed = [&]() { return !result.converged() && result.outcome != NewtonResult::Outcome::not_corrected; };
     result = NewtonResult();
-    solve(Damping::none);
+    solve(NewtonVariant::plain);
     if (failed())
     {
       // Once more, with first touches soft at first.
@@ -201,13 +201,13 @@ namespace deltaform
       if (problem_.soften(1e-4))
       {
         q = problem_.committed();
-        solve(Damping::none);
+        solve(NewtonVariant::plain);
       }
     }
     // The blank may snap to another equilibrium, however short the increment is.
     bool snapped = false;
     if (effort != Effort::usual)
-      for (const Damping damping : {Damping::damped, Damping::with_slack})
+      for (const NewtonVariant damping : {NewtonVariant::damped, NewtonVariant::with_slack})
         if (failed())
         {
           begin();

@@ -1,3 +1,4 @@
+#include <deltaform/solver/line_search.h>
 #include <deltaform/solver/newton.h>
 
 #include <algorithm>
@@ -6,258 +7,296 @@
 
 namespace deltaform
 {
-
-
-  NewtonSettings::NewtonSettings(Section &section)
-    : max_iterations(section.integer("Maximal iterations", 20, 2, 1000, "Newton iterations between two corrections.")),
-      max_rounds(
-        section.integer("Maximal corrections", 100, 0, 1000, "Corrections of the penalty factors per increment.")),
-      force_tolerance(
-        section.number("Force tolerance",
-                       1e-6,
-                       Range::inside(0, 1),
-                       "1",
-                       "Residual over the sum of absolute nodal forces at which equilibrium is accepted.")),
-      relaxed_tolerance(
-        section.number("Relaxed force tolerance",
-                       1e-5,
-                       Range::inside(0, 1),
-                       "1",
-                       "Accepted instead after the maximal number of iterations, where lightly loaded nodes keep "
-                       "changing between contact and no contact.")),
-      displacement_tolerance(
-        section.number("Displacement tolerance",
-                       1e-3,
-                       Range::positive(),
-                       "1",
-                       "Last Newton step over the increment of displacement (at least 1 % of the thickness).")),
-      line_search(section.flag("Line search", true, "Search along the Newton step where the residual grows."))
+  namespace
   {
-  }
+    // Of an undamped solve: steps of which less than this share is taken, that far from equilibrium, lead nowhere;
+    // after some of them damping and shorter increments do.
+    constexpr double creeping = 1e-2, far_from_equilibrium = 1e-2;
+    constexpr unsigned int most_creeping_steps = 3;
+
+    // It goes on beyond the maximal number of iterations where it is close to the relaxed tolerance.
+    constexpr double close_to_tolerance = 1e2;
+    constexpr unsigned int most_iterations_if_close = 2; ///< times the maximal number
+
+    // Of a damped solve: iterations instead of the maximal number; relative residual below which it may go on, up to so
+    // many times that number.
+    constexpr unsigned int damped_iterations = 200, most_extensions = 4;
+    constexpr double on_its_way = .5;
+
+    constexpr unsigned int slack_iterations = 4; ///< before slack is allowed; three times as many: more
+  } // namespace
 
 
-  Newton::Newton(NonlinearProblem &problem,
-                 System &system,
-                 const NewtonSettings &settings,
-                 const std::vector<double> &scale,
-                 const std::vector<double> &size,
-                 Timers &timers)
-    : problem_(problem), system_(system), settings_(settings), scale_(scale), size_(size),
-      smallest_motion_(.01 * problem.typical_length()), timers_(timers),
+  Newton::Newton(Equations &equations, System &system, const NewtonSettings &settings,
+                 const std::vector<double> &scale, const std::vector<double> &size, Timers &timers)
+    : equations_(equations), system_(system), settings_(settings), scale_(scale), size_(size),
+      smallest_motion_(.01 * equations.typical_length()), timers_(timers),
       timer_solve_(timers.section("11 factorization and solve"))
   {
   }
 
 
-  double Newton::measure(const std::vector<bool> &is_prescribed, const double force_floor, NewtonResult &result) const
+  /// One solve: where it is, and the steps of an iteration.
+  class Newton::Solve
   {
-    constexpr double epsilon = 8 * std::numeric_limits<double>::epsilon();
-    double square = 0., magnitude = 0., noise = 0., worst = -1.;
-    for (unsigned int i = 0; i < scale_.size(); ++i)
+  public:
+    Solve(const Newton &newton, Vector &q, const Vector &prescribed, const std::vector<bool> &is_prescribed,
+          const Vector &q_committed, const double force_floor, const NewtonVariant variant)
+      : newton_(newton), equations_(newton.equations_), system_(newton.system_), settings_(newton.settings_),
+        scale_(newton.scale_), active_set_(newton.equations_.active_set()), q_(q), prescribed_(prescribed),
+        is_prescribed_(is_prescribed), q_committed_(q_committed), force_floor_(force_floor), variant_(variant),
+        max_iterations_(variant == NewtonVariant::plain ? settings_.max_iterations : std::max(damped_iterations, settings_.max_iterations)),
+        damping_(newton.system_, newton.scale_), increments_(q.size()), d_(q.size()), start_(q.size())
     {
-      const double m = system_.magnitude()[i] / scale_[i];
-      magnitude += m * m;
-      if (is_prescribed[i])
-        continue;
-      const double round_off = epsilon * system_.diagonal(i) * size_[i] / scale_[i];
-      noise += round_off * round_off;
-      const double r = system_.residual()[i] / scale_[i];
-      square += r * r;
-      if (std::abs(r) > worst)
+      system_.set_prescribed(is_prescribed);
+    }
+
+    NewtonResult run()
+    {
+      if (!assemble())
+        return ended(Outcome::inadmissible);
+      residual_ = relative_residual();
+      result_.residuals.push_back(residual_);
+      for (iteration_ = 0;; ++iteration_)
       {
-        worst = std::abs(r);
-        result.worst_dof = i;
+        // 1. Balanced? Then the corrections have their say; without any this is the end.
+        measure_way();
+        if (is_balanced())
+        {
+          if (equations_.correct() == 0)
+            return ended(Outcome::converged);
+          if (++result_.rounds > settings_.max_rounds)
+            return ended(Outcome::not_corrected);
+          begin_round();
+        }
+        // 2. Is there no hope left?
+        if (is_hopeless())
+          return ended(Outcome::diverged);
+        // 3. The step: linear solve, downhill if that is asked for.
+        if (!find_step())
+          return ended(Outcome::singular);
+        // 4. As far as it is admissible.
+        if (!take_step())
+          return ended(Outcome::inadmissible);
+        // 5. Shorter where it leads to a larger residual.
+        double residual = relative_residual();
+        damping_.relax(residual <= residual_);
+        if (wants_search(residual))
+        {
+          search();
+          residual = relative_residual();
+        }
+        finish_iteration(residual);
+        // 6. Steps that are all but taken back far from equilibrium are given up early.
+        if (creeps())
+          return ended(Outcome::diverged);
       }
     }
-    last_magnitude_ = std::max({std::sqrt(magnitude), force_floor, std::sqrt(noise) / settings_.force_tolerance});
-    return std::sqrt(square) / last_magnitude_;
-  }
 
+  private:
+    using Outcome = NewtonResult::Outcome;
 
-  NewtonResult Newton::solve(Vector &q,
-                             const Vector &prescribed,
-                             const std::vector<bool> &is_prescribed,
-                             const Vector &q_committed,
-                             const double force_floor,
-                             const Damping damped)
-  {
-    NewtonResult result;
-    const unsigned int n = q.size(), max_iterations = damped != Damping::none
-                                                        ? std::max(damped_iterations, settings_.max_iterations)
-                                                        : settings_.max_iterations;
-    Vector increments(n), d(n), start(n);
-    damping_ = 0.;
-    system_.set_prescribed(is_prescribed);
-
-    result.status = problem_.assemble(q, true);
-    if (!result.status.good())
+    NewtonResult ended(const Outcome outcome)
     {
-      result.outcome = NewtonResult::Outcome::inadmissible;
-      return result;
+      result_.outcome = outcome;
+      return std::move(result_);
     }
-    double residual = measure(is_prescribed, force_floor, result);
-    double last_step = std::numeric_limits<double>::infinity();
-    unsigned int n_creeping = 0;
-    result.residuals.push_back(residual);
 
-    for (unsigned int iteration = 0;; ++iteration)
+    bool assemble()
     {
-      // Converged? Then the corrections have their say.
-      double pending = 0., travelled = smallest_motion_;
-      for (unsigned int i = 0; i < n; ++i)
+      result_.status = equations_.assemble(q_, true);
+      return result_.status.good();
+    }
+
+    /// |R| over the sum of absolute contributions; remembers that sum, and the worst unknown.
+    double relative_residual()
+    {
+      constexpr double epsilon = 8 * std::numeric_limits<double>::epsilon();
+      double square = 0., magnitude = 0., noise = 0., worst = -1.;
+      for (unsigned int i = 0; i < scale_.size(); ++i)
       {
-        if (is_prescribed[i])
-          pending = std::max(pending, std::abs(prescribed[i] - q[i]) * scale_[i]);
-        travelled = std::max(travelled, std::abs(q[i] - q_committed[i]) * scale_[i]);
+        const double m = system_.magnitude()[i] / scale_[i];
+        magnitude += m * m;
+        if (is_prescribed_[i])
+          continue;
+        const double round_off = epsilon * system_.diagonal(i) * newton_.size_[i] / scale_[i];
+        noise += round_off * round_off;
+        const double r = system_.residual()[i] / scale_[i];
+        square += r * r;
+        if (std::abs(r) > worst)
+        {
+          worst = std::abs(r);
+          result_.worst_dof = i;
+        }
       }
-      const bool moved = last_step <= settings_.displacement_tolerance * travelled || last_step <= 1e-14;
+      magnitude_ = std::max({std::sqrt(magnitude), force_floor_, std::sqrt(noise) / settings_.force_tolerance});
+      return std::sqrt(square) / magnitude_;
+    }
+
+    /// How far prescribed unknowns still have to go, and how far the increment has moved the others.
+    void measure_way()
+    {
+      pending_ = 0.;
+      travelled_ = newton_.smallest_motion_;
+      for (unsigned int i = 0; i < q_.size(); ++i)
+      {
+        if (is_prescribed_[i])
+          pending_ = std::max(pending_, std::abs(prescribed_[i] - q_[i]) * scale_[i]);
+        travelled_ = std::max(travelled_, std::abs(q_[i] - q_committed_[i]) * scale_[i]);
+      }
+    }
+
+    bool is_balanced()
+    {
+      const bool late = iteration_ >= max_iterations_;
       // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
-      const double tolerance = iteration < max_iterations ? settings_.force_tolerance : settings_.relaxed_tolerance;
-      if (damped == Damping::with_slack && iteration >= slack_iterations)
-        problem_.allow_slack(
-          (iteration >= 3 * slack_iterations ? settings_.relaxed_tolerance : settings_.force_tolerance) *
-          last_magnitude_);
-      const bool fresh = iteration == 0 && result.rounds == 0; // forces of the extrapolated start
-      const bool settled = moved || residual <= 1e-3 * tolerance || iteration >= max_iterations;
-      if (!fresh && pending == 0. && residual <= tolerance && problem_.consistent(tolerance * last_magnitude_) &&
-          settled)
-      {
-        if (problem_.correct() == 0)
-        {
-          result.outcome = NewtonResult::Outcome::converged;
-          return result;
-        }
-        if (++result.rounds > settings_.max_rounds)
-        {
-          result.outcome = NewtonResult::Outcome::not_corrected;
-          return result;
-        }
-        iteration = 0;
-        result.residuals.clear();
-        result.status = problem_.assemble(q, true);
-        residual = measure(is_prescribed, force_floor, result);
-      }
-      const bool close = damped == Damping::none
-                           ? residual < 1e2 * settings_.relaxed_tolerance && iteration < 2 * max_iterations
-                           : residual < on_its_way && iteration < most_extensions * max_iterations;
-      if ((iteration >= max_iterations && !close) || !std::isfinite(residual))
-      {
-        result.outcome = NewtonResult::Outcome::diverged;
-        return result;
-      }
+      const double tolerance = late ? settings_.relaxed_tolerance : settings_.force_tolerance;
+      if (variant_ == NewtonVariant::with_slack && iteration_ >= slack_iterations && active_set_ != nullptr)
+        active_set_->allow_slack(
+          (iteration_ >= 3 * slack_iterations ? settings_.relaxed_tolerance : settings_.force_tolerance) * magnitude_);
+      const bool fresh = iteration_ == 0 && result_.rounds == 0; // forces of the extrapolated start
+      if (fresh || pending_ != 0. || !(residual_ <= tolerance) ||
+          (active_set_ != nullptr && !active_set_->consistent(tolerance * magnitude_)))
+        return false;
+      const bool moved = last_step_ <= settings_.displacement_tolerance * travelled_ || last_step_ <= 1e-14;
+      return moved || residual_ <= 1e-3 * tolerance || late;
+    }
 
-      for (unsigned int i = 0; i < n; ++i)
-        increments[i] = is_prescribed[i] ? prescribed[i] - q[i] : 0.;
-      ++result.iterations;
-      result.correction_iterations += result.rounds > 0;
-      const auto solve = [&](const double shift) {
-        Timers::Scope timer(timers_, timer_solve_);
-        return system_.factorize(shift) && system_.solve(increments, d);
-      };
+    void begin_round()
+    {
+      iteration_ = 0;
+      result_.residuals.clear();
+      assemble();
+      residual_ = relative_residual();
+    }
+
+    bool is_hopeless() const
+    {
+      if (!std::isfinite(residual_))
+        return true;
+      if (iteration_ < max_iterations_)
+        return false;
+      const bool close = variant_ == NewtonVariant::plain ? residual_ < close_to_tolerance * settings_.relaxed_tolerance &&
+                                                              iteration_ < most_iterations_if_close * max_iterations_
+                                                          : residual_ < on_its_way && iteration_ < most_extensions * max_iterations_;
+      return !close;
+    }
+
+    bool solve(const double shift)
+    {
+      Timers::Scope timer(newton_.timers_, newton_.timer_solve_);
+      return system_.factorize(shift) && system_.solve(increments_, d_);
+    }
+
+    bool find_step()
+    {
+      for (unsigned int i = 0; i < q_.size(); ++i)
+        increments_[i] = is_prescribed_[i] ? prescribed_[i] - q_[i] : 0.;
+      ++result_.iterations;
+      result_.correction_iterations += result_.rounds > 0;
       if (!solve(0.))
       {
         // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
-        problem_.assemble(q, true);
+        equations_.assemble(q_, true);
         if (!solve(1e-6))
-        {
-          result.outcome = NewtonResult::Outcome::singular;
-          return result;
-        }
+          return false;
       }
-
-      if (damped != Damping::none && pending == 0. && !descend(q, is_prescribed, increments, d))
-      {
-        result.outcome = NewtonResult::Outcome::singular;
-        return result;
-      }
-      problem_.prepare_step(d);
-      double factor = problem_.limit_step(q, d);
-      start = q;
-      const double work_start = work_along(d, is_prescribed);
-
-      const auto go = [&](const double alpha) {
-        for (unsigned int i = 0; i < n; ++i)
-          q[i] = alpha == 1. && is_prescribed[i] ? prescribed[i] : start[i] + alpha * d[i];
-        problem_.advance(alpha);
-        result.status = problem_.assemble(q, true);
-      };
-      // Inadmissible states first: go back until the laws can be evaluated.
-      go(factor);
-      for (unsigned int back = 0; !result.status.good() && back < 6; ++back)
-      {
-        factor *= .25;
-        ++result.line_searches;
-        go(factor);
-      }
-      if (!result.status.good())
-      {
-        result.outcome = NewtonResult::Outcome::inadmissible;
-        return result;
-      }
-      double now = measure(is_prescribed, force_floor, result);
-      // Less damping where it goes well: Newton's step again once the blank has come to rest.
-      if (now <= residual)
-        damping_ *= .25;
-      if (damping_ > 0. && damping_ < 1e-14 * system_.largest_diagonal())
-        damping_ = 0.;
-      if (settings_.line_search && pending == 0. && now > residual &&
-          (!problem_.status_changed() || iteration >= problem_.patience()))
-      {
-        // The energy falls as long as the work of the residual along the step is negative: look for its root.
-        // Steps that are shorter lead nowhere: with friction the step need not descend at all, then move on.
-        const double smallest_factor = .02 * factor;
-        const bool strict = iteration >= 3;
-        const double wanted = (strict ? .2 : .8) * std::abs(work_start);
-        double last_good = factor;
-        double low = 0., high = factor, work_low = work_start, work = work_along(d, is_prescribed), work_high = work;
-        for (unsigned int search = 0; search < 6 && work > wanted && factor > smallest_factor; ++search)
-        {
-          ++result.line_searches;
-          const double ratio = work_low / (work_low - work_high);
-          factor = std::max(smallest_factor, low + std::clamp(ratio, .1, .9) * (high - low));
-          go(factor);
-          if (!result.status.good())
-          {
-            high = factor;
-            continue;
-          }
-          last_good = factor;
-          work = work_along(d, is_prescribed);
-          if (work > 0)
-          {
-            high = factor;
-            work_high = work;
-            work_low *= .5; // Illinois
-          }
-          else
-          {
-            low = factor;
-            work_low = work;
-            work_high *= .5;
-            if (-work > wanted)
-              work = 2 * wanted; // go on
-          }
-        }
-        if (!result.status.good())
-        {
-          factor = last_good;
-          go(factor);
-        }
-        now = measure(is_prescribed, force_floor, result);
-      }
-      residual = now;
-      last_step = 0.;
-      for (unsigned int i = 0; i < n; ++i)
-        last_step = std::max(last_step, factor * std::abs(d[i]) * scale_[i]);
-      result.residuals.push_back(residual);
-      // Steps that are all but taken back, far from equilibrium, lead nowhere: damping and shorter increments do. Of
-      // 1211 solves of a U-bend 82 made three such steps, and 78 of them failed in the end.
-      if (damped == Damping::none && residual > far_from_equilibrium && factor < creeping &&
-          ++n_creeping == most_creeping_steps)
-      {
-        result.outcome = NewtonResult::Outcome::diverged;
-        return result;
-      }
+      return variant_ == NewtonVariant::plain || pending_ != 0. ||
+             damping_.descend(
+               d_, [&]() { equations_.assemble(q_, true); }, [&](const double shift) { return solve(shift); });
     }
+
+    /// To the start of the step plus a share of it.
+    bool go(const double factor)
+    {
+      for (unsigned int i = 0; i < q_.size(); ++i)
+        q_[i] = factor == 1. && is_prescribed_[i] ? prescribed_[i] : start_[i] + factor * d_[i];
+      if (active_set_ != nullptr)
+        active_set_->advance(factor);
+      return assemble();
+    }
+
+    bool take_step()
+    {
+      constexpr unsigned int most_returns = 6;
+      if (active_set_ != nullptr)
+        active_set_->prepare_step(d_);
+      factor_ = equations_.limit_step(q_, d_);
+      start_ = q_;
+      work_start_ = damping_.work_along(d_);
+      // Go back until the laws can be evaluated.
+      bool good = go(factor_);
+      for (unsigned int back = 0; !good && back < most_returns; ++back)
+      {
+        factor_ *= .25;
+        ++result_.line_searches;
+        good = go(factor_);
+      }
+      return good;
+    }
+
+    bool wants_search(const double residual) const
+    {
+      return settings_.line_search && pending_ == 0. && residual > residual_ &&
+             (active_set_ == nullptr || !active_set_->changed() || iteration_ >= active_set_->patience());
+    }
+
+    void search()
+    {
+      constexpr unsigned int lenient_iterations = 3;
+      LineSearch search;
+      factor_ = search.search(factor_, work_start_, damping_.work_along(d_), iteration_ >= lenient_iterations ? .2 : .8,
+                              [&](const double factor) -> std::optional<double> {
+                                if (!go(factor))
+                                  return std::nullopt;
+                                return damping_.work_along(d_);
+                              });
+      result_.line_searches += search.n_evaluations();
+    }
+
+    void finish_iteration(const double residual)
+    {
+      residual_ = residual;
+      last_step_ = 0.;
+      for (unsigned int i = 0; i < q_.size(); ++i)
+        last_step_ = std::max(last_step_, factor_ * std::abs(d_[i]) * scale_[i]);
+      result_.residuals.push_back(residual_);
+    }
+
+    bool creeps()
+    {
+      return variant_ == NewtonVariant::plain && residual_ > far_from_equilibrium && factor_ < creeping &&
+             ++n_creeping_ == most_creeping_steps;
+    }
+
+    const Newton &newton_;
+    Equations &equations_;
+    System &system_;
+    const NewtonSettings &settings_;
+    const std::vector<double> &scale_;
+    ActiveSet *active_set_;
+    Vector &q_;
+    const Vector &prescribed_;
+    const std::vector<bool> &is_prescribed_;
+    const Vector &q_committed_;
+    double force_floor_;
+    NewtonVariant variant_;
+    unsigned int max_iterations_;
+
+    NewtonResult result_;
+    Damping damping_;
+    Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
+    unsigned int iteration_ = 0, n_creeping_ = 0;
+    double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to
+    double pending_ = 0., travelled_ = 0.;
+    double factor_ = 1., work_start_ = 0.; ///< of the step that is taken, and of the residual along it at its start
+    double last_step_ = std::numeric_limits<double>::infinity();
+  };
+
+
+  NewtonResult Newton::solve(Vector &q, const Vector &prescribed, const std::vector<bool> &is_prescribed,
+                             const Vector &q_committed, const double force_floor, const NewtonVariant variant)
+  {
+    return Solve(*this, q, prescribed, is_prescribed, q_committed, force_floor, variant).run();
   }
 } // namespace deltaform

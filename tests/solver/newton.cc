@@ -13,7 +13,7 @@ namespace
 {
   /// R(u) = internal(u) - load of one unknown, which is tied by a spring of stiffness 1 to a second one that is
   /// prescribed.
-  class Scalar : public NonlinearProblem
+  class Scalar : public Equations, public ActiveSet
   {
   public:
     using Function = std::function<double(double)>;
@@ -59,6 +59,11 @@ namespace
       return std::min(1., largest_step / std::max(std::abs(d[0]), 1e-300));
     }
 
+    ActiveSet *active_set() override
+    {
+      return this;
+    }
+
     void prepare_step(const Vector &d) override
     {
       step = d[0];
@@ -69,7 +74,7 @@ namespace
       factors.push_back(factor);
     }
 
-    bool status_changed() const override
+    bool changed() const override
     {
       return false;
     }
@@ -101,7 +106,7 @@ namespace
     NewtonResult solve(const double start,
                        const std::vector<std::string> &entries = {},
                        const double goal = 0.,
-                       const Damping damping = Damping::none)
+                       const NewtonVariant variant = NewtonVariant::plain)
     {
       const NewtonSettings settings = newton_settings(entries);
       Timers timers;
@@ -114,7 +119,7 @@ namespace
       prescribed[1] = goal;
       visited.clear();
       factors.clear();
-      return newton.solve(q, prescribed, {false, true}, committed, 0., damping);
+      return newton.solve(q, prescribed, {false, true}, committed, 0., variant);
     }
 
     Function internal, slope;
@@ -245,7 +250,7 @@ BOOST_AUTO_TEST_CASE(creeping_is_given_up)
   BOOST_TEST((creeping.outcome == Outcome::diverged));
   BOOST_TEST(creeping.iterations == 3u);
   BOOST_TEST(creeping.residuals.size() == 4u);
-  BOOST_TEST(problem.solve(0., {}, 0., Damping::damped).iterations > 3u); // the last resort goes on
+  BOOST_TEST(problem.solve(0., {}, 0., NewtonVariant::damped).iterations > 3u); // the last resort goes on
   problem.largest_step = .3; // .03, .06, ...
   BOOST_TEST(problem.solve(0.).converged());
   // At the solution's door short steps are no failure.
@@ -258,17 +263,17 @@ BOOST_AUTO_TEST_CASE(damped_steps_go_on_while_they_lead_down)
   // From 0 to 2 in steps of .008: after 200 of them the residual is a quarter of the forces.
   Scalar problem = stiffening(10.);
   problem.largest_step = .008;
-  const auto slow = problem.solve(0., {}, 0., Damping::damped);
+  const auto slow = problem.solve(0., {}, 0., NewtonVariant::damped);
   BOOST_TEST(slow.converged());
   BOOST_TEST(slow.iterations > 200u);
   // Steps of .005 have got to two thirds by then: not on their way.
   problem.largest_step = .005;
-  const auto far = problem.solve(0., {}, 0., Damping::damped);
+  const auto far = problem.solve(0., {}, 0., NewtonVariant::damped);
   BOOST_TEST((far.outcome == Outcome::diverged));
   BOOST_TEST(far.iterations == 200u);
   // And not for ever.
   problem.largest_step = 1e-4;
-  const auto endless = problem.solve(1.6, {}, 0., Damping::damped);
+  const auto endless = problem.solve(1.6, {}, 0., NewtonVariant::damped);
   BOOST_TEST((endless.outcome == Outcome::diverged));
   BOOST_TEST(endless.iterations == 800u);
 }
@@ -310,7 +315,7 @@ BOOST_AUTO_TEST_CASE(damped_steps_snap_through)
                   .3849 + .02);
   };
   Scalar problem = arch();
-  const auto damped = problem.solve(.4, {}, 0., Damping::damped);
+  const auto damped = problem.solve(.4, {}, 0., NewtonVariant::damped);
   BOOST_TEST(damped.converged());
   const double u = problem.q[0];
   BOOST_TEST(u > 2.);
@@ -328,9 +333,9 @@ BOOST_AUTO_TEST_CASE(damped_steps_snap_through)
 BOOST_AUTO_TEST_CASE(slack_is_allowed_only_when_asked_and_after_some_iterations)
 {
   Scalar problem = stiffening(1e6);
-  BOOST_TEST(problem.solve(0., {}, 0., Damping::damped).converged());
+  BOOST_TEST(problem.solve(0., {}, 0., NewtonVariant::damped).converged());
   BOOST_TEST(problem.slack == 0.);
-  const auto result = problem.solve(0., {}, 0., Damping::with_slack);
+  const auto result = problem.solve(0., {}, 0., NewtonVariant::with_slack);
   BOOST_TEST(result.converged());
   BOOST_REQUIRE(result.iterations > 4u);
   // In forces: the tolerance of the residual times the scale of the forces, which is near the load.

@@ -8,7 +8,7 @@ namespace deltaform
 {
   namespace testing
   {
-    class ShellProblem : public NonlinearProblem
+    class ShellProblem : public Equations, public ActiveSet
     {
     public:
       /// A flat disc or strip of radius 1, clamped at its edge. @p contact and @p tool: see PairFixture; none: no
@@ -97,6 +97,11 @@ namespace deltaform
         return blank->admissible_step(q, d);
       }
 
+      ActiveSet *active_set() override
+      {
+        return fixture ? this : nullptr;
+      }
+
       void prepare_step(const Vector &d) override
       {
         if (fixture)
@@ -109,7 +114,7 @@ namespace deltaform
           fixture->pair.advance(factor);
       }
 
-      bool status_changed() const override
+      bool changed() const override
       {
         return fixture && fixture->pair.status_changed();
       }

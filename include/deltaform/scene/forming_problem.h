@@ -40,23 +40,28 @@ namespace deltaform
    * in this order, because penalty rules read the blank's stiffness before contact adds to it. Knows which unknowns are
    * prescribed and what is committed.
    */
-  class FormingProblem : public NonlinearProblem
+  class FormingProblem : public Equations, public ActiveSet
   {
   public:
     FormingProblem(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers);
 
-    /// @name NonlinearProblem
+    /// @name Equations
     ///@{
     double typical_length() const override;
     Status assemble(const Vector &q, bool tangent) override;
     double limit_step(const Vector &q, Vector &d) const override;
+    ActiveSet *active_set() override;
+    unsigned int correct() override;
+    ///@}
+
+    /// @name ActiveSet
+    ///@{
     void prepare_step(const Vector &d) override;
     void advance(double factor) override;
-    bool status_changed() const override;
+    bool changed() const override;
     unsigned int patience() const override;
     bool consistent(double allowed_tension) const override;
     void allow_slack(double force) override;
-    unsigned int correct() override;
     ///@}
 
     /// What is wrong with the place of a tool that comes with @p stage, seen from the committed state, in words; empty:

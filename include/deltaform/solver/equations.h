@@ -1,0 +1,60 @@
+#pragma once
+
+#include <deltaform/base/status.h>
+#include <deltaform/base/types.h>
+
+namespace deltaform
+{
+  /**
+   * Inequalities among the equations, each active or not (contact). Newton's method on such equations is semi-smooth:
+   * residuals of two sets do not compare, and a small one is a solution only if the set is consistent with it.
+   */
+  class ActiveSet
+  {
+  public:
+    virtual ~ActiveSet() = default;
+
+    /// A step @p d was computed from the state that was assembled last.
+    virtual void prepare_step(const Vector &d) = 0;
+
+    /// It is taken by @p factor; the assembly at the new place follows.
+    virtual void advance(double factor) = 0;
+
+    /// Did the last assembly belong to another set than the one before?
+    virtual bool changed() const = 0;
+
+    /// For how many iterations a residual may grow with a changed set before the line search is used all the same.
+    virtual unsigned int patience() const = 0;
+
+    /// Is the assembled state admissible as a solution if its residual is small enough? Forces that can only push may
+    /// pull by up to @p allowed_tension.
+    virtual bool consistent(double allowed_tension) const = 0;
+
+    /// From now on constraints with forces up to @p force need not change between active and inactive.
+    virtual void allow_slack(double force) = 0;
+  };
+
+
+  /// A model and a state as Newton's method sees them: numbers, no physics.
+  class Equations
+  {
+  public:
+    virtual ~Equations() = default;
+
+    /// A length of the problem (the thickness): displacements of 1 % of it are large enough to measure steps by.
+    virtual double typical_length() const = 0;
+
+    /// Residual, and tangent if wanted, at @p q into the system.
+    virtual Status assemble(const Vector &q, bool tangent) = 0;
+
+    /// Shorten components of the step @p d that nothing resists. @return the largest factor in (0, 1] of the step
+    /// that is admissible from @p q
+    virtual double limit_step(const Vector &q, Vector &d) const = 0;
+
+    /// The inequalities among the equations; null: there are none.
+    virtual ActiveSet *active_set() = 0;
+
+    /// After convergence: @return how many parameters (penalty factors) were changed, so that the solve must go on.
+    virtual unsigned int correct() = 0;
+  };
+} // namespace deltaform
