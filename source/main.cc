@@ -1,7 +1,7 @@
 // Arguments, MPI, one command, one catch.
+#include <deltaform/app/run.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
-#include <deltaform/scene/run.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -40,6 +40,13 @@ namespace deltaform
   }
 
 
+  AnalysisSettings Scene::analysis_settings() const
+  {
+    return {*linear_solver, *newton, *steps, output->travel_times, output->energies,
+            Checkpoint::entries(tree)};
+  }
+
+
   void Scene::build_tools(Section root)
   {
     Section section = root.sub("Tools");

@@ -1,9 +1,9 @@
 // What is wrong with a scene although every entry by itself is allowed.
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/text.h>
-#include <deltaform/results/history.h>
+#include <deltaform/model/reported_columns.h>
+#include <deltaform/model/tool_placement.h>
 #include <deltaform/scene/scene.h>
-#include <deltaform/scene/tool_placement.h>
 
 #include <cmath>
 #include <limits>

@@ -3,7 +3,7 @@
 
     instructions.py DELTAFORM REFERENCE_KERNEL PRM_FOLDER [--scene NAME] [--set SECTION/ENTRY=VALUE]... [--renew]
 
-Runs small scenes under callgrind, which counts between the begin and the end of Simulation::run only: start-up is left out.
+Runs small scenes under callgrind, which counts between the begin and the end of Analysis::run only: start-up is left out.
 The count over the number of unknowns and of Newton iterations, in units of the same program's count of a fixed kernel
 (reference_kernel.cc), must not exceed the value in instructions.json by more than 10 %. --renew writes that file; do so after a
 change that makes deltaform faster, or slower for a reason.
@@ -44,7 +44,7 @@ def count(program, prm, name, entries):
     with tempfile.TemporaryDirectory() as folder:
         sets = [word for entry in [*own, *QUIET, *entries] for word in ("--set", entry)]
         counts = callgrind([program, os.path.join(prm, file), "--quiet", "--output", folder, *sets],
-                           options=["--collect-atstart=no", "--toggle-collect=deltaform::Simulation::run()"])
+                           options=["--collect-atstart=no", "--toggle-collect=deltaform::Analysis::run()"])
         with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
             summary = json.load(file)
     return counts.total / summary["unknowns"] / summary["newton_iterations"]

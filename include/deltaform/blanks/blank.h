@@ -6,6 +6,7 @@
 #include <deltaform/base/status.h>
 #include <deltaform/base/table.h>
 #include <deltaform/base/types.h>
+#include <deltaform/blanks/increment_size.h>
 #include <deltaform/blanks/sheet_section.h>
 #include <deltaform/kinematics/contact_surface.h>
 
@@ -29,13 +30,6 @@ namespace deltaform
     r,
     z,
     rotation
-  };
-
-  /// How far an increment goes.
-  struct IncrementSize
-  {
-    double strain = 0; ///< largest change of logarithmic strain of any point
-    double rotation = 0; ///< largest angle that a point turns by
   };
 
   /**

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/scene/forming_problem.h>
+#include <deltaform/model/forming_problem.h>
 
 #include <string>
 #include <vector>

@@ -1,11 +1,10 @@
 #pragma once
 
+#include <deltaform/analysis/analysis.h>
 #include <deltaform/base/journal.h>
 #include <deltaform/base/parameter_tree.h>
-#include <deltaform/scene/forming_problem.h>
-#include <deltaform/scene/output_settings.h>
-#include <deltaform/solver/newton.h>
-#include <deltaform/solver/step_control.h>
+#include <deltaform/model/forming_problem.h>
+#include <deltaform/results/output_settings.h>
 
 #include <memory>
 #include <string>
@@ -29,6 +28,9 @@ namespace deltaform
     std::unique_ptr<NewtonSettings> newton;
     std::unique_ptr<StepSettings> steps;
     std::unique_ptr<OutputSettings> output;
+
+    /// How the stages are computed. The scene must live longer.
+    AnalysisSettings analysis_settings() const;
 
   private:
     void build_tools(Section root);

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <deltaform/analysis/increment.h>
+#include <deltaform/analysis/step_control.h>
+#include <deltaform/base/journal.h>
+#include <deltaform/base/timers.h>
+#include <deltaform/model/checkpoint.h>
+#include <deltaform/model/condition.h>
+#include <deltaform/model/forming_problem.h>
+#include <deltaform/model/observer.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// How the stages of a scene are computed.
+  struct AnalysisSettings
+  {
+    const LinearSolverSettings &linear_solver;
+    const NewtonSettings &newton;
+    const StepSettings &steps;
+    std::vector<double> meet; ///< times that increments have to end at
+    bool energies; ///< are works and energies asked for?
+    std::vector<Checkpoint::Entry> entries; ///< of the scene, saved with every state
+  };
+
+  /**
+   * Computes the stages of a scene increment by increment, all at once by run() or one by one:
+   *
+   *     Analysis analysis(actors, settings, journal, timers);
+   *     analysis.begin();
+   *     while (analysis.advance())
+   *       std::cout << analysis.model().tool_forces()[0];
+   *     const int status = analysis.end();
+   *
+   * It writes nothing; observers do.
+   */
+  class Analysis
+  {
+  public:
+    Analysis(Actors &actors, const AnalysisSettings &settings, Journal &journal, Timers &timers);
+
+    void add(std::unique_ptr<Observer> observer);
+
+    /// Say what makes the input doubtful; it stands among the warnings of the outcome.
+    void warn(const std::vector<std::string> &texts);
+
+    /// Go on from a saved state. Belongs before begin(). @throws SceneError if it does not fit the stages of the scene
+    void resume(const Checkpoint &start);
+
+    /// All stages. @return exit status: done, not_converged or promise_broken
+    int run();
+
+    void begin();
+
+    /// Compute the next increment, with all attempts that it takes. @return false: there was none left, or it failed
+    bool advance();
+
+    /// Tell the observers how the run has ended. @return exit status
+    int end();
+
+    /// The state after the last accepted increment, from which another analysis of the same scene can go on.
+    Checkpoint checkpoint() const;
+
+    const FormingProblem &model() const
+    {
+      return problem_;
+    }
+
+    double time() const
+    {
+      return time_;
+    }
+
+    /// Why the run stopped; empty if it did not.
+    const std::string &message() const
+    {
+      return message_;
+    }
+
+  private:
+    /// Begin the stages whose turn it is. @return false if there is none left
+    bool enter_stage();
+
+    const Stage &stage() const
+    {
+      return actors_.stages[stage_];
+    }
+
+    IncrementResult attempt(double time, Effort effort);
+
+    /// What is tried in an increment to @p next.
+    Effort effort(double next) const;
+
+    void accept(double next, const IncrementResult &result);
+
+    /// Refine what is marked and restore equilibrium at the same time, pass by pass; each is an increment of its own.
+    /// @return false if the run has stopped, because there is none
+    bool refine();
+
+    bool refinement_marked();
+
+    void notify(const AcceptedIncrement &increment);
+    AcceptedIncrement accepted(const IncrementCost &cost) const;
+
+    /// The run stops, and can be resumed from @p state (none: from the one that was saved last). @return false
+    bool stop(const std::string &why, int status, std::optional<Checkpoint> state = std::nullopt);
+
+    /// No attempt at an increment succeeds.
+    bool give_up(const Rejected &rejected);
+
+    std::string likely_cause() const;
+
+    Actors &actors_;
+    AnalysisSettings settings_;
+    Journal &journal_;
+    Timers &timers_;
+    Timers::Index timer_attempt_, timer_output_;
+    FormingProblem problem_;
+    Newton newton_;
+    Increment increment_;
+    std::vector<std::unique_ptr<Condition>> conditions_;
+    std::vector<std::unique_ptr<Observer>> observers_;
+
+    double time_ = 0, last_increment_ = 0;
+    Vector before_; ///< the solution one increment before the committed one
+    unsigned int stage_ = 0; ///< index of the current one
+    unsigned int n_increments_ = 0, total_iterations_ = 0;
+    unsigned int accepted_iterations_ = 0; ///< up to the last accepted increment
+    unsigned int since_refinement_ = 0; ///< increments
+    bool resumed_ = false; ///< in the middle of the current stage
+    /// After the last accepted increment of the stage, if there is one: what a resumed run goes on with.
+    std::optional<StepControl::State> step_;
+    std::optional<StepControl> control_; ///< of the current stage
+    IncrementCost cost_; ///< of the attempts at the next increment so far
+
+    int status_;
+    std::vector<std::string> warnings_;
+    std::string message_;
+    std::optional<Checkpoint> state_at_stop_;
+  };
+} // namespace deltaform

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <deltaform/model/accounts.h>
+#include <deltaform/model/checkpoint.h>
+#include <deltaform/model/forming_problem.h>
+#include <deltaform/model/increment_cost.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace deltaform
+{
+  /// An increment that was accepted, and the state at its end. What nobody asks for is not computed.
+  class AcceptedIncrement
+  {
+  public:
+    const FormingProblem &model;
+    const Stage &stage;
+    double time; ///< at its end
+    unsigned int number; ///< counts from 1
+    IncrementCost cost;
+    double snap_rotation = 0; ///< rad; by how much a node has turned, if more than allowed because the blank snapped
+    bool is_last_here = true; ///< else the mesh is refined, and another one ends at the same time
+    bool ends_stage = false;
+    std::function<Checkpoint()> checkpoint = {}; ///< makes what a run can go on from
+
+    const EnergyAccount &energies() const
+    {
+      if (!energies_)
+        energies_ = model.energies();
+      return *energies_;
+    }
+
+    const ContactAccount &contact() const
+    {
+      if (!contact_)
+        contact_ = model.contact();
+      return *contact_;
+    }
+
+    /// Cross-sections of a sheet at its nodes; none of a solid.
+    const std::vector<SheetSection> &sections() const
+    {
+      if (!sections_)
+        sections_ = model.blank().sections();
+      return *sections_;
+    }
+
+    double smallest_thickness() const
+    {
+      if (!smallest_thickness_)
+        smallest_thickness_ = model.blank().smallest_thickness();
+      return *smallest_thickness_;
+    }
+
+    double balance_error() const
+    {
+      if (!balance_error_)
+        balance_error_ = model.balance_error();
+      return *balance_error_;
+    }
+
+    AcceptedIncrement(const FormingProblem &the_model, const Stage &the_stage, const double the_time,
+                      const unsigned int the_number, const IncrementCost &the_cost)
+      : model(the_model), stage(the_stage), time(the_time), number(the_number), cost(the_cost)
+    {
+    }
+
+  protected: // what a test may know without a model
+    mutable std::optional<EnergyAccount> energies_;
+    mutable std::optional<ContactAccount> contact_;
+    mutable std::optional<std::vector<SheetSection>> sections_;
+    mutable std::optional<double> smallest_thickness_, balance_error_;
+  };
+} // namespace deltaform

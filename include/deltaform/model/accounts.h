@@ -1,0 +1,37 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  /// Works and energies since the start of the run (full circumference or per unit width); zero if nobody asks.
+  struct EnergyAccount
+  {
+    double tool_work = 0;
+    double load_work = 0; ///< of other loads and of supports
+    double elastic = 0, plastic = 0, friction = 0;
+    double friction_error = 0; ///< to be expected of the friction energy, because increments are long
+    double contact = 0; ///< stored now in the penalty springs
+    double epsilon_work = 0; ///< done by changing penalty factors at fixed penetration
+    double thickness_work = 0; ///< done by updating the thickness between increments
+
+    /// Works minus energies, over the largest of them.
+    double error() const
+    {
+      const double in = tool_work + load_work + epsilon_work + thickness_work;
+      const double out = elastic + plastic + friction + contact;
+      const double size = std::max({std::abs(tool_work), std::abs(load_work), std::abs(out)});
+      return size > 0 ? (in - out) / size : 0.;
+    }
+  };
+
+  /// Contact of a state, all tools together.
+  struct ContactAccount
+  {
+    unsigned int n_touching = 0; ///< a node between two tools counts twice
+    double max_penetration = 0, max_penetration_over_delta = 0, max_penetration_between_nodes = 0;
+    double min_epsilon = 0, max_epsilon = 0; ///< penalty factors of what touches
+    double floor_share = 0; ///< of what touches: penalty factor at its lower bound
+  };
+} // namespace deltaform

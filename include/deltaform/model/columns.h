@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace deltaform
+{
+  class AcceptedIncrement;
+
+  /**
+   * What is reported of every accepted increment, a column of history.csv each. Whoever knows a number describes it
+   * here, in one place: name, unit, what it means, and how it is found.
+   */
+  class Columns
+  {
+  public:
+    struct Column
+    {
+      std::string name;
+      std::string dimension; ///< "length", "force", ...; "1" for pure numbers
+      std::string meaning; ///< for doc/output.md
+    };
+
+    using Cell = std::variant<double, std::string>;
+    using Row = std::vector<Cell>;
+
+    /// Appends the cells of a group of columns, one each.
+    using Values = std::function<void(const AcceptedIncrement &, Row &)>;
+
+    /// Columns whose values are found together.
+    void add(std::vector<Column> columns, Values values)
+    {
+      columns_.insert(columns_.end(), columns.begin(), columns.end());
+      groups_.push_back(std::move(values));
+    }
+
+    const std::vector<Column> &columns() const
+    {
+      return columns_;
+    }
+
+    Row row(const AcceptedIncrement &increment) const
+    {
+      Row result;
+      result.reserve(columns_.size());
+      for (const auto &values : groups_)
+        values(increment, result);
+      return result;
+    }
+
+  private:
+    std::vector<Column> columns_;
+    std::vector<Values> groups_;
+  };
+} // namespace deltaform

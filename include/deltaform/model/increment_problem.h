@@ -1,0 +1,49 @@
+#pragma once
+
+#include <deltaform/blanks/increment_size.h>
+#include <deltaform/model/equations.h>
+
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// The equations of one increment after the other, as whoever looks for their solutions sees them.
+  class IncrementProblem : public Equations
+  {
+  public:
+    /// Look for the state at @p time from the committed one; what was tried before is forgotten. @param ratio of the
+    /// length of this increment to that of the one before; 0: there is none that it continues
+    virtual void begin(double time, double ratio) = 0;
+
+    /// Let first touches have this share of their stiffness at first. @return false if nothing can touch
+    virtual bool soften(double share) = 0;
+
+    virtual const Vector &committed() const = 0;
+
+    /// Values of the prescribed unknowns at the end of the increment, and which they are.
+    virtual const Vector &prescribed() const = 0;
+    virtual const std::vector<bool> &is_prescribed() const = 0;
+
+    /// Forces below this are round-off.
+    virtual double force_floor() const = 0;
+
+    /// Of the step @p dq from the committed state to the one that was assembled last.
+    virtual IncrementSize increment_size(const Vector &dq) const = 0;
+
+    /// Where the promise p <= delta is broken in the state assembled last, in words; empty if it is kept.
+    virtual std::string broken_promise() const = 0;
+
+    /// Do forces of the last stage vanish in this increment?
+    virtual bool releases_at_once() const = 0;
+
+    /// "node 12 at r = 0.53, rotation", for messages; empty if the unknown is not one of a body.
+    virtual std::string describe(DofIndex unknown) const = 0;
+
+    /// Why the last linear solve failed, if it was not for a singular matrix: in words; otherwise empty.
+    virtual std::string linear_failure() const = 0;
+
+    /// Iterations of the linear solver since the start, 0 for a direct one.
+    virtual unsigned int n_linear_iterations() const = 0;
+  };
+} // namespace deltaform

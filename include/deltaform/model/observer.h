@@ -1,0 +1,74 @@
+#pragma once
+
+#include <deltaform/base/types.h>
+#include <deltaform/model/checkpoint.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace boost::archive
+{
+  class binary_oarchive;
+  class binary_iarchive;
+} // namespace boost::archive
+
+namespace deltaform
+{
+  class AcceptedIncrement;
+  class FormingProblem;
+  struct Stage;
+
+  /// How a run has ended.
+  struct RunOutcome
+  {
+    int exit_status;
+    std::string message; ///< why it stopped; empty if it is done
+    std::vector<std::string> warnings; ///< what makes input or result doubtful
+    unsigned int increments, iterations;
+    std::optional<Checkpoint> state; ///< what a run that has stopped can be resumed from, if not from the last one saved
+  };
+
+  /// Sees the accepted states of a run, writes or shows them. What is not asked for is not there, and costs nothing.
+  class Observer
+  {
+  public:
+    virtual ~Observer() = default;
+
+    /// The first stage begins, with the undeformed blank and the tools at their start.
+    virtual void begin(const FormingProblem & /*model*/, const Stage & /*stage*/)
+    {
+    }
+
+    /// An increment will be tried, perhaps more than once.
+    virtual void before(FormingProblem & /*model*/, unsigned int /*number*/)
+    {
+    }
+
+    /// It is solved, by the unknowns @p q, and will be accepted.
+    virtual void solved(FormingProblem & /*model*/, const Vector & /*q*/)
+    {
+    }
+
+    virtual void accepted(const AcceptedIncrement & /*increment*/)
+    {
+    }
+
+    /// The run goes on from a saved state, of which this was the last increment (number 0: there was none).
+    virtual void resumed(const AcceptedIncrement & /*increment*/)
+    {
+    }
+
+    virtual void ended(const FormingProblem & /*model*/, const RunOutcome & /*outcome*/)
+    {
+    }
+
+    /// What it cannot find out from the model when a run is resumed. load() comes before resumed().
+    virtual void save(boost::archive::binary_oarchive & /*archive*/) const
+    {
+    }
+    virtual void load(boost::archive::binary_iarchive & /*archive*/)
+    {
+    }
+  };
+} // namespace deltaform

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <deltaform/base/assembly_target.h>
+#include <deltaform/base/types.h>
+#include <deltaform/model/stage.h>
+
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * Forces of the tools, supports and loads that ended with the last stage, as they were in its last equilibrium. They
+   * fade out linearly over the stage, F(t) = F (t_end - t)/(t_end - t_begin), or are gone at once (Steps/Release).
+   */
+  struct ReleasedForces
+  {
+    /// No forces, for @p n unknowns and so many tools, supports and loads.
+    void reset(unsigned int n, unsigned int n_tools, unsigned int n_supports, unsigned int n_loads);
+
+    /// A stage begins: from when to when the forces fade.
+    void begin_stage(const Stage &stage);
+
+    /// Share of the forces that still acts at @p time.
+    double share(double time) const;
+
+    /// Add what acts at @p time to the residual.
+    void assemble(double time, AssemblyTarget &target) const;
+
+    /// Is there anything to release?
+    bool any = false;
+
+    Vector on_blank; ///< force on each unknown
+    std::vector<Tensor1> of_tools; ///< of the blank on each tool
+    std::vector<double> of_supports;
+    std::vector<Tensor1> of_loads;
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int)
+    {
+      archive &any &on_blank &of_tools &of_supports &of_loads;
+    }
+
+  private:
+    double begin_ = 0., end_ = 1.;
+    bool at_once_ = false;
+  };
+} // namespace deltaform

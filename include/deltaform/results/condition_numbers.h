@@ -1,0 +1,55 @@
+#pragma once
+
+#include <deltaform/base/timers.h>
+#include <deltaform/model/columns.h>
+#include <deltaform/model/forming_problem.h>
+#include <deltaform/model/observer.h>
+#include <deltaform/results/results_folder.h>
+#include <deltaform/solver/condition.h>
+
+#include <limits>
+#include <string>
+
+namespace deltaform
+{
+  /// Condition numbers of one tangent; NaN where unknown. Derivation and meaning: doc/theory/condition.md.
+  struct ConditionNumbers
+  {
+    double raw = std::numeric_limits<double>::quiet_NaN(); ///< with contact, as assembled
+    double scaled = std::numeric_limits<double>::quiet_NaN(); ///< after diagonal scaling in the contact frames
+    double without_contact = std::numeric_limits<double>::quiet_NaN(); ///< on the complement of the rigid modes
+    double digits_lost = std::numeric_limits<double>::quiet_NaN(); ///< by a direct solution
+    unsigned int n_rigid = 0;
+    std::string rigid_modes; ///< motions that the blank without contact does not resist
+  };
+
+  /// Computes condition numbers of the tangent of every n-th increment. Exists only where a scene asks for them.
+  class ConditionReport : public Observer
+  {
+  public:
+    ConditionReport(unsigned int every, condition::Method method, ResultsFolder &folder);
+
+    /// Before the increment is solved: keep the tangent without contact terms of the last assembly.
+    void before(FormingProblem &model, unsigned int number) override;
+
+    /// Measures the converged but not yet committed state, which is not touched: the tangents are those of the last
+    /// Newton iteration.
+    void solved(FormingProblem &model, const Vector &q) override;
+
+    void accepted(const AcceptedIncrement &increment) override;
+
+    /// Columns of the numbers measured last. The object must live longer.
+    void describe(Columns &columns) const;
+
+  private:
+    ConditionNumbers measure(FormingProblem &problem, const Vector &q);
+
+    unsigned int every_;
+    condition::Method method_;
+    ResultsFolder &folder_;
+    Timers::Index timer_;
+    bool due_ = false;
+    ConditionNumbers numbers_; ///< of the last increment; unknown if it was none to measure
+    condition::Matrix without_; ///< tangent of the last assembly, without contact
+  };
+} // namespace deltaform

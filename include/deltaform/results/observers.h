@@ -1,0 +1,30 @@
+#pragma once
+
+#include <deltaform/model/columns.h>
+#include <deltaform/model/observer.h>
+#include <deltaform/results/output_settings.h>
+#include <deltaform/results/results_folder.h>
+
+#include <memory>
+#include <vector>
+
+namespace deltaform
+{
+  /// @name What a scene may ask for
+  /// Every one writes into @p folder, which must live longer.
+  ///@{
+  std::unique_ptr<Observer> make_history_observer(ResultsFolder &folder, Columns columns, const Checkpoint *start);
+  std::unique_ptr<Observer> make_table_observer(ResultsFolder &folder, const OutputSettings &output);
+  std::unique_ptr<Observer> make_picture_observer(ResultsFolder &folder, const OutputSettings &output);
+  std::unique_ptr<Observer> make_progress_observer(ResultsFolder &folder, const OutputSettings &output);
+  std::unique_ptr<Observer> make_summary_observer(ResultsFolder &folder, const OutputSettings &output);
+  std::unique_ptr<Observer> make_checkpoint_observer(ResultsFolder &folder, const OutputSettings &output);
+  ///@}
+
+  /**
+   * All that a scene asks for, in the order in which they have to be told: states are saved last, when what they count
+   * on is written. @param start the state that the run goes on from; null: it begins
+   */
+  std::vector<std::unique_ptr<Observer>> make_observers(const FormingProblem &model, const OutputSettings &output,
+                                                        ResultsFolder &folder, const Checkpoint *start);
+} // namespace deltaform

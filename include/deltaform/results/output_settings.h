@@ -1,0 +1,29 @@
+#pragma once
+
+#include <deltaform/base/section.h>
+#include <deltaform/model/stage.h>
+#include <deltaform/solver/condition_method.h>
+#include <deltaform/tools/tool.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// What is written, and when.
+  struct OutputSettings
+  {
+    OutputSettings(Section &section, const std::vector<std::unique_ptr<Tool>> &tools, const std::vector<Stage> &stages);
+
+    std::string folder;
+    unsigned int main_tool = invalid_index; ///< index of the tool whose travel names the files
+    std::vector<double> travels; ///< at which tables are written
+    std::vector<double> travel_times; ///< the times that belong to them
+    std::vector<double> frame_times; ///< of the pictures, ascending
+    unsigned int condition_every = 0; ///< condition numbers in every so many increments; 0: never
+    condition::Method condition_method = condition::Method::automatic;
+    bool energies = true; ///< in the history
+    double checkpoint_interval = 5; ///< seconds
+  };
+} // namespace deltaform

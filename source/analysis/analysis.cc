@@ -1,0 +1,241 @@
+#include <deltaform/analysis/analysis.h>
+#include <deltaform/analysis/conditions.h>
+#include <deltaform/base/command_line.h>
+#include <deltaform/base/text.h>
+#include <deltaform/model/accepted_increment.h>
+
+#include <utility>
+
+namespace deltaform
+{
+  Analysis::Analysis(Actors &actors, const AnalysisSettings &settings, Journal &journal, Timers &timers)
+    : actors_(actors), settings_(settings), journal_(journal), timers_(timers),
+      timer_attempt_(timers.section("10 start of an increment, residual, length of steps, checks")),
+      timer_output_(timers.section("13 output")), problem_(actors, settings.linear_solver, timers),
+      newton_(problem_, problem_.system(), settings.newton, problem_.scale(), problem_.size(), timers),
+      increment_(problem_, newton_, settings.steps), conditions_(make_conditions(actors)), status_(exit_status::done)
+  {
+    if (!settings.energies)
+      problem_.forget_energy();
+  }
+
+
+  void Analysis::add(std::unique_ptr<Observer> observer)
+  {
+    observers_.push_back(std::move(observer));
+  }
+
+
+  void Analysis::warn(const std::vector<std::string> &texts)
+  {
+    for (const auto &text : texts)
+    {
+      journal_.warning(text);
+      warnings_.push_back(text);
+    }
+  }
+
+
+  int Analysis::run()
+  {
+    begin();
+    while (advance())
+    {
+    }
+    return end();
+  }
+
+
+  void Analysis::begin()
+  {
+    if (!resumed_)
+      before_ = problem_.committed();
+    const auto &solver = problem_.linear_solver();
+    journal_.detail("linear solver: " + solver.name + (solver.automatic ? " (automatic)" : "") + ", " +
+                    std::to_string(problem_.committed().size()) + " unknowns" +
+                    (problem_.on_linear_path() ? ", constant stiffness: one factorization" : ""));
+  }
+
+
+  int Analysis::end()
+  {
+    journal_.detail(std::to_string(problem_.system().n_factorizations()) + " factorizations" +
+                    (problem_.on_linear_path() ? ", " + std::to_string(problem_.system().n_compliances()) + " compliances of contact unknowns" : ""));
+    for (const auto &condition : conditions_)
+      warn(condition->warnings(status_ == exit_status::done));
+    const Timers::Scope timer(timers_, timer_output_);
+    const RunOutcome outcome{status_, message_, warnings_, n_increments_, total_iterations_, std::move(state_at_stop_)};
+    for (const auto &observer : observers_)
+      observer->ended(problem_, outcome);
+    return status_;
+  }
+
+
+  bool Analysis::enter_stage()
+  {
+    while (!control_ || control_->finished(time_))
+    {
+      if (control_)
+      {
+        control_.reset();
+        ++stage_;
+      }
+      if (stage_ >= actors_.stages.size())
+        return false;
+      if (resumed_)
+        problem_.resume_stage(stage());
+      else
+      {
+        // The state at the end of the last stage is saved.
+        if (const std::string wrong = problem_.misplaced_tool(stage()); !wrong.empty())
+          return stop("before its first increment: " + wrong, exit_status::not_converged);
+        problem_.begin_stage(stage());
+        if (stage_ == 0)
+        {
+          const Timers::Scope timer(timers_, timer_output_);
+          for (const auto &observer : observers_)
+            observer->begin(problem_, stage());
+        }
+        last_increment_ = 0.;
+        step_.reset();
+      }
+      control_.emplace(settings_.steps, stage().begin, stage().end, stage().first_increment,
+                       stage().smallest_increment, stage().largest_increment, settings_.meet);
+      if (resumed_ && step_)
+        control_->restore(*step_);
+      resumed_ = false;
+    }
+    return true;
+  }
+
+
+  bool Analysis::advance()
+  {
+    if (status_ != exit_status::done || !enter_stage())
+      return false;
+    if (n_increments_ >= settings_.steps.max_increments)
+      return stop(std::to_string(n_increments_) +
+                    " increments are done (Solver/Maximal increments). To go on, allow more and --resume",
+                  exit_status::not_converged, checkpoint());
+    for (const auto &observer : observers_)
+      observer->before(problem_, n_increments_ + 1);
+    for (;;)
+    {
+      const double next = control_->next(time_);
+      const IncrementResult result = attempt(next, effort(next));
+      cost_ += result.cost;
+      if (!result.rejected)
+      {
+        accept(next, result);
+        break;
+      }
+      ++cost_.cutbacks;
+      journal_.detail("increment " + std::to_string(n_increments_ + 1) + " to time " + text::format(next) +
+                      " cut back: " + result.rejected->sentence);
+      if (!control_->reject(next - time_))
+        return give_up(*result.rejected);
+    }
+    return status_ == exit_status::done;
+  }
+
+
+  IncrementResult Analysis::attempt(const double time, const Effort effort)
+  {
+    const Timers::Remainder rest(timers_, timer_attempt_);
+    const double length = time - time_;
+    const double ratio = last_increment_ > 0 ? length / last_increment_ : 0.;
+    IncrementResult result = increment_.attempt({time, ratio, settings_.steps.extrapolate, before_}, length, effort);
+    total_iterations_ += result.cost.iterations;
+    return result;
+  }
+
+
+  Effort Analysis::effort(const double next) const
+  {
+    // Cut twice, or as short as it may be: the length of the increment is not the reason.
+    if (problem_.releases_at_once() || (next - time_) * settings_.steps.shrink < stage().smallest_increment)
+      return Effort::all;
+    return cost_.cutbacks >= 2 || control_->leaping() ? Effort::last_resorts : Effort::usual;
+  }
+
+
+  void Analysis::accept(const double next, const IncrementResult &result)
+  {
+    const double flow_error = settings_.steps.flow_error > 0. ? actors_.blank->flow_error() : 0.;
+    last_increment_ = next - time_;
+    before_ = problem_.committed();
+    for (const auto &observer : observers_)
+      observer->solved(problem_, result.q);
+    problem_.commit(result.q);
+    time_ = next;
+    ++n_increments_;
+    control_->accept(result.iterations_to_equilibrium, flow_error);
+    ++since_refinement_;
+    const bool refined = refinement_marked();
+    AcceptedIncrement increment = accepted(std::exchange(cost_, IncrementCost()));
+    increment.snap_rotation = result.snap_rotation;
+    increment.is_last_here = !refined;
+    std::string unusable;
+    for (const auto &condition : conditions_)
+    {
+      condition->observe(increment);
+      if (const std::string failure = condition->failure(stage()); unusable.empty())
+        unusable = failure;
+    }
+    step_ = control_->state();
+    notify(increment);
+    if (refined && !refine())
+      return;
+    if (!unusable.empty())
+      stop(unusable, exit_status::not_converged, checkpoint());
+  }
+
+
+  AcceptedIncrement Analysis::accepted(const IncrementCost &cost) const
+  {
+    AcceptedIncrement result(problem_, stage(), time_, n_increments_, cost);
+    result.ends_stage = control_ && control_->finished(time_);
+    result.checkpoint = [this]() { return checkpoint(); };
+    return result;
+  }
+
+
+  void Analysis::notify(const AcceptedIncrement &increment)
+  {
+    accepted_iterations_ = total_iterations_;
+    const Timers::Scope timer(timers_, timer_output_);
+    for (const auto &observer : observers_)
+      observer->accepted(increment);
+  }
+
+
+  bool Analysis::stop(const std::string &why, const int status, std::optional<Checkpoint> state)
+  {
+    message_ = "stage '" + stage().name + "' stopped at time " + text::rounded(time_) + ": " + why + ".";
+    journal_.warning(message_);
+    status_ = status;
+    state_at_stop_ = std::move(state);
+    return false;
+  }
+
+
+  bool Analysis::give_up(const Rejected &rejected)
+  {
+    const std::string cause = likely_cause();
+    problem_.discard(time_);
+    return stop((cause.empty() ? "" : cause + "; ") + "in increment " + std::to_string(n_increments_ + 1) + ": " +
+                  rejected.sentence + ". The smallest increment, " + text::rounded(stage().smallest_increment) +
+                  ", was reached",
+                rejected.kind == Rejected::Kind::promise_broken ? exit_status::promise_broken : exit_status::not_converged,
+                checkpoint());
+  }
+
+
+  std::string Analysis::likely_cause() const
+  {
+    for (const auto &condition : conditions_)
+      if (std::string cause = condition->likely_cause(); !cause.empty())
+        return cause;
+    return "";
+  }
+} // namespace deltaform

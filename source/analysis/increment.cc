@@ -1,0 +1,135 @@
+#include <deltaform/analysis/increment.h>
+#include <deltaform/analysis/step_control.h>
+#include <deltaform/base/text.h>
+
+#include <cmath>
+#include <utility>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// No equilibrium. One whose penalty factors are not yet right is an equilibrium, and no other strategy helps.
+    bool failed(const NewtonResult &result)
+    {
+      return !result.converged() && result.outcome != NewtonResult::Outcome::not_corrected;
+    }
+
+    /// How it began and how it ended says what went wrong; there may be hundreds between.
+    std::string listed(const std::vector<double> &residuals)
+    {
+      constexpr std::size_t first = 3, last = 5;
+      std::string result;
+      for (std::size_t i = 0; i < residuals.size(); ++i)
+        if (i < first || i + last >= residuals.size())
+          result += (i == 0 ? "" : " ") + text::format(std::round(residuals[i] * 1e12) / 1e12);
+        else if (i == first)
+          result += " ...";
+      return result;
+    }
+  } // namespace
+
+
+  Ladder usual_ladder()
+  {
+    Ladder ladder;
+    ladder.push_back(make_plain_strategy());
+    ladder.push_back(make_soft_first_touch());
+    ladder.push_back(make_damped_strategy());
+    ladder.push_back(make_damped_strategy_with_slack());
+    return ladder;
+  }
+
+
+  Increment::Increment(IncrementProblem &problem, Newton &newton, const StepSettings &settings, Ladder ladder)
+    : problem_(problem), newton_(newton), settings_(settings), ladder_(std::move(ladder))
+  {
+  }
+
+
+  IncrementResult Increment::attempt(const IncrementStart &start, const double length, const Effort effort)
+  {
+    IncrementResult result;
+    NewtonResult solved;
+    bool may_be_snap = false;
+    const unsigned int linear_iterations = problem_.n_linear_iterations();
+    for (const auto &strategy : ladder_)
+    {
+      if (strategy->is_last_resort() && effort == Effort::usual)
+        continue;
+      auto q = strategy->begin(problem_, start);
+      if (!q)
+        continue;
+      result.q = std::move(*q);
+      solved = newton_.solve(result.q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(),
+                             problem_.force_floor(), strategy->variant());
+      result.cost.iterations += solved.iterations;
+      result.cost.rounds += solved.rounds;
+      result.cost.correction_iterations += solved.correction_iterations;
+      may_be_snap = strategy->is_last_resort();
+      if (!failed(solved))
+        break;
+    }
+    result.cost.linear_iterations = problem_.n_linear_iterations() - linear_iterations;
+    result.iterations_to_equilibrium = result.cost.iterations - solved.correction_iterations;
+
+    if (!failed(solved))
+      if (const std::string broken = problem_.broken_promise(); !broken.empty())
+        result.rejected = Rejected{Rejected::Kind::promise_broken, broken};
+    solved.iterations = result.cost.iterations;
+    if (!result.rejected && !solved.converged())
+      result.rejected = Rejected{Rejected::Kind::not_solved, explain(solved)};
+    if (!result.rejected)
+      result.rejected =
+        too_large(length, effort == Effort::all && (may_be_snap || problem_.releases_at_once()), result);
+    return result;
+  }
+
+
+  std::optional<Rejected> Increment::too_large(const double length, const bool may_snap, IncrementResult &result) const
+  {
+    const auto refused = [](const char *what, const double value, const double allowed) {
+      return Rejected{Rejected::Kind::too_large,
+                      std::string("the largest ") + what + " increment is " + text::rounded(value) + ", allowed are " +
+                        text::rounded(allowed) + " (Solver/Largest " + what + " increment)"};
+    };
+    Vector dq = result.q;
+    dq -= problem_.committed();
+    const auto [strain, rotation] = problem_.increment_size(dq);
+    if (strain > settings_.largest_strain)
+      return refused("strain", strain, settings_.largest_strain);
+    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong.
+    if (length <= 0. || rotation <= settings_.largest_rotation)
+      return std::nullopt;
+    // Where the blank snaps through, a shorter increment does not make the way shorter.
+    if (!may_snap)
+      return refused("rotation", rotation, settings_.largest_rotation);
+    result.snap_rotation = rotation;
+    return std::nullopt;
+  }
+
+
+  std::string Increment::explain(const NewtonResult &result) const
+  {
+    std::string where;
+    if (const std::string name = result.worst_dof == invalid_index ? "" : problem_.describe(result.worst_dof);
+        !name.empty())
+      where = " (largest residual at " + name + ")";
+    switch (result.outcome)
+    {
+    case NewtonResult::Outcome::singular:
+      if (const std::string failure = problem_.linear_failure(); !failure.empty())
+        return "the linear solver did not converge: " + failure +
+               " (Solver/Maximal linear iterations, Solver/Linear solver tolerance). Try Linear solver = mumps" + where;
+      return "the tangent is singular: a part of the blank is free to move, or a limit load is reached" + where;
+    case NewtonResult::Outcome::inadmissible:
+      return std::string(result.status.cause) + ", cell " + std::to_string(result.status.place);
+    case NewtonResult::Outcome::not_corrected:
+      return "the corrections of the penalty factors did not end after " + std::to_string(result.rounds) + " rounds" +
+             where;
+    default:
+      return "Newton did not converge in " + std::to_string(result.iterations) + " iterations" + where +
+             ", relative residuals " + listed(result.residuals);
+    }
+  }
+} // namespace deltaform

@@ -1,0 +1,61 @@
+#include <deltaform/analysis/conditions.h>
+#include <deltaform/analysis/ironing.h>
+#include <deltaform/model/accepted_increment.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Do two tools iron a shell? It ends the run.
+    class IronedShell : public Condition
+    {
+    public:
+      explicit IronedShell(const Actors &)
+      {
+      }
+
+      void observe(const AcceptedIncrement &increment) override
+      {
+        watch_.observe(increment.sections());
+      }
+
+      std::string failure(const Stage &) override
+      {
+        return with_remedy(watch_.finding());
+      }
+
+      std::string likely_cause() const override
+      {
+        return with_remedy(watch_.suspicion());
+      }
+
+      void save(boost::archive::binary_oarchive &archive) const override
+      {
+        archive << watch_;
+      }
+
+      void load(boost::archive::binary_iarchive &archive) override
+      {
+        archive >> watch_;
+      }
+
+    private:
+      static std::string with_remedy(const std::string &finding)
+      {
+        return finding.empty() ? finding : finding + ". Model the blank as a solid of degree 2 with two elements through the "
+                                                     "thickness (Blank/Kind = solid), or give the tools more clearance";
+      }
+
+      IroningWatch watch_;
+    };
+
+    const ConditionEntry entry("ironed shell", [](const Actors &actors) -> std::unique_ptr<Condition> {
+      return std::make_unique<IronedShell>(actors);
+    });
+  } // namespace
+} // namespace deltaform

@@ -1,0 +1,33 @@
+// Points that touch for the first time are soft at first and are stiffened after each converged solve: a stiff first
+// touch throws the blank back, and Newton's method goes to and fro between touching and not.
+#include <deltaform/analysis/strategy.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    class SoftFirstTouch : public Strategy
+    {
+    public:
+      std::optional<Vector> begin(IncrementProblem &problem, const IncrementStart &start) const override
+      {
+        constexpr double share_of_stiffness = 1e-4;
+        problem.begin(start.time, start.ratio);
+        if (!problem.soften(share_of_stiffness))
+          return std::nullopt;
+        return problem.committed();
+      }
+
+      NewtonVariant variant() const override
+      {
+        return NewtonVariant::plain;
+      }
+    };
+  } // namespace
+
+
+  std::unique_ptr<Strategy> make_soft_first_touch()
+  {
+    return std::make_unique<SoftFirstTouch>();
+  }
+} // namespace deltaform

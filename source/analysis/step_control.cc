@@ -1,0 +1,126 @@
+#include <deltaform/analysis/step_control.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  StepSettings::StepSettings(Section &section)
+    : target_iterations(section.integer("Target iterations", 8, 1, 1000, "Newton iterations per increment aimed at.")),
+      growth(section.number("Growth", 1.5, Range{1., 10., false, false}, "1", "Largest growth of the increment.")),
+      shrink(section.number("Shrink", .5, Range::inside(0, 1), "1", "Factor of the increment after a failure.")),
+      largest_strain(section.number("Largest strain increment",
+                                    .1,
+                                    Range::positive(),
+                                    "1",
+                                    "An increment that strains any point by more is repeated with a smaller size.")),
+      largest_rotation(section.number("Largest rotation increment",
+                                      .3,
+                                      Range::positive(),
+                                      "rad",
+                                      "An increment that turns any node by more is repeated with a smaller size.")),
+      max_increments(section.integer("Maximal increments",
+                                     10000,
+                                     1,
+                                     1000000000,
+                                     "Increments of the whole run; then it stops with status 2 and can be resumed.")),
+      flow_error(
+        section.number("Flow error",
+                       0.,
+                       Range{0., 1., false, true},
+                       "1",
+                       "Increments are made so short that flow in one of them goes astray by about this share of "
+                       "itself (half the turn of its direction, mean over the blank). 0: not controlled.")),
+      extrapolate(section.flag("Extrapolate", true, "Start Newton from the last increment's velocity."))
+  {
+  }
+
+
+  StepControl::StepControl(const StepSettings &settings,
+                           const double begin,
+                           const double end,
+                           const double first,
+                           const double smallest,
+                           const double largest,
+                           const std::vector<double> &meet)
+    : settings_(settings), end_(end), smallest_(smallest), largest_(largest),
+      increment_(std::clamp(first, smallest, largest))
+  {
+    for (const double time : meet)
+      if (time > begin && time < end)
+        meet_.push_back(time);
+    meet_.push_back(end);
+  }
+
+
+  double StepControl::next(const double time) const
+  {
+    const double target = *std::upper_bound(meet_.begin(), meet_.end(), time);
+    const double left = target - time;
+    if (left <= increment_ * (1 + 1e-9))
+      return target;
+    // Two equal increments instead of one and a sliver.
+    return left < 2 * increment_ ? time + .5 * left : time + increment_;
+  }
+
+
+  void StepControl::accept(const unsigned int iterations, const double error)
+  {
+    constexpr double integral = .3, proportional = .4;
+    leaps_ = 0;
+    const double last = error_ > 0. ? error_ : error;
+    error_ = error;
+    double by_error = settings_.growth;
+    if (settings_.flow_error > 0. && error > 0.)
+      by_error = std::pow(settings_.flow_error / error, integral) * std::pow(last / error, proportional);
+    if (quiet_ > 0)
+    {
+      --quiet_;
+      return;
+    }
+    double ratio = std::sqrt(static_cast<double>(settings_.target_iterations) / std::max(iterations, 1u));
+    // A shorter increment took as many: it is not its length that makes them, and ever shorter ones never end. Lightly
+    // loaded nodes that come and go do that.
+    if (ratio >= 1)
+      shortened_ = 0;
+    else if (shortened_ > 0 && iterations >= shortened_)
+      ratio = 1.;
+    else
+      shortened_ = iterations;
+    ratio = std::min(ratio, by_error);
+    increment_ = std::clamp(increment_ * std::clamp(ratio, settings_.shrink, settings_.growth), smallest_, largest_);
+  }
+
+
+  bool StepControl::reject(const double tried)
+  {
+    const double shorter = tried * settings_.shrink;
+    quiet_ = 1;
+    if (leaps_ == 0 && shorter >= smallest_)
+    {
+      increment_ = shorter;
+      return true;
+    }
+    // At a place where the blank snaps through a longer increment may lead to the equilibrium beyond.
+    if (leaps_ == most_leaps)
+      return false;
+    ++leaps_;
+    increment_ = std::min(10. * tried, largest_);
+    return true;
+  }
+
+
+  void StepControl::restore(const State &state)
+  {
+    increment_ = std::clamp(state.increment, smallest_, largest_);
+    quiet_ = state.quiet;
+    shortened_ = state.shortened;
+    error_ = state.error;
+  }
+
+
+  bool StepControl::finished(const double time) const
+  {
+    return time >= end_;
+  }
+} // namespace deltaform

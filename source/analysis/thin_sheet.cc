@@ -1,0 +1,57 @@
+#include <deltaform/analysis/conditions.h>
+#include <deltaform/base/percent.h>
+#include <deltaform/base/text.h>
+#include <deltaform/model/accepted_increment.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
+#include <algorithm>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Is the sheet thinner than any sheet metal that is whole?
+    class ThinSheet : public Condition
+    {
+    public:
+      explicit ThinSheet(const Actors &actors)
+        : is_sheet_(actors.blank->is_sheet()), initial_(actors.blank->initial_thickness()), thinnest_(initial_)
+      {
+      }
+
+      void observe(const AcceptedIncrement &increment) override
+      {
+        thinnest_ = std::min(thinnest_, increment.smallest_thickness());
+      }
+
+      std::vector<std::string> warnings(bool) const override
+      {
+        constexpr double least_ratio = 1. / 3.;
+        if (!is_sheet_ || thinnest_ >= least_ratio * initial_)
+          return {};
+        return {"thickness: the sheet is " + text::rounded(thinnest_) + " thin at its thinnest point, " +
+                text::percent(thinnest_ / initial_) + " of what it was. A real sheet has torn before."};
+      }
+
+      void save(boost::archive::binary_oarchive &archive) const override
+      {
+        archive << thinnest_;
+      }
+
+      void load(boost::archive::binary_iarchive &archive) override
+      {
+        archive >> thinnest_;
+      }
+
+    private:
+      bool is_sheet_;
+      double initial_, thinnest_;
+    };
+
+    const ConditionEntry entry("thin sheet", [](const Actors &actors) -> std::unique_ptr<Condition> {
+      return std::make_unique<ThinSheet>(actors);
+    });
+  } // namespace
+} // namespace deltaform

@@ -1,0 +1,71 @@
+#include <deltaform/analysis/conditions.h>
+#include <deltaform/analysis/necking.h>
+#include <deltaform/model/accepted_increment.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Does the sheet tear? It ends the run, unless its stage says to go on.
+    class TornSheet : public Condition
+    {
+    public:
+      explicit TornSheet(const Actors &)
+      {
+      }
+
+      void observe(const AcceptedIncrement &increment) override
+      {
+        watch_.observe(increment.sections());
+      }
+
+      std::string failure(const Stage &stage) override
+      {
+        if (!watch_.torn())
+          return "";
+        if (!stage.continue_after_necking)
+          return "the sheet tears: " + watch_.finding() +
+                 ". Draw less deep, or with less friction, less holder force or larger radii; to go on all the same, "
+                 "set Steps/" +
+                 stage.name + "/Continue after necking = true and --resume";
+        passed_over_ = watch_.finding();
+        return "";
+      }
+
+      std::string likely_cause() const override
+      {
+        return watch_.finding();
+      }
+
+      std::vector<std::string> warnings(bool) const override
+      {
+        if (passed_over_.empty())
+          return {};
+        return {"necked: " + passed_over_ + ". What was computed after that depends on the mesh."};
+      }
+
+      void save(boost::archive::binary_oarchive &archive) const override
+      {
+        archive << watch_ << passed_over_;
+      }
+
+      void load(boost::archive::binary_iarchive &archive) override
+      {
+        archive >> watch_ >> passed_over_;
+      }
+
+    private:
+      NeckingWatch watch_;
+      std::string passed_over_; ///< the last neck with which the run went on
+    };
+
+    const ConditionEntry entry("torn sheet", [](const Actors &actors) -> std::unique_ptr<Condition> {
+      return std::make_unique<TornSheet>(actors);
+    });
+  } // namespace
+} // namespace deltaform

@@ -1,0 +1,57 @@
+#include <deltaform/analysis/conditions.h>
+#include <deltaform/model/accepted_increment.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/vector.hpp>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Has every tool touched the blank?
+    class UntouchedTools : public Condition
+    {
+    public:
+      explicit UntouchedTools(const Actors &actors)
+        : actors_(actors), touched_(actors.tools.size(), false)
+      {
+      }
+
+      void observe(const AcceptedIncrement &increment) override
+      {
+        for (unsigned int i = 0; i < touched_.size(); ++i)
+          if (!touched_[i] && actors_.tools[i]->exists_in(increment.stage.name))
+            touched_[i] = actors_.pairs[i]->n_touching() > 0;
+      }
+
+      std::vector<std::string> warnings(const bool done) const override
+      {
+        std::vector<std::string> result;
+        for (unsigned int i = 0; done && i < touched_.size(); ++i)
+          if (!touched_[i])
+            result.push_back("tool '" + actors_.tools[i]->name() +
+                             "' has never touched the blank. Look at its position, side and motion, or leave it out.");
+        return result;
+      }
+
+      void save(boost::archive::binary_oarchive &archive) const override
+      {
+        archive << touched_;
+      }
+
+      void load(boost::archive::binary_iarchive &archive) override
+      {
+        archive >> touched_;
+      }
+
+    private:
+      const Actors &actors_;
+      std::vector<bool> touched_; ///< tool by tool
+    };
+
+    const ConditionEntry entry("untouched tools", [](const Actors &actors) -> std::unique_ptr<Condition> {
+      return std::make_unique<UntouchedTools>(actors);
+    });
+  } // namespace
+} // namespace deltaform

@@ -1,0 +1,165 @@
+// One function per command of the command line.
+#include <deltaform/analysis/analysis.h>
+#include <deltaform/app/run.h>
+#include <deltaform/app/sweep.h>
+#include <deltaform/base/parameter_tree.h>
+#include <deltaform/base/ranks.h>
+#include <deltaform/base/registry.h>
+#include <deltaform/base/scene_error.h>
+#include <deltaform/base/text.h>
+#include <deltaform/materials/hardening.h>
+#include <deltaform/materials/material.h>
+#include <deltaform/results/earlier_run.h>
+#include <deltaform/results/observers.h>
+#include <deltaform/scene/input_warnings.h>
+#include <deltaform/scene/scene.h>
+
+#include <deal.II/base/config.h>
+
+#include <filesystem>
+#include <iostream>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Has the earlier run in @p folder finished what the scene asks for? @throws SceneError if it had stopped, but
+    /// behind the end of the scene
+    bool nothing_to_resume(const std::string &folder, const double saved, const double end, Journal &journal)
+    {
+      // One process asks for all: the first one removes the file when it goes on.
+      constexpr int killed = -1;
+      const int status = static_cast<int>(
+        ranks::max(ranks::first() ? earlier_exit_status(folder).value_or(killed) : static_cast<double>(killed)));
+      const std::string behind =
+        "time " + text::format(saved) + ", behind the end " + text::format(end) + " that the scene asks for (Steps)";
+      if (saved > end && status != exit_status::done)
+        throw SceneError("Cannot resume: the state saved in " + folder + " is at " + behind +
+                         (status != killed ? "; the run had stopped there with status " + std::to_string(status) : "") +
+                         ". Ask for a later end to go on from there, or start again without --resume.");
+      if (saved < end || status != exit_status::done)
+        return false;
+      journal.note("the run in " + folder + " is finished" + (saved > end ? ", at " + behind : "") +
+                   ": there is nothing to resume");
+      return true;
+    }
+
+
+    int run_scene(const CommandLine &command)
+    {
+      Timers timers;
+      const auto timer_start = timers.section("1 start-up: reading, checking, mesh");
+      Journal journal(!ranks::first() ? Journal::Console::silent
+                      : command.quiet ? Journal::Console::quiet
+                                      : Journal::Console::automatic);
+      auto tree = ParameterTree::read(command.scene, command.sets);
+      Scene scene(tree);
+
+      std::string folder = command.output.empty() ? scene.output->folder : command.output;
+      if (folder.empty())
+        folder = "output/" + std::filesystem::path(command.scene).stem().string();
+      const auto start = command.resume ? Checkpoint::read(folder) : std::nullopt;
+      if (start)
+        for (const auto &change : start->changes(tree))
+          journal.note("resumed with a change: " + change);
+      else if (command.resume)
+        journal.note("there is no saved state in " + folder + ": starting from the beginning");
+      if (start && nothing_to_resume(folder, start->time, scene.actors.stages.back().end, journal))
+        return exit_status::done;
+      ResultsFolder results(
+        {folder, scene.title, scene.units, scene.actors.blank->axisymmetric()},
+        [&](std::ostream &out) { tree.print_prm(out); }, journal, timers, start.has_value());
+      journal.detail("deltaform " DELTAFORM_VERSION ", deal.II " DEAL_II_PACKAGE_VERSION ", scene " + tree.file_name());
+      Analysis analysis(scene.actors, scene.analysis_settings(), journal, timers);
+      for (auto &observer : make_observers(analysis.model(), *scene.output, results, start ? &*start : nullptr))
+        analysis.add(std::move(observer));
+      if (start)
+      {
+        analysis.resume(*start);
+        journal.note("resumed after increment " + std::to_string(start->increment) + ", time " +
+                     text::format(start->time));
+      }
+      timers.add(timer_start, timers.total());
+      analysis.warn(input_warnings(scene));
+      return analysis.run();
+    }
+
+
+    int check_scene(const CommandLine &command)
+    {
+      auto tree = ParameterTree::read(command.scene, command.sets);
+      const Scene scene(tree);
+      for (const auto &warning : input_warnings(scene))
+        std::cerr << "warning: " << warning << '\n';
+      std::cout << command.scene << " is a valid scene: " << scene.title << '\n';
+      return exit_status::done;
+    }
+
+
+    template <typename T>
+    void list(const std::string &title)
+    {
+      std::cout << title << '\n';
+      for (const auto &name : Registry<T>::names())
+        std::cout << "  " << name << std::string(name.size() < 24 ? 24 - name.size() : 1, ' ')
+                  << Registry<T>::sentence(name) << '\n';
+      std::cout << '\n';
+    }
+
+
+    int list_everything()
+    {
+      list<Blank>("Blank/Kind");
+      list<Material>("Material/Model");
+      list<Hardening>("Material/Hardening/Law");
+      list<Shape>("Tools/<name>/Shape");
+      list<FrictionLaw>("Tools/<name>/Friction law");
+      list<Enforcement>("Contact/Enforcement");
+      list<PenaltyRule>("Contact/Penalty rule");
+      return exit_status::done;
+    }
+
+
+    int print_parameters(const CommandLine &command)
+    {
+      if (command.scene.empty())
+      {
+        auto tree = ParameterTree::documentation();
+        declare_everything(tree);
+        tree.print_markdown(std::cout);
+        return exit_status::done;
+      }
+      auto tree = ParameterTree::read(command.scene, command.sets);
+      const Scene scene(tree);
+      tree.print_prm(std::cout);
+      return exit_status::done;
+    }
+  } // namespace
+
+
+  int run_command(const CommandLine &command)
+  {
+    if (command.command == CommandLine::Command::sweep && ranks::count() > 1)
+      throw UsageError("a sweep starts its runs itself (--jobs): do not start it by mpirun");
+    switch (command.command)
+    {
+    case CommandLine::Command::run:
+      return run_scene(command);
+    case CommandLine::Command::check:
+      return check_scene(command);
+    case CommandLine::Command::list:
+      return list_everything();
+    case CommandLine::Command::print_parameters:
+      return print_parameters(command);
+    case CommandLine::Command::version:
+      std::cout << "deltaform " << DELTAFORM_VERSION << '\n';
+      return exit_status::done;
+    case CommandLine::Command::help:
+      std::cout << CommandLine::help();
+      return exit_status::done;
+    case CommandLine::Command::sweep:
+      return run_sweep(command);
+    }
+    return exit_status::wrong_usage;
+  }
+} // namespace deltaform

@@ -1,0 +1,62 @@
+// A finer mesh between two increments: all that hangs on the unknowns follows.
+#include "collector.h"
+
+#include <deltaform/blanks/refinement.h>
+#include <deltaform/model/forming_problem.h>
+
+#include <array>
+
+namespace deltaform
+{
+  bool FormingProblem::mark()
+  {
+    const RefinementSettings *settings = actors_.blank->refinement();
+    if (settings == nullptr || released_.any)
+      return false;
+    std::array<std::vector<double>, 2> longest;
+    for (const auto *pair : active_pairs_)
+      pair->shorten_edges(settings->edge_share, settings->rim, longest[static_cast<unsigned int>(pair->tool().side())]);
+    return actors_.blank->mark(longest);
+  }
+
+
+  void FormingProblem::renumber()
+  {
+    for (auto &support : actors_.supports)
+      support.renumber(*actors_.blank);
+    for (auto &load : actors_.loads)
+      load.renumber(*actors_.blank);
+    number_unknowns();
+  }
+
+
+  void FormingProblem::refine()
+  {
+    std::vector<Vector> fields{committed_, hold_};
+    std::vector<double> travels;
+    for (const auto &pair : actors_.pairs)
+      travels.push_back(pair->tool().force_driven() ? committed_[pair->travel_dof()] : 0.);
+    actors_.blank->refine(fields);
+    renumber();
+    set_prescribed();
+    const unsigned int n_blank = actors_.blank->n_dofs();
+    for (unsigned int i = 0; i < n_blank; ++i)
+    {
+      committed_[i] = fields[0][i];
+      hold_[i] = fields[1][i];
+    }
+    for (unsigned int p = 0; p < actors_.pairs.size(); ++p)
+    {
+      auto &pair = *actors_.pairs[p];
+      if (pair.tool().force_driven())
+        committed_[pair.travel_dof()] = travels[p];
+      pair.inherit(committed_, actors_.blank->heritage(pair.tool().side()));
+      pair.start_multipliers(committed_);
+    }
+    // Forces of loads, of which the next commit takes the work; the supports do not move until then.
+    Collector loads(committed_.size());
+    assemble_loads(committed_, loads);
+    for (unsigned int i = 0; i < n_blank; ++i)
+      load_forces_[i] = is_prescribed_[i] ? 0. : -loads.residual[i];
+  }
+} // namespace deltaform

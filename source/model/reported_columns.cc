@@ -1,0 +1,164 @@
+#include <deltaform/model/accepted_increment.h>
+#include <deltaform/model/reported_columns.h>
+
+#include <algorithm>
+
+namespace deltaform
+{
+  namespace
+  {
+    using Increment = AcceptedIncrement;
+    using Row = Columns::Row;
+
+    Columns::Cell number(const unsigned int n)
+    {
+      return static_cast<double>(n);
+    }
+  } // namespace
+
+
+  std::string column_name(const std::string &name)
+  {
+    std::string result = name;
+    std::replace(result.begin(), result.end(), ' ', '_');
+    return result;
+  }
+
+
+  void describe_increment(Columns &columns)
+  {
+    columns.add({{"increment", "1", "counts from 1"},
+                 {"stage", "1", "stage of the scene"},
+                 {"time", "time", "at the end of the increment"}},
+                [](const Increment &increment, Row &row) {
+                  row.insert(row.end(), {number(increment.number), increment.stage.name, increment.time});
+                });
+  }
+
+
+  void describe_tools(const FormingProblem &model, Columns &columns)
+  {
+    for (unsigned int i = 0; i < model.actors().tools.size(); ++i)
+    {
+      const std::string tool = column_name(model.actors().tools[i]->name());
+      columns.add({{tool + "_travel", "length", "along the tool's direction of motion, from its initial position"},
+                   {tool + "_force_z", "force", "of the blank on the tool, friction included"},
+                   {tool + "_force_r", "force", "of the blank on the tool; on a ring the sum of radial components"}},
+                  [i](const Increment &increment, Row &row) {
+                    const Tensor1 &force = increment.model.tool_forces()[i];
+                    row.insert(row.end(), {increment.model.travel(i), force[1], force[0]});
+                  });
+    }
+  }
+
+
+  void describe_cost(Columns &columns)
+  {
+    columns.add({{"newton_iterations", "1", "of the increment, failed attempts included"},
+                 {"penalty_rounds", "1", "converged solves after which a rule corrected its factors"},
+                 {"penalty_iterations", "1", "of the iterations, those that the corrections of factors cost"},
+                 {"cutbacks", "1", "attempts at this increment that failed"}},
+                [](const Increment &increment, Row &row) {
+                  const IncrementCost &cost = increment.cost;
+                  row.insert(row.end(), {number(cost.iterations), number(cost.rounds),
+                                         number(cost.correction_iterations), number(cost.cutbacks)});
+                });
+  }
+
+
+  void describe_contact(Columns &columns)
+  {
+    columns.add({{"max_penetration", "length", "largest penetration p over the touching nodes"},
+                 {"max_penetration_over_delta", "1", "largest p/delta"},
+                 {"max_penetration_between_nodes", "length",
+                  "largest penetration of an element between its nodes, where delta says nothing: an error of the mesh"},
+                 {"min_epsilon", "force/length", "smallest penalty factor of what touches"},
+                 {"max_epsilon", "force/length", "largest penalty factor of what touches"},
+                 {"floor_share", "1", "share of what touches whose factor is its lower bound rather than lambda/delta"},
+                 {"contact_pairs", "1", "touching nodes; one between two tools counts twice"}},
+                [](const Increment &increment, Row &row) {
+                  const ContactAccount &contact = increment.contact();
+                  row.insert(row.end(), {contact.max_penetration, contact.max_penetration_over_delta,
+                                         contact.max_penetration_between_nodes, contact.min_epsilon,
+                                         contact.max_epsilon, contact.floor_share, number(contact.n_touching)});
+                });
+  }
+
+
+  void describe_thickness(Columns &columns)
+  {
+    columns.add({{"min_thickness", "length", "smallest current thickness at an integration point"}},
+                [](const Increment &increment, Row &row) { row.emplace_back(increment.smallest_thickness()); });
+  }
+
+
+  void describe_linear_solver(Columns &columns)
+  {
+    columns.add({{"linear_iterations", "1", "iterations of the linear solver, failed attempts included"}},
+                [](const Increment &increment, Row &row) { row.push_back(number(increment.cost.linear_iterations)); });
+  }
+
+
+  void describe_mesh(Columns &columns)
+  {
+    columns.add({{"unknowns", "1", "of the mesh"},
+                 {"cells", "1", "of the mesh"},
+                 {"estimated_error", "1", "relative error in energy before the last refinement"}},
+                [](const Increment &increment, Row &row) {
+                  row.insert(row.end(), {number(increment.model.committed().size()),
+                                         number(increment.model.blank().n_cells()),
+                                         increment.model.blank().estimated_error()});
+                });
+  }
+
+
+  void describe_energies(Columns &columns)
+  {
+    columns.add({{"tool_work", "force*length", "work of the moving tools on the blank"},
+                 {"elastic_energy", "force*length", "stored in the blank now"},
+                 {"plastic_energy", "force*length", "dissipated in the blank so far"},
+                 {"friction_energy", "force*length", "dissipated by slip so far"},
+                 {"contact_energy", "force*length", "stored in the penalty springs now"},
+                 {"epsilon_work", "force*length", "work done on the springs by changing their factors"},
+                 {"thickness_work", "force*length", "work done by what is updated between increments"},
+                 {"load_work", "force*length", "work of loads and of prescribed displacements"},
+                 {"energy_error", "1", "works minus energies over the largest of them"}},
+                [](const Increment &increment, Row &row) {
+                  const EnergyAccount &account = increment.energies();
+                  row.insert(row.end(), {account.tool_work, account.elastic, account.plastic, account.friction,
+                                         account.contact, account.epsilon_work, account.thickness_work,
+                                         account.load_work, account.error()});
+                });
+  }
+
+
+  void describe_supports(const FormingProblem &model, Columns &columns)
+  {
+    for (unsigned int i = 0; i < model.actors().supports.size(); ++i)
+      columns.add({{column_name(model.actors().supports[i].name) + "_reaction", "force",
+                    "sum of the forces (moments) of a support on the blank"}},
+                  [i](const Increment &increment, Row &row) { row.emplace_back(increment.model.reaction(i)); });
+  }
+
+
+  void describe_loads(const FormingProblem &model, Columns &columns)
+  {
+    for (unsigned int i = 0; i < model.actors().loads.size(); ++i)
+    {
+      const std::string load = column_name(model.actors().loads[i].name);
+      columns.add({{load + "_force_z", "force", "resultant of a load on the blank"},
+                   {load + "_force_r", "force", "resultant of a load on the blank"}},
+                  [i](const Increment &increment, Row &row) {
+                    const Tensor1 &force = increment.model.load_force(i);
+                    row.insert(row.end(), {force[1], force[0]});
+                  });
+    }
+  }
+
+
+  void describe_balance(Columns &columns)
+  {
+    columns.add({{"balance_error", "1", "sum of the forces on the blank over the largest of them"}},
+                [](const Increment &increment, Row &row) { row.emplace_back(increment.balance_error()); });
+  }
+} // namespace deltaform

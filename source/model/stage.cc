@@ -1,0 +1,46 @@
+#include <deltaform/model/stage.h>
+
+namespace deltaform
+{
+  std::vector<Stage> read_stages(Section &section)
+  {
+    const auto names = section.names("Stages", "form", "The stages in their order, for example 'form, hold, release'.");
+    if (names.empty())
+      section.fail("Stages", "at least one stage is needed");
+    std::vector<Stage> stages;
+    double begin = 0.;
+    for (const auto &name : names)
+    {
+      Section own = section.sub(name);
+      Stage stage;
+      stage.name = name;
+      stage.begin = begin;
+      stage.end = own.number("End time", begin + 1., Range::any(), "time", "Time at which the stage ends.");
+      if (!(stage.end > begin))
+        own.fail("End time", "must be later than the end of the stage before");
+      const double length = stage.end - begin;
+      stage.first_increment =
+        own.number("First increment", length / 100, Range::positive(), "time", "Size of the first increment.");
+      stage.largest_increment =
+        own.number("Largest increment", length / 50, Range::positive(), "time", "Largest increment.");
+      stage.smallest_increment = own.number("Smallest increment",
+                                            1e-7 * length,
+                                            Range::positive(),
+                                            "time",
+                                            "A failure at this size ends the run with status 2.");
+      if (stage.smallest_increment > stage.largest_increment)
+        own.fail("Smallest increment", "must not be larger than the largest");
+      stage.release_at_once = own.choice("Release",
+                                         "gradual",
+                                         {"gradual", "at once"},
+                                         "How tools, supports and loads leave that ended with the stage before: their "
+                                         "forces fade out linearly over this stage, or are gone in its first "
+                                         "increment.") == "at once";
+      stage.continue_after_necking =
+        own.flag("Continue after necking", false, "Go on, with a warning, when the sheet necks; else the run ends.");
+      begin = stage.end;
+      stages.push_back(stage);
+    }
+    return stages;
+  }
+} // namespace deltaform

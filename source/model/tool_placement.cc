@@ -1,0 +1,86 @@
+#include <deltaform/base/text.h>
+#include <deltaform/model/tool_placement.h>
+
+#include <cmath>
+#include <limits>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// How the material of the blank lies to a tool.
+    struct Lie
+    {
+      double nearest = -std::numeric_limits<double>::infinity(); ///< largest distance of a point that has one
+      double deepest = std::numeric_limits<double>::infinity(); ///< smallest one, negative inside the tool
+      Point2 where; ///< the deepest point
+      double facing = 0.; ///< mean of the normals against the face that the tool touches; negative: away from the blank
+    };
+
+    Lie look(const Blank &blank, const Tool &tool, const Vector &q, const double travel)
+    {
+      Lie lie;
+      unsigned int n = 0;
+      for (const Point2 &x : blank.positions(q))
+      {
+        const Projection foot = tool.project(x, travel);
+        if (!std::isfinite(foot.distance))
+          continue;
+        ++n;
+        lie.facing += tool.side() == Side::bottom ? foot.normal[1] : -foot.normal[1];
+        lie.nearest = std::max(lie.nearest, foot.distance);
+        if (foot.distance < lie.deepest)
+        {
+          lie.deepest = foot.distance;
+          lie.where = x;
+        }
+      }
+      lie.facing /= std::max(n, 1u);
+      return lie;
+    }
+
+    /**
+     * A tool walked the other way round has the same feet, but opposite normals and distances. So all material lies
+     * inside, and the normals point away from the face that the tool should touch. (A tool that is only at the wrong
+     * place has normals of the right sign; a wall has neither.)
+     */
+    bool is_walked_backwards(const Lie &lie, const double tolerance)
+    {
+      return lie.deepest < -tolerance && lie.nearest <= tolerance && lie.facing < .1;
+    }
+
+    std::string place(const Point2 &x)
+    {
+      return "r = " + text::rounded(x[0]) + ", z = " + text::rounded(x[1]);
+    }
+  } // namespace
+
+
+  std::optional<Misplacement> find_misplacement(const Blank &blank,
+                                                const ContactPair &pair,
+                                                const Vector &q,
+                                                const double travel,
+                                                const double tolerance)
+  {
+    const Tool &tool = pair.tool();
+    const std::string name = "tool '" + tool.name() + "'";
+    if (tool.shape().in_scene_frame())
+      if (const Lie lie = look(blank, tool, q, travel); is_walked_backwards(lie, tolerance))
+        return Misplacement{"Points",
+                            "the profile of " + name +
+                              " is walked with the blank to its right, so that the whole blank lies inside the tool "
+                              "(deepest at " +
+                              place(lie.where) + ", by " + text::rounded(-lie.deepest) +
+                              "). Give the points, and their fillet radii, in the opposite order: walk it with the "
+                              "blank to its left"};
+
+    const auto [node, gap] = pair.closest(q, travel);
+    if (!(gap < -tolerance))
+      return std::nullopt;
+    return Misplacement{"Position z",
+                        name + " overlaps the blank: node " + std::to_string(node) + " at " +
+                          place(pair.node(q, node).x) + " lies " + text::rounded(-gap) +
+                          " inside. Move the tool back by that (Position, or Motion at this time), or let it start "
+                          "clear of the blank and approach by Motion"};
+  }
+} // namespace deltaform

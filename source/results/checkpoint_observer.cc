@@ -1,0 +1,57 @@
+// checkpoint.bin: the states from which a run goes on.
+#include <deltaform/base/ranks.h>
+#include <deltaform/model/accepted_increment.h>
+#include <deltaform/results/observers.h>
+
+#include <utility>
+
+namespace deltaform
+{
+  namespace
+  {
+    class CheckpointObserver : public Observer
+    {
+    public:
+      CheckpointObserver(ResultsFolder &folder, const OutputSettings &output)
+        : folder_(folder), interval_(output.checkpoint_interval)
+      {
+      }
+
+      void accepted(const AcceptedIncrement &increment) override
+      {
+        if (!increment.is_last_here)
+          return;
+        const bool due = folder_.timers().total() - saved_at_ >= interval_;
+        if (ranks::decided_by_first(due) || increment.ends_stage)
+          save_state(increment.checkpoint());
+      }
+
+      void ended(const FormingProblem &, const RunOutcome &outcome) override
+      {
+        // Not before the other files are complete: until then, going on from the state before gives the same.
+        folder_.behind().wait();
+        if (outcome.state)
+          save_state(*outcome.state);
+        folder_.behind().wait();
+      }
+
+    private:
+      /// After the pictures that it counts on.
+      void save_state(Checkpoint state)
+      {
+        folder_.behind().run([state = std::move(state), folder = folder_.name()]() { state.write(folder); });
+        saved_at_ = folder_.timers().total();
+      }
+
+      ResultsFolder &folder_;
+      double interval_; ///< seconds
+      double saved_at_ = 0.; ///< seconds since the start
+    };
+  } // namespace
+
+
+  std::unique_ptr<Observer> make_checkpoint_observer(ResultsFolder &folder, const OutputSettings &output)
+  {
+    return std::make_unique<CheckpointObserver>(folder, output);
+  }
+} // namespace deltaform

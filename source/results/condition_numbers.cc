@@ -1,0 +1,149 @@
+#include "short_number.h"
+
+#include <deltaform/model/accepted_increment.h>
+#include <deltaform/results/condition_numbers.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <utility>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Unit vectors of the motions of a rigid body, over the free unknowns, and their names.
+    std::vector<std::pair<std::string, Eigen::VectorXd>>
+    rigid_motions(const Blank &blank, const Vector &q, const std::vector<int> &numbers, const int n)
+    {
+      std::vector<std::pair<std::string, Eigen::VectorXd>> result;
+      const auto add = [&](const std::string &name, const double r, const double z, const double rotation) {
+        Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
+        bool whole = true; // no prescribed unknown takes part
+        blank.rigid_motion(q,
+                           Tensor1({r, z}),
+                           rotation,
+                           [&](const DofIndex dof, const double value) {
+                             if (value == 0.)
+                               return;
+                             if (numbers[dof] < 0)
+                               whole = false;
+                             else
+                               v[numbers[dof]] = value;
+                           });
+        if (whole && v.norm() > 0)
+          result.emplace_back(name, v.normalized());
+      };
+      add("translation z", 0., 1., 0.);
+      if (!blank.axisymmetric())
+      {
+        add("translation x", 1., 0., 0.);
+        add("rotation", 0., 0., 1.);
+      }
+      return result;
+    }
+  } // namespace
+
+
+  ConditionReport::ConditionReport(const unsigned int every, const condition::Method method, ResultsFolder &folder)
+    : every_(every), method_(method), folder_(folder), timer_(folder.timers().section("14 condition numbers"))
+  {
+  }
+
+
+  void ConditionReport::before(FormingProblem &model, const unsigned int number)
+  {
+    numbers_ = ConditionNumbers();
+    due_ = number % every_ == 0;
+    // Another assembly at the end would not be harmless: a rule may predict in every one, and return maps start from
+    // the last one's result, so that the run would no longer be the one that was asked about.
+    if (due_)
+      model.before_contact([this](const System &system) { without_ = condition::free_matrix(system); });
+  }
+
+
+  void ConditionReport::solved(FormingProblem &model, const Vector &q)
+  {
+    if (due_)
+      numbers_ = measure(model, q);
+  }
+
+
+  void ConditionReport::accepted(const AcceptedIncrement &increment)
+  {
+    if (due_)
+      folder_.journal().detail(
+        "increment " + std::to_string(increment.number) + ": condition number " + short_number(numbers_.raw) +
+        ", scaled " + short_number(numbers_.scaled) + "; without contact " + short_number(numbers_.without_contact) +
+        (numbers_.rigid_modes.empty() ? ", no rigid mode" : " apart from " + numbers_.rigid_modes));
+    due_ = false;
+  }
+
+
+  void ConditionReport::describe(Columns &columns) const
+  {
+    columns.add({{"condition_raw", "1", "condition number of the tangent as it is"},
+                 {"condition_scaled", "1", "after diagonal scaling"},
+                 {"condition_without_contact", "1", "of the blank alone, apart from its rigid modes"},
+                 {"rigid_modes", "1", "of the blank without contact"},
+                 {"digits_lost", "1", "by a direct solution"}},
+                [this](const AcceptedIncrement &, Columns::Row &row) {
+                  row.insert(row.end(), {numbers_.raw, numbers_.scaled, numbers_.without_contact,
+                                         static_cast<double>(numbers_.n_rigid), numbers_.digits_lost});
+                });
+  }
+
+
+  ConditionNumbers ConditionReport::measure(FormingProblem &problem, const Vector &q)
+  {
+    Timers::Scope timer(folder_.timers(), timer_);
+    problem.before_contact({});
+    ConditionNumbers result;
+    const System &system = problem.system();
+    const std::vector<int> numbers = condition::free_numbers(system);
+    const condition::Matrix without = std::move(without_);
+    const int n = without.rows();
+
+    // Rigid: the blank resists with less than 1e-9 of its largest stiffness. Travels of force-driven tools and
+    // multipliers have no stiffness at all without contact and count as well.
+    const double size = without.norm();
+    std::vector<Eigen::VectorXd> modes;
+    for (int i = 0; i < n; ++i)
+      if (without.col(i).norm() == 0. && without.row(i).norm() == 0.)
+        modes.push_back(Eigen::VectorXd::Unit(n, i));
+    for (const auto &[name, mode] : rigid_motions(problem.blank(), q, numbers, n))
+      if ((without * mode).norm() < 1e-9 * size)
+      {
+        modes.push_back(mode);
+        ++result.n_rigid;
+        result.rigid_modes += (result.rigid_modes.empty() ? "" : ", ") + name;
+      }
+    Eigen::MatrixXd basis(n, modes.size());
+    for (unsigned int k = 0; k < modes.size(); ++k)
+      basis.col(k) = modes[k];
+    if (!modes.empty())
+      basis = Eigen::HouseholderQR<Eigen::MatrixXd>(basis).householderQ() * Eigen::MatrixXd::Identity(n, modes.size());
+    result.without_contact = condition::number_on_complement(without, basis, method_);
+
+    const condition::Matrix with = condition::free_matrix(system);
+    result.raw = condition::number(with, method_);
+
+    std::vector<condition::Frame> frames;
+    std::vector<bool> taken(n, false);
+    for (const auto *pair : problem.active_pairs())
+      for (const auto &[r, z, normal] : pair->frames())
+        if (numbers[r] >= 0 && numbers[z] >= 0 && !taken[numbers[r]])
+        {
+          taken[numbers[r]] = true; // a node held between two tools: they agree in the normal up to its sign
+          frames.push_back({numbers[r], numbers[z], normal});
+        }
+    result.scaled = condition::number(condition::scale_in_frames(with, frames), method_);
+
+    Eigen::VectorXd step(n);
+    for (unsigned int i = 0; i < numbers.size(); ++i)
+      if (numbers[i] >= 0)
+        step[numbers[i]] = q[i] - problem.committed()[i];
+    result.digits_lost = condition::digits_lost(with, step);
+    return result;
+  }
+} // namespace deltaform

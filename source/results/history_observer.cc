@@ -1,0 +1,47 @@
+// history.csv: a row per increment, on disk at once.
+#include <deltaform/model/accepted_increment.h>
+#include <deltaform/results/history.h>
+#include <deltaform/results/observers.h>
+
+#include <optional>
+#include <utility>
+
+namespace deltaform
+{
+  namespace
+  {
+    std::vector<CsvWriter::Column> with_units(const Columns &columns, const Units &units)
+    {
+      std::vector<CsvWriter::Column> result;
+      for (const auto &column : columns.columns())
+        result.push_back({column.name, units.of(column.dimension)});
+      return result;
+    }
+
+    class HistoryObserver : public Observer
+    {
+    public:
+      HistoryObserver(ResultsFolder &folder, Columns columns, const Checkpoint *const start)
+        : columns_(std::move(columns)),
+          history_(folder.path("history.csv"), folder.comments(), with_units(columns_, folder.units()),
+                   start != nullptr ? std::make_optional(start->increment) : std::nullopt)
+      {
+      }
+
+      void accepted(const AcceptedIncrement &increment) override
+      {
+        history_.append(columns_.row(increment));
+      }
+
+    private:
+      Columns columns_;
+      History history_;
+    };
+  } // namespace
+
+
+  std::unique_ptr<Observer> make_history_observer(ResultsFolder &folder, Columns columns, const Checkpoint *const start)
+  {
+    return std::make_unique<HistoryObserver>(folder, std::move(columns), start);
+  }
+} // namespace deltaform

@@ -1,0 +1,84 @@
+#include <deltaform/results/output_settings.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  OutputSettings::OutputSettings(Section &section,
+                                 const std::vector<std::unique_ptr<Tool>> &tools,
+                                 const std::vector<Stage> &stages)
+    : folder(
+        section.text("Folder", Default<std::string>(""), "Folder of the results; empty: output/<name of the scene>.")),
+      travels(
+        section.numbers("Travels",
+                        "",
+                        "length",
+                        "Travels of the main tool at which profile_*.csv, contact_*.csv and tools_*.csv are written; "
+                        "the increments meet them. Empty: at the end of each stage."))
+  {
+    std::vector<std::string> names{""};
+    for (const auto &tool : tools)
+      names.push_back(tool->name());
+    const std::string main = section.choice("Travel of", "", names, "The main tool; empty: the first that moves.");
+    const int frames =
+      section.integer("Pictures",
+                      20,
+                      0,
+                      100000,
+                      "Pictures for ParaView, at equal distances in time, after one of the undeformed blank; 0: none.");
+
+    condition_every = section.integer("Condition number every",
+                                      0,
+                                      0,
+                                      1000000,
+                                      "Condition numbers of the tangent in every so many increments; 0: never.");
+
+    const std::string method = section.choice(
+      "Condition number by",
+      "automatic",
+      {"automatic", "dense", "lanczos"},
+      "Singular values by a dense decomposition, by Lanczos iterations, or dense for up to 300 unknowns.");
+    condition_method = method == "dense"     ? condition::Method::dense
+                       : method == "lanczos" ? condition::Method::lanczos
+                                             : condition::Method::automatic;
+
+    energies =
+      section.flag("Energies",
+                   true,
+                   "Works and energies in history.csv and their balance, energy_error, in summary.json. Without "
+                   "them an increment costs some percent less.");
+
+    checkpoint_interval = section.number("Checkpoint interval",
+                                         5.,
+                                         Range::not_negative(),
+                                         "s",
+                                         "Wall time between saved states, from which --resume goes on; 0: after every "
+                                         "increment. One is also saved at the end of every stage and of the run.");
+
+    const double end = stages.back().end;
+    for (unsigned int i = 0; i < tools.size(); ++i)
+      if (tools[i]->name() == main || (main.empty() && main_tool == invalid_index && !tools[i]->force_driven() &&
+                                       tools[i]->travel_range(0., end).first != tools[i]->travel_range(0., end).second))
+        main_tool = i;
+
+    if (travels.empty())
+      for (const auto &stage : stages)
+        travel_times.push_back(stage.end);
+    else
+    {
+      if (main_tool == invalid_index || tools[main_tool]->force_driven())
+        section.fail("Travels", "there is no tool that is moved: leave this empty");
+      for (const double travel : travels)
+      {
+        const double time = tools[main_tool]->time_of_travel(travel, 0., end);
+        if (std::isnan(time))
+          section.fail("Travels", "tool '" + tools[main_tool]->name() + "' never reaches " + std::to_string(travel));
+        travel_times.push_back(time);
+      }
+      std::sort(travel_times.begin(), travel_times.end());
+    }
+    for (int i = 0; i < frames; ++i)
+      frame_times.push_back(end * (i + 1) / frames);
+  }
+} // namespace deltaform

@@ -1,0 +1,198 @@
+// blank_*.vtu, tools_*.vtu and scene.pvd: what stands in the pictures.
+#include <deltaform/base/command_line.h>
+#include <deltaform/model/accepted_increment.h>
+#include <deltaform/results/observers.h>
+#include <deltaform/results/picture_series.h>
+#include <deltaform/results/vtu.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+namespace deltaform
+{
+  namespace
+  {
+    std::vector<DrawnField> contact_fields(const FormingProblem &problem, const std::size_t n_nodes)
+    {
+      const std::vector<double> none(n_nodes, 0.);
+      std::vector<DrawnField> fields{{"penalty_factor", "force/length", true, 1, none},
+                                     {"penetration_over_delta", "1", true, 1, none},
+                                     {"contact_pressure", "stress", true, 1, none},
+                                     {"contact_status", "0 free 1 slip 2 stick", true, 1, none}};
+      for (const auto *pair : problem.active_pairs())
+      {
+        const auto pressure = pair->pressure(problem.committed());
+        for (unsigned int i = 0; i < pair->n_nodes(); ++i)
+        {
+          const PairState &state = pair->committed()[i];
+          if (!state.touching)
+            continue;
+          const unsigned int k = pair->node(problem.committed(), i).node;
+          fields[0].values[k] = std::max(fields[0].values[k], state.epsilon);
+          fields[1].values[k] = std::max(fields[1].values[k], state.penetration() / state.delta);
+          fields[2].values[k] = std::max(fields[2].values[k], pressure[i]);
+          fields[3].values[k] = std::max(fields[3].values[k], state.sticking ? 2. : 1.);
+        }
+      }
+      return fields;
+    }
+
+    /// The pressures that act on each face in a stage, summed; a node of two faces shows the larger one.
+    std::vector<double>
+    load_pressure(const Actors &actors, const std::string &stage, const double time, const std::size_t n_nodes)
+    {
+      std::map<std::string, double> on_face;
+      for (const auto &load : actors.loads)
+        if (!load.face.empty() && load.acts_in(stage))
+          on_face[load.face] += load.value(time);
+      std::vector<double> result(n_nodes, 0.);
+      for (const auto &[face, pressure] : on_face)
+        for (const auto node : actors.blank->face_nodes(face))
+          if (std::abs(pressure) > std::abs(result[node]))
+            result[node] = pressure;
+      return result;
+    }
+
+    /// The outline of a tool as lines, with its number.
+    Drawing outline(const std::vector<Point2> &points, const double number)
+    {
+      Drawing drawing;
+      drawing.points_per_cell = 2;
+      drawing.points = points;
+      for (unsigned int i = 1; i < points.size(); ++i)
+        drawing.cells.insert(drawing.cells.end(), {i - 1, i});
+      drawing.fields.push_back({"tool", "index", false, 1, std::vector<double>(drawing.cells.size() / 2, number)});
+      return drawing;
+    }
+    /// Values at the nodes of the blank: contact, and pressures that act on it.
+    std::vector<DrawnField> nodal_fields(const FormingProblem &problem, const std::string &stage, const double time)
+    {
+      const Actors &actors = problem.actors();
+      const std::size_t n_nodes = actors.blank->positions(problem.committed()).size();
+      std::vector<DrawnField> fields;
+      if (!actors.tools.empty())
+        fields = contact_fields(problem, n_nodes);
+      const auto &loads = actors.loads;
+      if (std::any_of(loads.begin(), loads.end(), [](const Load &load) { return !load.face.empty(); }))
+        fields.push_back({"load_pressure", "stress", true, 1, load_pressure(actors, stage, time, n_nodes)});
+      return fields;
+    }
+
+    class PictureObserver : public Observer
+    {
+    public:
+      PictureObserver(ResultsFolder &folder, const OutputSettings &output)
+        : folder_(folder), output_(output), series_(std::make_shared<PictureSeries>(folder.path("scene.pvd")))
+      {
+      }
+
+      /// The picture that opens the series shows the undeformed blank and the tools at their start.
+      void begin(const FormingProblem &model, const Stage &stage) override
+      {
+        if (!output_.frame_times.empty())
+          write(model, stage.name, 0.);
+      }
+
+      void accepted(const AcceptedIncrement &increment) override
+      {
+        time_ = increment.time;
+        stage_ = increment.stage.name;
+        if (increment.is_last_here && pass_frames())
+          write(increment.model, stage_, time_);
+      }
+
+      /// Other numbers of pictures or stages that end later may be asked for now.
+      void resumed(const AcceptedIncrement &increment) override
+      {
+        time_ = increment.time;
+        stage_ = increment.stage.name;
+        next_frame_ = 0;
+        pass_frames();
+        series_->resume(last_picture_);
+        n_pictures_ = series_->size();
+      }
+
+      /// A run that stopped shows its last state.
+      void ended(const FormingProblem &model, const RunOutcome &outcome) override
+      {
+        if (outcome.exit_status != exit_status::done && outcome.increments > 0)
+          write(model, stage_, time_);
+      }
+
+      void save(boost::archive::binary_oarchive &archive) const override
+      {
+        archive << last_picture_;
+      }
+
+      void load(boost::archive::binary_iarchive &archive) override
+      {
+        archive >> last_picture_;
+      }
+
+    private:
+      /// Go to the first time that is still to come. @return was there one before it?
+      bool pass_frames()
+      {
+        const auto &frames = output_.frame_times;
+        const unsigned int before = next_frame_;
+        while (next_frame_ < frames.size() && time_ >= frames[next_frame_] * (1 - 1e-12))
+          ++next_frame_;
+        return next_frame_ > before;
+      }
+
+      /// Blank and tools as files, and as an entry of the series.
+      void write(const FormingProblem &problem, const std::string &stage, const double time)
+      {
+        const Blank &blank = problem.blank();
+        const auto &all_tools = problem.actors().tools;
+        char number[16];
+        std::snprintf(number, sizeof number, "_%04u", n_pictures_++);
+        std::vector<PictureSeries::Part> parts{{std::string("blank") + number + ".vtu", "blank"}};
+        std::vector<Drawing> drawings{blank.draw(problem.committed(), nodal_fields(problem, stage, time))};
+
+        double reach = 0.;
+        for (const auto &x : blank.positions(problem.committed()))
+          reach = std::max(reach, x.norm());
+        // A part of its own for each tool: ParaView lists parts by name. Tools keep their number when others are
+        // absent.
+        for (unsigned int i = 0; i < all_tools.size(); ++i)
+          for (const auto *pair : problem.active_pairs())
+            if (&pair->tool() == all_tools[i].get())
+            {
+              const auto points = pair->tool().polyline(pair->travel(problem.committed()), reach);
+              if (points.size() < 2)
+                continue;
+              parts.push_back({std::string("tools") + number + "_" + std::to_string(i) + ".vtu", pair->tool().name()});
+              drawings.push_back(outline(points, i));
+            }
+        last_picture_ = time;
+        folder_.behind().run([series = series_, folder = folder_.name(), units = folder_.units(), time, parts,
+                              drawings = std::move(drawings)]() {
+          for (std::size_t part = 0; part < parts.size(); ++part)
+            write_vtu(folder + "/" + parts[part].file, drawings[part], units);
+          series->add(time, parts);
+        });
+      }
+
+      ResultsFolder &folder_;
+      const OutputSettings &output_;
+      std::shared_ptr<PictureSeries> series_; ///< written by the tasks behind
+      double time_ = 0.; ///< of the last accepted increment, and its stage
+      std::string stage_;
+      unsigned int n_pictures_ = 0, next_frame_ = 0;
+      double last_picture_ = -1.; ///< its time
+    };
+  } // namespace
+
+
+  std::unique_ptr<Observer> make_picture_observer(ResultsFolder &folder, const OutputSettings &output)
+  {
+    return std::make_unique<PictureObserver>(folder, output);
+  }
+} // namespace deltaform

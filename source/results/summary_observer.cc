@@ -1,0 +1,151 @@
+// summary.json and timing.json, and the last lines on the console.
+#include "short_number.h"
+
+#include <deltaform/base/atomic_file.h>
+#include <deltaform/base/command_line.h>
+#include <deltaform/model/accepted_increment.h>
+#include <deltaform/results/json.h>
+#include <deltaform/results/observers.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
+#include <algorithm>
+#include <ostream>
+
+namespace deltaform
+{
+  namespace
+  {
+    const char *in_words(const int status)
+    {
+      switch (status)
+      {
+      case exit_status::done:
+        return "done";
+      case exit_status::not_converged:
+        return "not converged";
+      default:
+        return "promise p <= delta could not be kept";
+      }
+    }
+
+    class SummaryObserver : public Observer
+    {
+    public:
+      SummaryObserver(ResultsFolder &folder, const OutputSettings &output)
+        : folder_(folder), output_(output)
+      {
+      }
+
+      void accepted(const AcceptedIncrement &increment) override
+      {
+        cost_ += increment.cost;
+        promise_ = std::max(promise_, increment.contact().max_penetration_over_delta);
+        between_ = std::max(between_, increment.contact().max_penetration_between_nodes);
+        remember(increment);
+      }
+
+      void resumed(const AcceptedIncrement &increment) override
+      {
+        if (increment.number > 0)
+          remember(increment);
+      }
+
+      void ended(const FormingProblem &model, const RunOutcome &outcome) override
+      {
+        folder_.behind().wait();
+        const std::string summary = described(model, outcome).to_string();
+        write_file_atomically(folder_.path("summary.json"), [&](std::ostream &out) { out << summary << '\n'; });
+        write_file_atomically(folder_.path("timing.json"),
+                              [&](std::ostream &out) { folder_.timers().write_json(out); });
+        folder_.journal().finish_progress();
+        folder_.journal().note(last_line(model, outcome));
+        folder_.journal().note("results in " + folder_.name());
+      }
+
+      void save(boost::archive::binary_oarchive &archive) const override
+      {
+        archive << cost_.rounds << cost_.correction_iterations << cost_.cutbacks << promise_ << between_;
+      }
+
+      void load(boost::archive::binary_iarchive &archive) override
+      {
+        archive >> cost_.rounds >> cost_.correction_iterations >> cost_.cutbacks >> promise_ >> between_;
+      }
+
+    private:
+      void remember(const AcceptedIncrement &increment)
+      {
+        any_ = true;
+        time_ = increment.time;
+        thinnest_ = increment.smallest_thickness();
+        if (output_.energies)
+          energy_error_ = increment.energies().error();
+      }
+
+      JsonObject described(const FormingProblem &model, const RunOutcome &outcome) const
+      {
+        JsonObject summary;
+        summary.add("title", folder_.title());
+        summary.add("units", folder_.units_label());
+        summary.add("version", std::string(DELTAFORM_VERSION));
+        summary.add("exit_status", outcome.exit_status);
+        summary.add("outcome", in_words(outcome.exit_status));
+        if (!outcome.message.empty())
+          summary.add("message", outcome.message);
+        summary.add("warnings", outcome.warnings);
+        summary.add("unknowns", static_cast<double>(model.committed().size()));
+        summary.add("increments", outcome.increments);
+        summary.add("newton_iterations", outcome.iterations);
+        summary.add("penalty_rounds", cost_.rounds);
+        summary.add("penalty_iterations", cost_.correction_iterations);
+        summary.add("cutbacks", cost_.cutbacks);
+        summary.add("time", time_);
+        JsonObject tools;
+        for (unsigned int i = 0; any_ && i < model.actors().tools.size(); ++i)
+        {
+          JsonObject tool;
+          tool.add("travel", model.travel(i));
+          tool.add("force_z", model.tool_forces()[i][1]);
+          tool.add("force_r", model.tool_forces()[i][0]);
+          tools.add(model.actors().tools[i]->name(), tool);
+        }
+        summary.add("tools", tools);
+        summary.add("min_thickness", thinnest_);
+        summary.add("max_penetration_over_delta", promise_);
+        summary.add("max_penetration_between_nodes", between_);
+        if (output_.energies)
+          summary.add("energy_error", energy_error_);
+        summary.add("seconds", folder_.timers().total());
+        return summary;
+      }
+
+      std::string last_line(const FormingProblem &model, const RunOutcome &outcome) const
+      {
+        std::string line = std::to_string(outcome.increments) + " increments, " + std::to_string(outcome.iterations) +
+                           " Newton iterations, " + short_number(folder_.timers().total(), "%.2f") + " s";
+        if (const auto main = output_.main_tool; main != invalid_index && any_)
+          line = model.actors().tools[main]->name() + ": travel " + short_number(model.travel(main)) + ", force " +
+                 short_number(model.tool_forces()[main][1], "%.6g") + "; thinnest " + short_number(thinnest_) + "; " +
+                 line;
+        if (model.keeps_promise())
+          line += "; max p/delta " + short_number(promise_, "%.3f");
+        return line;
+      }
+
+      ResultsFolder &folder_;
+      const OutputSettings &output_;
+      IncrementCost cost_; ///< of the run
+      double promise_ = 0., between_ = 0.; ///< largest p/delta and penetration between nodes of the run
+      bool any_ = false; ///< was any increment accepted?
+      double time_ = 0., thinnest_ = 0., energy_error_ = 0.; ///< of the last accepted increment
+    };
+  } // namespace
+
+
+  std::unique_ptr<Observer> make_summary_observer(ResultsFolder &folder, const OutputSettings &output)
+  {
+    return std::make_unique<SummaryObserver>(folder, output);
+  }
+} // namespace deltaform

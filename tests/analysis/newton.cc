@@ -1,0 +1,347 @@
+// Newton's method on problems of one or two unknowns: every way in which it may end.
+#include "../solver/mpi.h"
+#include "convergence.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <functional>
+
+using namespace deltaform;
+using namespace deltaform::testing;
+using Outcome = NewtonResult::Outcome;
+
+namespace
+{
+  /// R(u) = internal(u) - load of one unknown, which is tied by a spring of stiffness 1 to a second one that is
+  /// prescribed.
+  class Scalar : public Equations, public ActiveSet
+  {
+  public:
+    using Function = std::function<double(double)>;
+
+    Scalar(Function internal_force, Function derivative, const double external_force)
+      : internal(std::move(internal_force)), slope(std::move(derivative)), load(external_force),
+        system(pattern(), 0, "klu")
+    {
+    }
+
+    static dealii::DynamicSparsityPattern pattern()
+    {
+      dealii::DynamicSparsityPattern result(2, 2);
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int j = 0; j < 2; ++j)
+          result.add(i, j);
+      return result;
+    }
+
+    double typical_length() const override
+    {
+      return 1.;
+    }
+
+    Status assemble(const Vector &state, const bool tangent) override
+    {
+      system.clear(tangent);
+      visited.push_back(state[0]);
+      if (!allowed(state[0]))
+        return Status::shorten("not allowed");
+      const DofIndex dofs[] = {0, 1};
+      const double force = internal(state[0]), stiffness = slope(state[0]), external = -load;
+      system.add(dofs, 1, tangent ? &stiffness : nullptr, &force);
+      system.add(dofs, 1, nullptr, &external);
+      const double stretch = spring * (state[1] - state[0]), forces[] = {-stretch, stretch};
+      const double block[] = {spring, -spring, -spring, spring};
+      system.add(dofs, 2, tangent ? block : nullptr, forces);
+      return {};
+    }
+
+    double limit_step(const Vector &, Vector &d) const override
+    {
+      return std::min(1., largest_step / std::max(std::abs(d[0]), 1e-300));
+    }
+
+    ActiveSet *active_set() override
+    {
+      return this;
+    }
+
+    void prepare_step(const Vector &d) override
+    {
+      step = d[0];
+    }
+
+    void advance(const double factor) override
+    {
+      factors.push_back(factor);
+    }
+
+    bool changed() const override
+    {
+      return false;
+    }
+
+    unsigned int patience() const override
+    {
+      return 0;
+    }
+
+    void allow_slack(const double force) override
+    {
+      slack = force;
+    }
+
+    bool consistent(const double) const override
+    {
+      return n_inconsistent == 0 || n_inconsistent-- == 0;
+    }
+
+    unsigned int correct() override
+    {
+      if (n_corrections == 0)
+        return 0;
+      --n_corrections;
+      load *= 1.1;
+      return 1;
+    }
+
+    NewtonResult solve(const double start,
+                       const std::vector<std::string> &entries = {},
+                       const double goal = 0.,
+                       const NewtonVariant variant = NewtonVariant::plain)
+    {
+      const NewtonSettings settings = newton_settings(entries);
+      Timers timers;
+      const std::vector<double> scale(2, 1.), size(2, 1.);
+      Newton newton(*this, system, settings, scale, size, timers);
+      q.reinit(2);
+      q[0] = start;
+      Vector prescribed = q;
+      const auto committed = q;
+      prescribed[1] = goal;
+      visited.clear();
+      factors.clear();
+      return newton.solve(q, prescribed, {false, true}, committed, 0., variant);
+    }
+
+    Function internal, slope;
+    double load, spring = 0., largest_step = 1e300, step = 0., slack = 0.;
+    std::function<bool(double)> allowed = [](double) { return true; };
+    unsigned int n_corrections = 0;
+    mutable unsigned int n_inconsistent = 0;
+    System system;
+    Vector q;
+    std::vector<double> visited, factors;
+  };
+
+  Scalar stiffening(const double load)
+  {
+    return {[](const double u) { return u + u * u * u; }, [](const double u) { return 1. + 3. * u * u; }, load};
+  }
+
+  Scalar saturating(const double load)
+  {
+    return {[](const double u) { return std::atan(u); }, [](const double u) { return 1. / (1. + u * u); }, load};
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(newton)
+
+BOOST_AUTO_TEST_CASE(quadratic_convergence)
+{
+  Scalar problem = stiffening(10.);
+  const NewtonResult result = problem.solve(0., {"Force tolerance=1e-12"});
+  BOOST_TEST(result.converged());
+  BOOST_TEST(std::abs(problem.q[0] - 2.) < 1e-12);
+  BOOST_TEST(result.residuals.size() == result.iterations + 1u);
+  BOOST_TEST(observed_order(result.residuals, 1e-12) > 1.8, listed_residuals(result.residuals));
+  // A wrong tangent does not pass for a quadratic one.
+  problem.slope = [](const double u) { return 1.05 * (1. + 3. * u * u); };
+  BOOST_TEST(observed_order(problem.solve(0., {"Force tolerance=1e-12"}).residuals, 1e-12) < 1.2);
+}
+
+BOOST_AUTO_TEST_CASE(a_linear_problem_takes_one_iteration)
+{
+  Scalar problem([](const double u) { return 3. * u; }, [](double) { return 3.; }, 6.);
+  const NewtonResult result = problem.solve(0.);
+  BOOST_TEST(result.converged());
+  BOOST_TEST(result.iterations == 1u);
+  BOOST_TEST(problem.q[0] == 2.);
+}
+
+BOOST_AUTO_TEST_CASE(loads_that_start_at_zero_do_not_stall)
+{
+  Scalar problem = stiffening(0.);
+  const NewtonResult result = problem.solve(0.);
+  BOOST_TEST(result.converged());
+  BOOST_TEST(result.iterations <= 1u);
+}
+
+BOOST_AUTO_TEST_CASE(prescribed_unknowns_move_their_neighbours)
+{
+  Scalar problem = stiffening(0.);
+  problem.spring = 2.;
+  const NewtonResult result = problem.solve(0., {"Force tolerance=1e-12"}, 3.);
+  BOOST_TEST(result.converged());
+  BOOST_TEST(problem.q[1] == 3.);
+  const double u = problem.q[0];
+  BOOST_TEST(std::abs(u + u * u * u - 2. * (3. - u)) < 1e-11);
+  BOOST_TEST(problem.visited[1] > 0.); // in the first iteration
+  // In parts where the step is not admissible as a whole
+  problem.largest_step = .25;
+  const NewtonResult slower = problem.solve(0., {"Force tolerance=1e-12"}, 3.);
+  BOOST_TEST(slower.converged());
+  BOOST_TEST(problem.q[1] == 3.);
+  BOOST_TEST(std::abs(problem.q[0] - u) < 1e-11);
+  BOOST_TEST(std::abs(problem.visited[1]) <= .25 * (1. + 1e-12));
+  BOOST_TEST(slower.iterations > result.iterations);
+}
+
+BOOST_AUTO_TEST_CASE(the_line_search_finds_what_full_steps_miss)
+{
+  Scalar problem = saturating(1.);
+  BOOST_TEST(!problem.solve(8., {"Line search=false"}).converged());
+  const NewtonResult result = problem.solve(8., {"Force tolerance=1e-10"});
+  BOOST_TEST(result.converged());
+  BOOST_TEST(result.line_searches > 0u);
+  BOOST_TEST(std::abs(problem.q[0] - std::tan(1.)) < 1e-8);
+  // The problem is told how far every step went before it is assembled there.
+  BOOST_TEST(problem.factors.size() + 1u == problem.visited.size());
+  BOOST_TEST(problem.factors[0] == 1.);
+  BOOST_TEST(problem.factors[1] < 1.);
+}
+
+BOOST_AUTO_TEST_CASE(forbidden_states_are_avoided)
+{
+  Scalar problem = stiffening(10.);
+  problem.allowed = [](const double u) { return u < 2.5; };
+  const NewtonResult result = problem.solve(0., {"Force tolerance=1e-10"}); // the first step goes to 10
+  BOOST_TEST(result.converged());
+  BOOST_TEST(std::abs(problem.q[0] - 2.) < 1e-8);
+
+  problem.allowed = [](const double u) { return u < 1e-6; };
+  const NewtonResult failed = problem.solve(0.);
+  BOOST_TEST((failed.outcome == Outcome::inadmissible));
+  BOOST_TEST(std::string(failed.status.cause) == "not allowed");
+
+  problem.allowed = [](double) { return false; };
+  BOOST_TEST((problem.solve(0.).outcome == Outcome::inadmissible));
+}
+
+BOOST_AUTO_TEST_CASE(failures_are_told_apart)
+{
+  // No solution
+  Scalar nowhere([](const double u) { return 1. + u * u; }, [](const double u) { return 2. * u; }, 0.);
+  const NewtonResult lost = nowhere.solve(1., {"Maximal iterations=15"});
+  BOOST_TEST((lost.outcome == Outcome::diverged || lost.outcome == Outcome::singular));
+  BOOST_TEST(lost.iterations <= 15u);
+  // Nothing holds the unknown
+  Scalar free([](double) { return 0.; }, [](double) { return 0.; }, 1.);
+  BOOST_TEST((free.solve(0.).outcome == Outcome::singular));
+  // Numbers that are none
+  Scalar wrong([](double) { return std::numeric_limits<double>::quiet_NaN(); }, [](double) { return 1.; }, 1.);
+  BOOST_TEST(!wrong.solve(0.).converged());
+}
+
+BOOST_AUTO_TEST_CASE(creeping_is_given_up)
+{
+  // Steps of which not a hundredth is admissible, far from equilibrium: not the twenty that are allowed are made.
+  Scalar problem = stiffening(10.);
+  problem.largest_step = .005;
+  const auto creeping = problem.solve(0.);
+  BOOST_TEST((creeping.outcome == Outcome::diverged));
+  BOOST_TEST(creeping.iterations == 3u);
+  BOOST_TEST(creeping.residuals.size() == 4u);
+  BOOST_TEST(problem.solve(0., {}, 0., NewtonVariant::damped).iterations > 3u); // the last resort goes on
+  problem.largest_step = .3; // .03, .06, ...
+  BOOST_TEST(problem.solve(0.).converged());
+  // At the solution's door short steps are no failure.
+  problem.largest_step = 1e-6;
+  BOOST_TEST(problem.solve(2. - 5e-6).converged());
+}
+
+BOOST_AUTO_TEST_CASE(damped_steps_go_on_while_they_lead_down)
+{
+  // From 0 to 2 in steps of .008: after 200 of them the residual is a quarter of the forces.
+  Scalar problem = stiffening(10.);
+  problem.largest_step = .008;
+  const auto slow = problem.solve(0., {}, 0., NewtonVariant::damped);
+  BOOST_TEST(slow.converged());
+  BOOST_TEST(slow.iterations > 200u);
+  // Steps of .005 have got to two thirds by then: not on their way.
+  problem.largest_step = .005;
+  const auto far = problem.solve(0., {}, 0., NewtonVariant::damped);
+  BOOST_TEST((far.outcome == Outcome::diverged));
+  BOOST_TEST(far.iterations == 200u);
+  // And not for ever.
+  problem.largest_step = 1e-4;
+  const auto endless = problem.solve(1.6, {}, 0., NewtonVariant::damped);
+  BOOST_TEST((endless.outcome == Outcome::diverged));
+  BOOST_TEST(endless.iterations == 800u);
+}
+
+BOOST_AUTO_TEST_CASE(rounds_of_corrections)
+{
+  Scalar problem = stiffening(10.);
+  problem.n_corrections = 3;
+  const NewtonResult done = problem.solve(0.);
+  BOOST_TEST(done.converged());
+  BOOST_TEST(done.rounds == 3u);
+  const double u = problem.q[0];
+  BOOST_TEST(std::abs(u + u * u * u - 10. * 1.1 * 1.1 * 1.1) < 1e-6);
+
+  Scalar endless = stiffening(10.);
+  endless.n_corrections = 100;
+  const NewtonResult given_up = endless.solve(0., {"Maximal corrections=5"});
+  BOOST_TEST((given_up.outcome == Outcome::not_corrected));
+  BOOST_TEST(given_up.rounds == 6u);
+}
+
+BOOST_AUTO_TEST_CASE(a_small_residual_alone_is_no_solution)
+{
+  Scalar problem = stiffening(10.);
+  const auto at_once = problem.solve(0.);
+  problem.n_inconsistent = 2;
+  const auto later = problem.solve(0.);
+  BOOST_TEST(later.converged());
+  BOOST_TEST(later.iterations > at_once.iterations);
+  BOOST_TEST(problem.n_inconsistent == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(damped_steps_snap_through)
+{
+  // A shallow arch: R = u (u - 1)(u - 2) - load has its limit point at u = 1 - 1/sqrt(3), load = 2/sqrt(27) = .3849.
+  const auto arch = []() {
+    return Scalar([](const double u) { return u * (u - 1.) * (u - 2.); },
+                  [](const double u) { return 3. * u * u - 6. * u + 2.; },
+                  .3849 + .02);
+  };
+  Scalar problem = arch();
+  const auto damped = problem.solve(.4, {}, 0., NewtonVariant::damped);
+  BOOST_TEST(damped.converged());
+  const double u = problem.q[0];
+  BOOST_TEST(u > 2.);
+  BOOST_TEST(std::abs(u * (u - 1.) * (u - 2.) - problem.load) < 1e-6);
+  // It goes down the potential: never back from where it started.
+  for (const double visited : problem.visited)
+    BOOST_TEST(visited > .39);
+  // Near the end it is Newton's method: quadratic.
+  const auto &r = damped.residuals;
+  BOOST_REQUIRE(r.size() > 3u);
+  BOOST_TEST(r.back() < .1 * r[r.size() - 2]);
+  BOOST_TEST(problem.slack == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(slack_is_allowed_only_when_asked_and_after_some_iterations)
+{
+  Scalar problem = stiffening(1e6);
+  BOOST_TEST(problem.solve(0., {}, 0., NewtonVariant::damped).converged());
+  BOOST_TEST(problem.slack == 0.);
+  const auto result = problem.solve(0., {}, 0., NewtonVariant::with_slack);
+  BOOST_TEST(result.converged());
+  BOOST_REQUIRE(result.iterations > 4u);
+  // In forces: the tolerance of the residual times the scale of the forces, which is near the load.
+  BOOST_TEST(problem.slack > 0.);
+  BOOST_TEST(problem.slack < 1e-4 * 1e6);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
