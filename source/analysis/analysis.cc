@@ -8,6 +8,12 @@
 
 namespace deltaform
 {
+  int status_of(const Rejected &rejected)
+  {
+    return rejected.kind == Rejected::Kind::promise_broken ? exit_status::promise_broken : exit_status::not_converged;
+  }
+
+
   Analysis::Analysis(Actors &actors, const AnalysisSettings &settings, Journal &journal, Timers &timers)
     : actors_(actors), settings_(settings), journal_(journal), timers_(timers),
       timer_attempt_(timers.section("10 start of an increment, residual, length of steps, checks")),
@@ -60,7 +66,9 @@ namespace deltaform
   int Analysis::end()
   {
     journal_.detail(std::to_string(problem_.system().n_factorizations()) + " factorizations" +
-                    (problem_.on_linear_path() ? ", " + std::to_string(problem_.system().n_compliances()) + " compliances of contact unknowns" : ""));
+                    (problem_.on_linear_path()
+                       ? ", " + std::to_string(problem_.system().n_compliances()) + " compliances of contact unknowns"
+                       : ""));
     for (const auto &condition : conditions_)
       warn(condition->warnings(status_ == exit_status::done));
     const Timers::Scope timer(timers_, timer_output_);
@@ -226,8 +234,7 @@ namespace deltaform
     return stop((cause.empty() ? "" : cause + "; ") + "in increment " + std::to_string(n_increments_ + 1) + ": " +
                   rejected.sentence + ". The smallest increment, " + text::rounded(stage().smallest_increment) +
                   ", was reached",
-                rejected.kind == Rejected::Kind::promise_broken ? exit_status::promise_broken : exit_status::not_converged,
-                checkpoint());
+                status_of(rejected), checkpoint());
   }
 
 

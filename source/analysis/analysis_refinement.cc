@@ -39,8 +39,7 @@ namespace deltaform
         problem_.discard(time_);
         return stop("after a refinement of the blank there is no equilibrium: " + result.rejected->sentence +
                       ". Refine less at once (Blank/Refinement), or begin with a finer mesh",
-                    result.rejected->kind == Rejected::Kind::promise_broken ? exit_status::promise_broken : exit_status::not_converged,
-                    std::move(unrefined));
+                    status_of(*result.rejected), std::move(unrefined));
       }
       before_ = problem_.committed();
       problem_.commit(result.q);

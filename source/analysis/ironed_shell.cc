@@ -45,10 +45,13 @@ namespace deltaform
       }
 
     private:
+      static constexpr const char *remedy =
+        ". Model the blank as a solid of degree 2 with two elements through the thickness (Blank/Kind = solid), or "
+        "give the tools more clearance";
+
       static std::string with_remedy(const std::string &finding)
       {
-        return finding.empty() ? finding : finding + ". Model the blank as a solid of degree 2 with two elements through the "
-                                                     "thickness (Blank/Kind = solid), or give the tools more clearance";
+        return finding.empty() ? "" : finding + remedy;
       }
 
       IroningWatch watch_;

@@ -45,7 +45,8 @@ namespace deltaform
       : newton_(newton), equations_(newton.equations_), system_(newton.system_), settings_(newton.settings_),
         scale_(newton.scale_), active_set_(newton.equations_.active_set()), q_(q), prescribed_(prescribed),
         is_prescribed_(is_prescribed), q_committed_(q_committed), force_floor_(force_floor), variant_(variant),
-        max_iterations_(variant == NewtonVariant::plain ? settings_.max_iterations : std::max(damped_iterations, settings_.max_iterations)),
+        max_iterations_(variant == NewtonVariant::plain ? settings_.max_iterations
+                                                        : std::max(damped_iterations, settings_.max_iterations)),
         damping_(newton.system_, newton.scale_), increments_(q.size()), d_(q.size()), start_(q.size())
     {
       system_.set_prescribed(is_prescribed);
@@ -176,10 +177,10 @@ namespace deltaform
         return true;
       if (iteration_ < max_iterations_)
         return false;
-      const bool close = variant_ == NewtonVariant::plain ? residual_ < close_to_tolerance * settings_.relaxed_tolerance &&
-                                                              iteration_ < most_iterations_if_close * max_iterations_
-                                                          : residual_ < on_its_way && iteration_ < most_extensions * max_iterations_;
-      return !close;
+      if (variant_ == NewtonVariant::plain)
+        return residual_ >= close_to_tolerance * settings_.relaxed_tolerance ||
+               iteration_ >= most_iterations_if_close * max_iterations_;
+      return residual_ >= on_its_way || iteration_ >= most_extensions * max_iterations_;
     }
 
     bool solve(const double shift)

@@ -71,7 +71,7 @@ namespace deltaform
     columns.add({{"max_penetration", "length", "largest penetration p over the touching nodes"},
                  {"max_penetration_over_delta", "1", "largest p/delta"},
                  {"max_penetration_between_nodes", "length",
-                  "largest penetration of an element between its nodes, where delta says nothing: an error of the mesh"},
+                  "largest penetration between nodes, where delta says nothing: an error of the mesh"},
                  {"min_epsilon", "force/length", "smallest penalty factor of what touches"},
                  {"max_epsilon", "force/length", "largest penalty factor of what touches"},
                  {"floor_share", "1", "share of what touches whose factor is its lower bound rather than lambda/delta"},

@@ -19,7 +19,8 @@ BOOST_AUTO_TEST_CASE(names_and_values)
     {"Blank/Points=0 0; 40 0", "Blank/Thickness=3", "Material/Young's modulus=206e3", "Material/Poisson's ratio=.3",
      "Material/Model=linear elastic", "Tools/Names=die 2", "Tools/die 2/Shape=plate", "Tools/die 2/Side=bottom",
      "Tools/die 2/Position z=-1.6", "Tools/die 2/Motion=t", "Supports/Names=no turn", "Supports/no turn/Boundary=start",
-     "Supports/no turn/Component=rotation", "Loads/Names=weight", "Loads/weight/Kind=pressure", "Loads/weight/Value=t"});
+     "Supports/no turn/Component=rotation", "Loads/Names=weight", "Loads/weight/Kind=pressure",
+     "Loads/weight/Value=t"});
   const Scene scene(tree);
   Timers timers;
   FormingProblem model(const_cast<Actors &>(scene.actors), *scene.linear_solver, timers);

@@ -16,6 +16,9 @@
 
 namespace deltaform
 {
+  /// Exit status of a run that ends because an increment was given up.
+  int status_of(const Rejected &rejected);
+
   /// How the stages of a scene are computed.
   struct AnalysisSettings
   {

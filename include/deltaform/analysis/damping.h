@@ -10,10 +10,10 @@ namespace deltaform
   class System;
 
   /**
-   * Pseudo-transient continuation, for an increment in which the blank snaps through. While a step d leads uphill (d.R >
-   * 0, the tangent K is indefinite), solve with K + c M instead, M the squares of the scales: that is a step of the
-   * implicit Euler method for M q' = -R, the motion of the blank in a viscous medium, of the length 1/c. The solution is
-   * of the same equations; it takes many more iterations. C.T. Kelley, D.E. Keyes, Convergence analysis of
+   * Pseudo-transient continuation, for an increment in which the blank snaps through. While a step d leads uphill
+   * (d.R > 0, the tangent K is indefinite), solve with K + c M instead, M the squares of the scales: that is a step of
+   * the implicit Euler method for M q' = -R, the motion of the blank in a viscous medium, of the length 1/c. The
+   * solution is of the same equations; it takes many more iterations. C.T. Kelley, D.E. Keyes, Convergence analysis of
    * pseudo-transient continuation, SIAM J. Numer. Anal. 35 (1998) 508.
    */
   class Damping

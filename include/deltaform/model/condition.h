@@ -15,8 +15,8 @@ namespace deltaform
   struct Stage;
 
   /**
-   * Looks at the accepted increments of a run and says what an engineer should know of its result: why it cannot be used
-   * any further, which ends the run, or what makes it doubtful, each with what to do about it. One idea each.
+   * Looks at the accepted increments of a run and says what an engineer should know of its result: why it cannot be
+   * used any further, which ends the run, or what makes it doubtful, each with what to do about it. One idea each.
    */
   class Condition
   {

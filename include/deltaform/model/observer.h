@@ -26,7 +26,7 @@ namespace deltaform
     std::string message; ///< why it stopped; empty if it is done
     std::vector<std::string> warnings; ///< what makes input or result doubtful
     unsigned int increments, iterations;
-    std::optional<Checkpoint> state; ///< what a run that has stopped can be resumed from, if not from the last one saved
+    std::optional<Checkpoint> state; ///< of a run that has stopped, what it can go on from; none: the last one saved
   };
 
   /// Sees the accepted states of a run, writes or shows them. What is not asked for is not there, and costs nothing.
