@@ -24,7 +24,7 @@ function(deltaform_setup target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-g0>)
   # Compilers differ in whether they record libraries that nothing refers to; each would be loaded.
   target_link_options(${target} PRIVATE -Wl,--as-needed)
-  deltaform_link(${target} ${DELTAFORM_PLACEHOLDER_LINKS} Boost::program_options Boost::serialization Eigen3::Eigen ZLIB::ZLIB)
+  deltaform_link(${target} Boost::program_options Boost::serialization Eigen3::Eigen ZLIB::ZLIB)
   if(DELTAFORM_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)

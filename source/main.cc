@@ -22,11 +22,6 @@ namespace
     setenv("OMPI_MCA_pml", "ob1", 0);
     // Its folder in /tmp is shared by all runs of a user: one that ends may remove it while another starts.
     setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-    // MPI wants to know the hardware, from 300 files, ten display servers and plug-ins for graphics cards. A process
-    // that is bound to no core and talks to nobody has no use for it; nor for collective operations of many.
-    setenv("HWLOC_COMPONENTS", "no_os,stop", 0);
-    setenv("HWLOC_PLUGINS_PATH", "/dev/null", 0);
-    setenv("OMPI_MCA_coll", "self,basic,libnbc", 0);
   }
 } // namespace
 
