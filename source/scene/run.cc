@@ -10,7 +10,6 @@
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/run.h>
 #include <deltaform/scene/simulation.h>
-#include <deltaform/scene/sweep.h>
 
 #include <filesystem>
 #include <iostream>
@@ -129,8 +128,6 @@ namespace deltaform
 
   int run_command(const CommandLine &command)
   {
-    if (command.command == CommandLine::Command::sweep && ranks::count() > 1)
-      throw UsageError("a sweep starts its runs itself (--jobs): do not start it by mpirun");
     switch (command.command)
     {
     case CommandLine::Command::run:
@@ -148,7 +145,7 @@ namespace deltaform
       std::cout << CommandLine::help();
       return exit_status::done;
     case CommandLine::Command::sweep:
-      return run_sweep(command);
+      throw UsageError("a sweep starts its runs itself (--jobs): do not start it by mpirun");
     }
     return exit_status::wrong_usage;
   }
