@@ -1,3 +1,9 @@
+# The flavour of deal.II. In another project the type of the build may be any.
+set(DELTAFORM_FLAVOUR RELEASE)
+if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+  set(DELTAFORM_FLAVOUR DEBUG)
+endif()
+
 # deltaform_link(<target> <library>...): deal.II's macro fixes the plain or the keyword signature of
 # target_link_libraries, depending on its version; setting the property goes with both.
 function(deltaform_link target)
@@ -6,17 +12,16 @@ endfunction()
 
 # deltaform_setup(<target>): deal.II, Boost, Eigen, zlib, warnings as errors, sanitizers.
 function(deltaform_setup target)
-  deal_ii_setup_target(${target})
+  deal_ii_setup_target(${target} ${DELTAFORM_FLAVOUR})
   # deal.II's and Trilinos' headers are not ours to warn about.
   get_target_property(_dirs ${target} INCLUDE_DIRECTORIES)
   if(_dirs)
     set_target_properties(${target} PROPERTIES INCLUDE_DIRECTORIES "")
     target_include_directories(${target} SYSTEM PRIVATE ${_dirs})
   endif()
-  target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/include)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include)
   target_compile_features(${target} PUBLIC cxx_std_17)
-  target_compile_definitions(${target} PRIVATE DELTAFORM_VERSION="${PROJECT_VERSION}"
-                                               DELTAFORM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  target_compile_definitions(${target} PRIVATE DELTAFORM_VERSION="${PROJECT_VERSION}")
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
                                            -Wfloat-conversion -Werror)
   # Debian's deal.II hands down -g also for Release. Symbols make a program thirty times as large, and a build took 8 GB of
@@ -24,7 +29,7 @@ function(deltaform_setup target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-g0>)
   # Compilers differ in whether they record libraries that nothing refers to; each would be loaded.
   target_link_options(${target} PRIVATE -Wl,--as-needed)
-  deltaform_link(${target} ${DELTAFORM_PLACEHOLDER_LINKS} Boost::program_options Boost::serialization Eigen3::Eigen ZLIB::ZLIB)
+  deltaform_link(${target} Boost::program_options Boost::serialization Eigen3::Eigen ZLIB::ZLIB)
   if(DELTAFORM_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)

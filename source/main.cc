@@ -1,32 +1,79 @@
 // Arguments, MPI, one command, one catch.
 #include <deltaform/app/run.h>
+#include <deltaform/app/sweep.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <cstdlib>
+#include <functional>
 #include <iostream>
-#include <memory>
 #include <string>
 
 namespace
 {
+  using namespace deltaform;
+
+  /// By mpirun or its like: this process is one of several, or could be.
+  bool launched()
+  {
+    return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") || std::getenv("PMIX_RANK");
+  }
+
+
   /// Opening a transport to processes that do not exist takes longer than a small run. Settings of the user prevail.
   void start_alone_unless_launched()
   {
-    if (std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") || std::getenv("PMIX_RANK"))
+    if (launched())
       return;
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     setenv("OMPI_MCA_btl", "self", 0);
     setenv("OMPI_MCA_pml", "ob1", 0);
     // Its folder in /tmp is shared by all runs of a user: one that ends may remove it while another starts.
     setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-    // MPI wants to know the hardware, from 300 files, ten display servers and plug-ins for graphics cards. A process
-    // that is bound to no core and talks to nobody has no use for it; nor for collective operations of many.
-    setenv("HWLOC_COMPONENTS", "no_os,stop", 0);
-    setenv("HWLOC_PLUGINS_PATH", "/dev/null", 0);
-    setenv("OMPI_MCA_coll", "self,basic,libnbc", 0);
+  }
+
+
+  /// @p action returns the exit status; an error is said, and becomes one.
+  int guarded(const std::function<int()> &action)
+  {
+    const auto end = [](const int status, const std::string &message) {
+      if (ranks::end_together(status, true, message))
+        std::cerr << "deltaform: " << message << '\n';
+      return status;
+    };
+    try
+    {
+      return action();
+    }
+    catch (const UsageError &error)
+    {
+      return end(exit_status::wrong_usage, error.what());
+    }
+    catch (const SceneError &error)
+    {
+      return end(exit_status::wrong_scene, error.what());
+    }
+    catch (const std::exception &error)
+    {
+      return end(EXIT_FAILURE, std::string("an error of the program, please report it:\n") + error.what());
+    }
+  }
+
+
+  int run_with_mpi(const CommandLine &command, int argc, char **argv)
+  {
+    start_alone_unless_launched();
+    // Which processes a run has, and that they end together, is known only between the start and the end of MPI.
+    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    return guarded([&]() {
+      if (!ranks::first())
+        std::cout.setstate(std::ios::failbit);
+      const int status = run_command(command);
+      ranks::end_together(status, false, "");
+      return status;
+    });
   }
 } // namespace
 
@@ -34,35 +81,12 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  using namespace deltaform;
-  // Which processes a run has, and that they end together, is known only between the start and the end of MPI.
-  std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
-  const auto end = [](const int status, const std::string &message) {
-    if (ranks::end_together(status, true, message))
-      std::cerr << "deltaform: " << message << '\n';
-    return status;
-  };
-  try
-  {
+  return guarded([&]() {
     const auto command = CommandLine::parse(argc, argv);
-    start_alone_unless_launched();
-    mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
-    if (!ranks::first())
-      std::cout.setstate(std::ios::failbit);
-    const int status = run_command(command);
-    ranks::end_together(status, false, "");
-    return status;
-  }
-  catch (const UsageError &error)
-  {
-    return end(exit_status::wrong_usage, error.what());
-  }
-  catch (const SceneError &error)
-  {
-    return end(exit_status::wrong_scene, error.what());
-  }
-  catch (const std::exception &error)
-  {
-    return end(EXIT_FAILURE, std::string("an error of the program, please report it:\n") + error.what());
-  }
+    const auto run = [&](const CommandLine &own) { return run_with_mpi(own, argc, argv); };
+    // A sweep copies its process before MPI is started in it; one that was launched is refused, by one process for all.
+    if (command.command == CommandLine::Command::sweep && !launched())
+      return run_sweep(command, run);
+    return run(command);
+  });
 }

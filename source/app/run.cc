@@ -139,8 +139,6 @@ namespace deltaform
 
   int run_command(const CommandLine &command)
   {
-    if (command.command == CommandLine::Command::sweep && ranks::count() > 1)
-      throw UsageError("a sweep starts its runs itself (--jobs): do not start it by mpirun");
     switch (command.command)
     {
     case CommandLine::Command::run:
@@ -158,7 +156,7 @@ namespace deltaform
       std::cout << CommandLine::help();
       return exit_status::done;
     case CommandLine::Command::sweep:
-      return run_sweep(command);
+      throw UsageError("a sweep starts its runs itself (--jobs): do not start it by mpirun");
     }
     return exit_status::wrong_usage;
   }

@@ -5,6 +5,8 @@
 #include <deltaform/base/scene_error.h>
 #include <deltaform/scene/scene.h>
 
+#include <deal.II/base/multithread_info.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -39,6 +41,17 @@ namespace deltaform
       std::vector<std::string> result = command.sets;
       for (std::size_t i = 0; i < run.values.size(); ++i)
         result.push_back(command.variations[i].entry + "=" + run.values[i]);
+      return result;
+    }
+
+    /// What the process of a run has to do.
+    CommandLine command_of(const CommandLine &command, const SweepRun &run)
+    {
+      CommandLine result;
+      result.scene = command.scene;
+      result.sets = assignments(command, run);
+      result.output = run.folder;
+      result.quiet = true;
       return result;
     }
 
@@ -109,8 +122,10 @@ namespace deltaform
   } // namespace
 
 
-  int run_sweep(const CommandLine &command)
+  int run_sweep(const CommandLine &command, const std::function<int(const CommandLine &)> &run)
   {
+    // Checking scenes must not start threads, which would be missing in the copies of this process.
+    dealii::MultithreadInfo::set_thread_limit(1);
     auto runs = combinations(command.variations);
     std::string folder = command.output;
     const Units units(check_all(command, runs, folder));
@@ -128,19 +143,17 @@ namespace deltaform
         // Of an earlier sweep: it must not be taken for the outcome of this one.
         for (const auto *const name : {"/summary.json", "/history.csv"})
           std::filesystem::remove(runs[next].folder + name);
-        std::vector<std::string> arguments{own_program(), command.scene, "--quiet", "--output", runs[next].folder};
-        for (const auto &assignment : assignments(command, runs[next]))
-          arguments.insert(arguments.end(), {"--set", assignment});
-        running[start_process(arguments, runs[next].folder + "/console.txt")] = {next, Clock::now()};
+        const auto job = [&run, own = command_of(command, runs[next])]() { return run(own); };
+        running[start_process(job, runs[next].folder + "/console.txt")] = {next, Clock::now()};
       }
       const auto ended = wait_for_process(end_overdue(running, runs, command.seconds));
       const auto which = ended ? running.find(ended->process) : running.end();
       if (which == running.end())
         continue;
-      SweepRun &run = runs[which->second.run];
-      run.exit_status = run.overdue ? exit_status::not_converged : ended->exit_status;
-      worst = std::max(worst, run.exit_status);
-      n_failed += run.exit_status != exit_status::done;
+      SweepRun &own = runs[which->second.run];
+      own.exit_status = own.overdue ? exit_status::not_converged : ended->exit_status;
+      worst = std::max(worst, own.exit_status);
+      n_failed += own.exit_status != exit_status::done;
       running.erase(which);
       ++n_ended;
       write_sweep_table(folder, command, runs, units);

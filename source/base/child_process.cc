@@ -1,7 +1,6 @@
 #include <deltaform/base/child_process.h>
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,8 +8,10 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
-#include <filesystem>
+#include <iostream>
 #include <stdexcept>
 #include <thread>
 
@@ -18,45 +19,47 @@ namespace deltaform
 {
   namespace
   {
-    /// What a library tells a process about itself must not be told to its children: they are no ranks of this one.
-    std::vector<char *> environment_without_ranks()
+    /// The life of a copy: its output goes to @p console, and it leaves alone what it has from the original.
+    [[noreturn]] void live(const std::function<int()> &job, const int console)
     {
-      std::vector<char *> result;
-      for (char **entry = environ; *entry != nullptr; ++entry)
+      int status = EXIT_FAILURE;
+      if (dup2(console, STDOUT_FILENO) >= 0 && dup2(console, STDERR_FILENO) >= 0)
       {
-        const std::string text = *entry;
-        if (text.rfind("PMIX_", 0) != 0 && text.rfind("PMI_", 0) != 0 && text.rfind("OMPI_COMM_WORLD", 0) != 0)
-          result.push_back(*entry);
+        close(console);
+        try
+        {
+          status = job();
+        }
+        catch (const std::exception &error)
+        {
+          std::cerr << error.what() << std::endl;
+        }
       }
-      result.push_back(nullptr);
-      return result;
+      std::cout.flush();
+      std::fflush(nullptr);
+      _exit(status);
     }
   } // namespace
 
 
-  std::string own_program()
+  int start_process(const std::function<int()> &job, const std::string &console)
   {
-    return std::filesystem::read_symlink("/proc/self/exe").string();
-  }
-
-
-  int start_process(const std::vector<std::string> &arguments, const std::string &console)
-  {
-    std::vector<char *> pointers;
-    for (const auto &argument : arguments)
-      pointers.push_back(const_cast<char *>(argument.c_str())); // posix_spawn does not write to them
-    pointers.push_back(nullptr);
-    auto environment = environment_without_ranks();
-
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, console.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    pid_t process = 0;
-    const int error = posix_spawn(&process, pointers[0], &actions, nullptr, pointers.data(), environment.data());
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0)
-      throw std::runtime_error("Cannot start '" + arguments.front() + "': " + std::strerror(error) + ".");
+    const auto error = [](const std::string &what) {
+      return std::runtime_error(what + ": " + std::strerror(errno) + ".");
+    };
+    const int file = open(console.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0)
+      throw error("Cannot write '" + console + "'");
+    // What is waiting here would be printed by both.
+    std::cout.flush();
+    std::cerr.flush();
+    std::fflush(nullptr);
+    const pid_t process = fork();
+    if (process == 0)
+      live(job, file);
+    close(file);
+    if (process < 0)
+      throw error("Cannot start a process");
     return process;
   }
 

@@ -2,10 +2,15 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <set>
+#include <stdexcept>
+#include <thread>
 
 using namespace deltaform;
 
@@ -19,7 +24,13 @@ BOOST_AUTO_TEST_SUITE(child_process)
 BOOST_AUTO_TEST_CASE(status_signal_and_console)
 {
   const std::string console = (std::filesystem::temp_directory_path() / "deltaform_child_process.txt").string();
-  start_process({"/bin/sh", "-c", "echo said; echo complained >&2; exit 3"}, console);
+  const auto talk = []() {
+    std::cout << "said\n";
+    std::cout.flush();
+    std::cerr << "complained\n";
+    return 3;
+  };
+  start_process(talk, console);
   BOOST_TEST(wait_for_process(forever)->exit_status == 3);
   std::ifstream file(console);
   std::string first, second;
@@ -29,14 +40,14 @@ BOOST_AUTO_TEST_CASE(status_signal_and_console)
   BOOST_TEST(second == "complained");
   std::filesystem::remove(console);
 
-  start_process({"/bin/sh", "-c", "kill -9 $$"}, "/dev/null");
+  start_process([]() { return std::raise(SIGKILL); }, "/dev/null");
   BOOST_TEST(wait_for_process(forever)->exit_status == 128 + 9);
 }
 
 BOOST_AUTO_TEST_CASE(each_process_is_told_apart)
 {
-  const std::set<int> started{start_process({"/bin/sh", "-c", "exit 1"}, "/dev/null"),
-                              start_process({"/bin/sh", "-c", "exit 1"}, "/dev/null")};
+  const auto fail = []() { return 1; };
+  const std::set<int> started{start_process(fail, "/dev/null"), start_process(fail, "/dev/null")};
   std::set<int> ended;
   for (unsigned int i = 0; i < 2; ++i)
     ended.insert(wait_for_process(forever)->process);
@@ -46,7 +57,11 @@ BOOST_AUTO_TEST_CASE(each_process_is_told_apart)
 
 BOOST_AUTO_TEST_CASE(waiting_has_an_end)
 {
-  const int process = start_process({"/bin/sleep", "100"}, "/dev/null");
+  const auto sleep = []() {
+    std::this_thread::sleep_for(std::chrono::seconds(100));
+    return 0;
+  };
+  const int process = start_process(sleep, "/dev/null");
   BOOST_CHECK(!wait_for_process(.02));
   end_process(process);
   const auto ended = wait_for_process(10.);
@@ -55,9 +70,25 @@ BOOST_AUTO_TEST_CASE(waiting_has_an_end)
   BOOST_TEST(ended->exit_status == 128 + 9);
 }
 
-BOOST_AUTO_TEST_CASE(missing_program)
+BOOST_AUTO_TEST_CASE(the_copy_has_what_was_there_and_leaves_it_alone)
 {
-  BOOST_CHECK_THROW(start_process({"/no/such/program"}, "/dev/null"), std::runtime_error);
+  int number = 41;
+  const auto job = [&number]() { return ++number; };
+  start_process(job, "/dev/null");
+  BOOST_TEST(wait_for_process(forever)->exit_status == 42);
+  BOOST_TEST(number == 41);
+}
+
+BOOST_AUTO_TEST_CASE(an_exception_is_a_failure)
+{
+  const auto job = []() -> int { throw std::runtime_error("no"); };
+  start_process(job, "/dev/null");
+  BOOST_TEST(wait_for_process(forever)->exit_status == 1);
+}
+
+BOOST_AUTO_TEST_CASE(missing_folder)
+{
+  BOOST_CHECK_THROW(start_process([]() { return 0; }, "/no/such/folder/console.txt"), std::runtime_error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -12,9 +12,6 @@ main(int argc, char *argv[])
   setenv("OMPI_MCA_pml", "ob1", 0);
   // Its folder in /tmp is shared by all runs of a user: one that ends may remove it while another starts.
   setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-  setenv("HWLOC_COMPONENTS", "no_os,stop", 0);
-  setenv("HWLOC_PLUGINS_PATH", "/dev/null", 0);
-  setenv("OMPI_MCA_coll", "self,basic,libnbc", 0);
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   return 0;
 }

@@ -1,9 +1,8 @@
 // Runs a scene and holds its results against what its comments expect (directives.h).
 //
-//   compare_scene [--update] DELTAFORM SCENE WORK
+//   compare_scene DELTAFORM SCENE WORK
 //
-// WORK is emptied first. --update writes the references of the COMPARE lines instead of comparing. Exit status: 0 all
-// as expected, 1 something is not, 2 the test itself is wrong.
+// WORK is emptied first. Exit status: 0 all as expected, 1 something is not, 2 the test itself is wrong.
 #include "csv_table.h"
 #include "directives.h"
 
@@ -83,28 +82,9 @@ namespace
   }
 
 
-  void write_reference(const Comparison &comparison, const CsvTable &table, const fs::path &file)
-  {
-    CsvTable some;
-    some.names = comparison.columns;
-    if (!comparison.over.empty())
-      some.names.insert(some.names.begin(), comparison.over);
-    for (const auto &name : some.names)
-      some.columns.push_back(table.column(name));
-    fs::create_directories(file.parent_path());
-    some.write(file.string(), {"of " + comparison.file + ", written by compare_scene --update"});
-    std::cout << "  written " << file.string() << '\n';
-  }
-
-
-  void evaluate(const Comparison &comparison, const fs::path &work, const fs::path &references, const bool update)
+  void evaluate(const Comparison &comparison, const fs::path &work, const fs::path &references)
   {
     const auto table = CsvTable::read((work / comparison.file).string());
-    if (update)
-    {
-      write_reference(comparison, table, references / comparison.reference);
-      return;
-    }
     const auto reference = CsvTable::read((references / comparison.reference).string());
     for (const auto &name : comparison.columns)
     {
@@ -149,7 +129,7 @@ namespace
   }
 
 
-  void run(const fs::path &program, const fs::path &scene, const fs::path &work, const bool update)
+  void run(const fs::path &program, const fs::path &scene, const fs::path &work)
   {
     const auto expected = Directives::read(scene.string(), work.string());
     fs::remove_all(work);
@@ -172,7 +152,7 @@ namespace
     for (const auto &check : expected.checks)
       evaluate(check, work);
     for (const auto &comparison : expected.comparisons)
-      evaluate(comparison, work, scene.parent_path() / "reference", update);
+      evaluate(comparison, work, scene.parent_path() / "reference");
   }
 } // namespace
 
@@ -180,18 +160,14 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool update = !arguments.empty() && arguments.front() == "--update";
-  if (update)
-    arguments.erase(arguments.begin());
-  if (arguments.size() != 3)
+  if (argc != 4)
   {
-    std::cerr << "usage: compare_scene [--update] DELTAFORM SCENE WORK\n";
+    std::cerr << "usage: compare_scene DELTAFORM SCENE WORK\n";
     return 2;
   }
   try
   {
-    run(fs::absolute(arguments[0]), fs::absolute(arguments[1]), fs::absolute(arguments[2]), update);
+    run(fs::absolute(argv[1]), fs::absolute(argv[2]), fs::absolute(argv[3]));
   }
   catch (const std::exception &error)
   {

@@ -61,27 +61,6 @@ CsvTable::read(const std::string &file_name)
 }
 
 
-void
-CsvTable::write(const std::string &file_name, const std::vector<std::string> &comments) const
-{
-  std::ofstream file(file_name);
-  file.precision(12);
-  for (const auto &comment : comments)
-    file << "# " << comment << '\n';
-  for (unsigned int i = 0; i < names.size(); ++i)
-    file << (i > 0 ? "," : "") << names[i];
-  file << '\n';
-  for (unsigned int row = 0; row < columns.front().size(); ++row)
-  {
-    for (unsigned int i = 0; i < names.size(); ++i)
-      file << (i > 0 ? "," : "") << columns[i][row];
-    file << '\n';
-  }
-  if (!file)
-    throw std::runtime_error("cannot write " + file_name);
-}
-
-
 const std::vector<double> &
 CsvTable::column(const std::string &name) const
 {

@@ -10,9 +10,6 @@ struct CsvTable
   /// std::runtime_error
   static CsvTable read(const std::string &file_name);
 
-  /// Write it with all digits.
-  void write(const std::string &file_name, const std::vector<std::string> &comments) const;
-
   /// Values of a column. @throws std::runtime_error if there is none, naming those that there are.
   const std::vector<double> &column(const std::string &name) const;
 

@@ -185,7 +185,7 @@ Directives::read(const std::string &scene, const std::string &work)
       else if (keyword == "CHECK")
         result.checks.push_back(read_check(rest));
       else if (keyword == "COMPARE")
-        result.comparisons.push_back(read_comparison(rest));
+        result.comparisons.push_back(read_comparison(expand(rest)));
       else
         continue;
       anything = true;

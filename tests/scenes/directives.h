@@ -23,8 +23,9 @@ struct Check
   bool relative = false;
 };
 
-/// "# COMPARE history.csv columns a,b over time with cup.csv tolerance 1e-6 relative"; relative to the largest of a
-/// column
+/// "# COMPARE history.csv columns a,b over time with {work}/../other/history.csv tolerance 1e-6 relative"; relative to
+/// the largest of a column. The other table is what another scene has left behind (its test comes first, see
+/// CMakeLists.txt), or one in reference/ that has its origin elsewhere: nothing keeps numbers of the program itself.
 struct Comparison
 {
   std::string text;

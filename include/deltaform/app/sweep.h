@@ -2,6 +2,7 @@
 
 #include <deltaform/base/command_line.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,11 @@ namespace deltaform
 
   /**
    * Run a scene once per combination of the varied values, each in a process and a folder of its own, and collect the
-   * results in sweep.csv, which is written again whenever a run ends.
+   * results in sweep.csv, which is written again whenever a run ends. The processes are copies of this one, in which
+   * MPI must not have been started.
+   * @param run carries out a run in its process, MPI included, and returns its exit status
    * @return exit status: 0 if all runs are done, else the largest of theirs
    * @throws SceneError before anything runs if one of the combinations is no valid scene
    */
-  int run_sweep(const CommandLine &command);
+  int run_sweep(const CommandLine &command, const std::function<int(const CommandLine &)> &run);
 } // namespace deltaform

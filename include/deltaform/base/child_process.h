@@ -1,19 +1,18 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace deltaform
 {
-  /// Path of the program that is running.
-  std::string own_program();
-
   /**
-   * Start a program beside this one; what it prints goes to the file @p console.
-   * @return its process number @throws std::runtime_error if it cannot be started
+   * Do @p job in a copy of this process; what it prints goes to the file @p console, what it returns is the exit
+   * status. The copy has everything that is loaded and read by now, and pays for none of it. It has only the thread
+   * that calls: there must be no others. MPI must not have been started; the job may do that.
+   * @return the number of the new process @throws std::runtime_error if there can be none, or no such file
    */
-  int start_process(const std::vector<std::string> &arguments, const std::string &console);
+  int start_process(const std::function<int()> &job, const std::string &console);
 
   /// A process that has ended.
   struct EndedProcess
