@@ -55,7 +55,7 @@ namespace deltaform
   void Analysis::begin()
   {
     if (!resumed_)
-      before_ = problem_.committed();
+      state_.before = problem_.committed();
     const auto &solver = problem_.linear_solver();
     journal_.detail("linear solver: " + solver.name + (solver.automatic ? " (automatic)" : "") + ", " +
                     std::to_string(problem_.committed().size()) + " unknowns" +
@@ -72,7 +72,8 @@ namespace deltaform
     for (const auto &condition : conditions_)
       warn(condition->warnings(status_ == exit_status::done));
     const Timers::Scope timer(timers_, timer_output_);
-    const RunOutcome outcome{status_, message_, warnings_, n_increments_, total_iterations_, std::move(state_at_stop_)};
+    const RunOutcome outcome{
+      status_, message_, warnings_, state_.n_increments, n_iterations_, std::move(state_at_stop_)};
     for (const auto &observer : observers_)
       observer->ended(problem_, outcome);
     return status_;
@@ -81,36 +82,34 @@ namespace deltaform
 
   bool Analysis::enter_stage()
   {
-    while (!control_ || control_->finished(time_))
+    while (!control_ || control_->finished(time()))
     {
       if (control_)
       {
         control_.reset();
-        ++stage_;
+        ++state_.stage;
       }
-      if (stage_ >= actors_.stages.size())
+      if (state_.stage >= actors_.stages.size())
         return false;
-      if (resumed_)
-        problem_.resume_stage(stage());
-      else
+      if (!resumed_)
       {
         // The state at the end of the last stage is saved.
         if (const std::string wrong = problem_.misplaced_tool(stage()); !wrong.empty())
           return stop("before its first increment: " + wrong, exit_status::not_converged);
         problem_.begin_stage(stage());
-        if (stage_ == 0)
+        if (state_.stage == 0)
         {
           const Timers::Scope timer(timers_, timer_output_);
           for (const auto &observer : observers_)
             observer->begin(problem_, stage());
         }
-        last_increment_ = 0.;
-        step_.reset();
+        state_.last_length = 0.;
+        state_.step.reset();
       }
       control_.emplace(settings_.steps, stage().begin, stage().end, stage().first_increment,
                        stage().smallest_increment, stage().largest_increment, settings_.meet);
-      if (resumed_ && step_)
-        control_->restore(*step_);
+      if (resumed_ && state_.step)
+        control_->restore(*state_.step);
       resumed_ = false;
     }
     return true;
@@ -121,15 +120,15 @@ namespace deltaform
   {
     if (status_ != exit_status::done || !enter_stage())
       return false;
-    if (n_increments_ >= settings_.steps.max_increments)
-      return stop(std::to_string(n_increments_) +
+    if (state_.n_increments >= settings_.steps.max_increments)
+      return stop(std::to_string(state_.n_increments) +
                     " increments are done (Solver/Maximal increments). To go on, allow more and --resume",
                   exit_status::not_converged, checkpoint());
     for (const auto &observer : observers_)
-      observer->before(problem_, n_increments_ + 1);
+      observer->before(problem_, state_.n_increments + 1);
     for (;;)
     {
-      const double next = control_->next(time_);
+      const double next = control_->next(time());
       const IncrementResult result = attempt(next, effort(next));
       cost_ += result.cost;
       if (!result.rejected)
@@ -138,22 +137,23 @@ namespace deltaform
         break;
       }
       ++cost_.cutbacks;
-      journal_.detail("increment " + std::to_string(n_increments_ + 1) + " to time " + text::format(next) +
+      journal_.detail("increment " + std::to_string(state_.n_increments + 1) + " to time " + text::format(next) +
                       " cut back: " + result.rejected->sentence);
-      if (!control_->reject(next - time_))
+      if (!control_->reject(next - time()))
         return give_up(*result.rejected);
     }
     return status_ == exit_status::done;
   }
 
 
-  IncrementResult Analysis::attempt(const double time, const Effort effort)
+  IncrementResult Analysis::attempt(const double end, const Effort effort)
   {
     const Timers::Remainder rest(timers_, timer_attempt_);
-    const double length = time - time_;
-    const double ratio = last_increment_ > 0 ? length / last_increment_ : 0.;
-    IncrementResult result = increment_.attempt({time, ratio, settings_.steps.extrapolate, before_}, length, effort);
-    total_iterations_ += result.cost.iterations;
+    const double length = end - time();
+    const double ratio = state_.last_length > 0 ? length / state_.last_length : 0.;
+    const IncrementStart start{end, ratio, settings_.steps.extrapolate, state_.before};
+    IncrementResult result = increment_.attempt(start, length, effort);
+    n_iterations_ += result.cost.iterations;
     return result;
   }
 
@@ -161,7 +161,7 @@ namespace deltaform
   Effort Analysis::effort(const double next) const
   {
     // Cut twice, or as short as it may be: the length of the increment is not the reason.
-    if (problem_.releases_at_once() || (next - time_) * settings_.steps.shrink < stage().smallest_increment)
+    if (problem_.releases_at_once() || (next - time()) * settings_.steps.shrink < stage().smallest_increment)
       return Effort::all;
     return cost_.cutbacks >= 2 || control_->leaping() ? Effort::last_resorts : Effort::usual;
   }
@@ -170,15 +170,14 @@ namespace deltaform
   void Analysis::accept(const double next, const IncrementResult &result)
   {
     const double flow_error = settings_.steps.flow_error > 0. ? actors_.blank->flow_error() : 0.;
-    last_increment_ = next - time_;
-    before_ = problem_.committed();
+    state_.last_length = next - time();
+    state_.before = problem_.committed();
     for (const auto &observer : observers_)
       observer->solved(problem_, result.q);
     problem_.commit(result.q);
-    time_ = next;
-    ++n_increments_;
+    ++state_.n_increments;
     control_->accept(result.iterations_to_equilibrium, flow_error);
-    ++since_refinement_;
+    ++state_.since_refinement;
     const bool refined = refinement_marked();
     AcceptedIncrement increment = accepted(std::exchange(cost_, IncrementCost()));
     increment.snap_rotation = result.snap_rotation;
@@ -190,7 +189,7 @@ namespace deltaform
       if (const std::string failure = condition->failure(stage()); unusable.empty())
         unusable = failure;
     }
-    step_ = control_->state();
+    state_.step = control_->state();
     notify(increment);
     if (refined && !refine())
       return;
@@ -201,8 +200,8 @@ namespace deltaform
 
   AcceptedIncrement Analysis::accepted(const IncrementCost &cost) const
   {
-    AcceptedIncrement result(problem_, stage(), time_, n_increments_, cost);
-    result.ends_stage = control_ && control_->finished(time_);
+    AcceptedIncrement result(problem_, stage(), time(), state_.n_increments, cost);
+    result.ends_stage = control_ && control_->finished(time());
     result.checkpoint = [this]() { return checkpoint(); };
     return result;
   }
@@ -210,7 +209,7 @@ namespace deltaform
 
   void Analysis::notify(const AcceptedIncrement &increment)
   {
-    accepted_iterations_ = total_iterations_;
+    state_.n_iterations = n_iterations_;
     const Timers::Scope timer(timers_, timer_output_);
     for (const auto &observer : observers_)
       observer->accepted(increment);
@@ -219,7 +218,7 @@ namespace deltaform
 
   bool Analysis::stop(const std::string &why, const int status, std::optional<Checkpoint> state)
   {
-    message_ = "stage '" + stage().name + "' stopped at time " + text::rounded(time_) + ": " + why + ".";
+    message_ = "stage '" + stage().name + "' stopped at time " + text::rounded(time()) + ": " + why + ".";
     journal_.warning(message_);
     status_ = status;
     state_at_stop_ = std::move(state);
@@ -230,8 +229,8 @@ namespace deltaform
   bool Analysis::give_up(const Rejected &rejected)
   {
     const std::string cause = likely_cause();
-    problem_.discard(time_);
-    return stop((cause.empty() ? "" : cause + "; ") + "in increment " + std::to_string(n_increments_ + 1) + ": " +
+    problem_.discard(time());
+    return stop((cause.empty() ? "" : cause + "; ") + "in increment " + std::to_string(state_.n_increments + 1) + ": " +
                   rejected.sentence + ". The smallest increment, " + text::rounded(stage().smallest_increment) +
                   ", was reached",
                 status_of(rejected), checkpoint());

@@ -1,14 +1,9 @@
 // Accepting an increment of the shell, its energies, its fields.
 #include "shell_point.h"
 
-#include <deltaform/base/archive.h>
 #include <deltaform/blanks/shell.h>
 #include <deltaform/materials/flow_error.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-#include <boost/serialization/array.hpp>
-#include <boost/serialization/vector.hpp>
 
 namespace deltaform
 {
@@ -267,27 +262,42 @@ namespace deltaform
   }
 
 
-  void Shell::save(std::ostream &stream) const
+  KeyedArrays Shell::state() const
   {
+    KeyedArrays state;
     const BlankEnergy total = energy();
-    boost::archive::binary_oarchive archive(stream);
-    archive_plain(archive, committed_strain_);
-    archive_plain(archive, committed_stress_);
-    archive << history_ << carried_ << thickness_ratio_ << node_thickness_ << node_relief_ << node_area_
-            << contact_pressure_ << third_stress_ << total.elastic << total.plastic << total.normal;
+    state.put("strain", committed_strain_);
+    state.put("stress", committed_stress_);
+    history_.put(state, "history");
+    carried_.put(state);
+    state.put("thickness ratio", thickness_ratio_);
+    state.put("thickness at nodes", node_thickness_);
+    state.put("elastic recovery at nodes", node_relief_);
+    state.put("area of nodes", node_area_);
+    state.put("contact pressure, bottom", contact_pressure_[0]);
+    state.put("contact pressure, top", contact_pressure_[1]);
+    state.put("third stress", third_stress_);
+    state.put("energies", std::vector<double>{total.elastic, total.plastic, total.normal});
+    return state;
   }
 
 
-  void Shell::load(std::istream &stream)
+  void Shell::set_state(const KeyedArrays &state)
   {
-    BlankEnergy total;
-    boost::archive::binary_iarchive archive(stream);
-    archive_plain(archive, committed_strain_);
-    archive_plain(archive, committed_stress_);
-    archive >> history_ >> carried_ >> thickness_ratio_ >> node_thickness_ >> node_relief_ >> node_area_ >>
-      contact_pressure_ >> third_stress_ >> total.elastic >> total.plastic >> total.normal;
+    state.take("strain", committed_strain_);
+    state.take("stress", committed_stress_);
+    history_.take(state, "history");
+    carried_.take(state);
+    state.take("thickness ratio", thickness_ratio_);
+    state.take("thickness at nodes", node_thickness_);
+    state.take("elastic recovery at nodes", node_relief_);
+    state.take("area of nodes", node_area_);
+    state.take("contact pressure, bottom", contact_pressure_[0]);
+    state.take("contact pressure, top", contact_pressure_[1]);
+    state.take("third stress", third_stress_);
+    const auto &energies = state.at("energies");
     if (energy_)
-      energy_ = total;
+      energy_ = BlankEnergy{energies.at(0), energies.at(1), energies.at(2)};
     strain_ = committed_strain_;
     stress_ = committed_stress_;
   }

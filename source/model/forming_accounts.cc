@@ -15,8 +15,8 @@ namespace deltaform
     for (const auto &pair : actors_.pairs)
       contact += pair->energy();
     const BlankEnergy blank = actors_.blank->energy();
-    account.tool_work = work_.tools;
-    account.load_work = work_.loads;
+    account.tool_work = state_.work.tools;
+    account.load_work = state_.work.loads;
     account.elastic = blank.elastic;
     account.plastic = blank.plastic;
     account.friction = contact.friction;
@@ -49,7 +49,7 @@ namespace deltaform
         n_at_bound += pair->governed_by_floor(i);
       }
       account.max_penetration_between_nodes =
-        std::max(account.max_penetration_between_nodes, pair->penetration_between_nodes(committed_));
+        std::max(account.max_penetration_between_nodes, pair->penetration_between_nodes(state_.unknowns));
     }
     if (account.n_touching == 0)
       account.min_epsilon = 0.;

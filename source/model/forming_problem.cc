@@ -20,13 +20,13 @@ namespace deltaform
   double FormingProblem::force_floor() const
   {
     const double h = actors_.blank->typical_length();
-    return std::max(1e-13 * actors_.blank->stiffness_scale() * h, 1e-6 * largest_force_);
+    return std::max(1e-13 * actors_.blank->stiffness_scale() * h, 1e-6 * state_.largest_force);
   }
 
 
   double FormingProblem::travel(const unsigned int tool) const
   {
-    return travels_[tool];
+    return state_.travels[tool];
   }
 
 
@@ -34,11 +34,11 @@ namespace deltaform
   {
     const Support &which = actors_.supports[support];
     if (!which.acts_in(stage_name_))
-      return released_.share(time_) * released_.of_supports[support];
+      return state_.released.share(time_) * state_.released.of_supports[support];
     double sum = 0.;
     for (const auto dof : which.dofs)
       if (!is_fixed_[dof])
-        sum += reactions_[dof];
+        sum += state_.reactions[dof];
     return sum;
   }
 
@@ -61,9 +61,9 @@ namespace deltaform
       for (unsigned int d = 0; d < 2; ++d)
         largest[d] = std::max(largest[d], std::abs(force[d]));
     };
-    for (const auto &force : tool_forces_)
+    for (const auto &force : state_.tool_forces)
       count(-force);
-    for (const auto &force : load_resultants_)
+    for (const auto &force : state_.load_resultants)
       count(force);
     // An unknown that two supports hold counts once.
     std::vector<bool> counted(actors_.blank->n_dofs(), false);
@@ -78,7 +78,7 @@ namespace deltaform
         for (const auto dof : support.dofs)
         {
           if (!counted[dof] && !is_fixed_[dof])
-            force[d] += reactions_[dof];
+            force[d] += state_.reactions[dof];
           counted[dof] = true;
         }
       else
@@ -86,7 +86,7 @@ namespace deltaform
       count(force);
     }
     // What is left of much larger forces is round-off.
-    const double floor = 1e-3 * largest_resultant_;
+    const double floor = 1e-3 * state_.largest_resultant;
     double error = 0.;
     for (unsigned int d = actors_.blank->axisymmetric() ? 1 : 0; d < 2; ++d)
       if (const double size = std::max(largest[d], floor); size > 0.)
@@ -97,7 +97,7 @@ namespace deltaform
 
   bool FormingProblem::releases_at_once() const
   {
-    return at_once_;
+    return state_.releases_at_once;
   }
 
 
@@ -106,7 +106,7 @@ namespace deltaform
     for (const auto &load : actors_.loads)
       if (load.acts_in(stage_name_))
         load.assemble(*actors_.blank, q, time_, target);
-    released_.assemble(time_, target);
+    state_.released.assemble(time_, target);
   }
 
 
@@ -139,8 +139,8 @@ namespace deltaform
       Vector coupling;
       if (actors_.contact && actors_.contact->enforcement->uses_penalty() && actors_.contact->rule->needs_coupling())
       {
-        Vector mismatch(committed_.size());
-        coupling.reinit(committed_.size());
+        Vector mismatch(state_.unknowns.size());
+        coupling.reinit(state_.unknowns.size());
         for (const auto *pair : active_pairs_)
           pair->add_mismatch(q, mismatch);
         system_->multiply(mismatch, coupling);
@@ -260,13 +260,13 @@ namespace deltaform
   void FormingProblem::discard(const double time)
   {
     time_ = time;
-    prescribed_ = committed_;
+    prescribed_ = state_.unknowns;
     for (const auto &support : actors_.supports)
       if (support.acts_in(stage_name_))
         for (unsigned int i = 0; i < support.dofs.size(); ++i)
         {
           const DofIndex dof = support.dofs[i];
-          prescribed_[dof] = is_fixed_[dof] ? 0. : (support.hold ? hold_[dof] : support.at(i, time));
+          prescribed_[dof] = is_fixed_[dof] ? 0. : (support.hold ? state_.hold[dof] : support.at(i, time));
         }
     for (auto *pair : active_pairs_)
       pair->begin_increment(time);
@@ -312,14 +312,14 @@ namespace deltaform
       if (i == invalid_index)
         continue;
       const PairState &state = pair->trial()[i];
-      const ContactNode node = pair->node(committed_, i);
+      const ContactNode node = pair->node(state_.unknowns, i);
       std::string text = "the promise p <= delta cannot be kept: tool '" + pair->tool().name() + "', node " +
                          std::to_string(i) + " (R0 = " + text::format(node.reference_coordinate) + ") penetrates " +
                          text::format(state.penetration()) + ", " + text::format(ratio) + " times the allowed " +
                          text::format(state.delta) + ", with penalty factor " + text::format(state.epsilon);
       for (const auto *other : active_pairs_)
         if (other->tool().side() != pair->tool().side() && i < other->n_nodes() && other->trial()[i].touching &&
-            other->node(committed_, i).node == node.node)
+            other->node(state_.unknowns, i).node == node.node)
           text += ". The node is clamped between '" + pair->tool().name() + "' and '" + other->tool().name() +
                   "': its thickness is " + text::format(node.thickness) + ", the gap leaves " +
                   text::format(node.thickness + state.gap + other->trial()[i].gap) +

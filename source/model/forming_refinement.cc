@@ -11,7 +11,7 @@ namespace deltaform
   bool FormingProblem::mark()
   {
     const RefinementSettings *settings = actors_.blank->refinement();
-    if (settings == nullptr || released_.any)
+    if (settings == nullptr || state_.released.any)
       return false;
     std::array<std::vector<double>, 2> longest;
     for (const auto *pair : active_pairs_)
@@ -32,31 +32,31 @@ namespace deltaform
 
   void FormingProblem::refine()
   {
-    std::vector<Vector> fields{committed_, hold_};
+    std::vector<Vector> fields{state_.unknowns, state_.hold};
     std::vector<double> travels;
     for (const auto &pair : actors_.pairs)
-      travels.push_back(pair->tool().force_driven() ? committed_[pair->travel_dof()] : 0.);
+      travels.push_back(pair->tool().force_driven() ? state_.unknowns[pair->travel_dof()] : 0.);
     actors_.blank->refine(fields);
     renumber();
     set_prescribed();
     const unsigned int n_blank = actors_.blank->n_dofs();
     for (unsigned int i = 0; i < n_blank; ++i)
     {
-      committed_[i] = fields[0][i];
-      hold_[i] = fields[1][i];
+      state_.unknowns[i] = fields[0][i];
+      state_.hold[i] = fields[1][i];
     }
     for (unsigned int p = 0; p < actors_.pairs.size(); ++p)
     {
       auto &pair = *actors_.pairs[p];
       if (pair.tool().force_driven())
-        committed_[pair.travel_dof()] = travels[p];
-      pair.inherit(committed_, actors_.blank->heritage(pair.tool().side()));
-      pair.start_multipliers(committed_);
+        state_.unknowns[pair.travel_dof()] = travels[p];
+      pair.inherit(state_.unknowns, actors_.blank->heritage(pair.tool().side()));
+      pair.start_multipliers(state_.unknowns);
     }
     // Forces of loads, of which the next commit takes the work; the supports do not move until then.
-    Collector loads(committed_.size());
-    assemble_loads(committed_, loads);
+    Collector loads(state_.unknowns.size());
+    assemble_loads(state_.unknowns, loads);
     for (unsigned int i = 0; i < n_blank; ++i)
-      load_forces_[i] = is_prescribed_[i] ? 0. : -loads.residual[i];
+      state_.load_forces[i] = is_prescribed_[i] ? 0. : -loads.residual[i];
   }
 } // namespace deltaform

@@ -17,11 +17,11 @@ namespace deltaform
       timer_commit_(timers.section("12 commit")), augmentation_(8)
   {
     number_unknowns();
-    tool_forces_.resize(actors_.tools.size());
-    travels_.resize(actors_.tools.size());
-    load_resultants_.resize(actors_.loads.size());
+    state_.tool_forces.resize(actors_.tools.size());
+    state_.travels.resize(actors_.tools.size());
+    state_.load_resultants.resize(actors_.loads.size());
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
-      travels_[i] = actors_.tools[i]->force_driven() ? 0. : actors_.tools[i]->travel(0.);
+      state_.travels[i] = actors_.tools[i]->force_driven() ? 0. : actors_.tools[i]->travel(0.);
   }
 
 
@@ -78,12 +78,12 @@ namespace deltaform
       system_ = std::make_unique<System>(std::move(pattern), n_border, linear_solver_, owned);
 
     const unsigned int n = n_sparse + n_border;
-    committed_.reinit(n);
+    state_.unknowns.reinit(n);
     prescribed_.reinit(n);
-    hold_.reinit(n);
-    released_.reset(n, actors_.tools.size(), actors_.supports.size(), actors_.loads.size());
-    load_forces_.reinit(n);
-    reactions_.reinit(n);
+    state_.hold.reinit(n);
+    state_.released.reset(n, actors_.tools.size(), actors_.supports.size(), actors_.loads.size());
+    state_.load_forces.reinit(n);
+    state_.reactions.reinit(n);
     for (unsigned int d = 0; d < 2; ++d)
     {
       translation_[d].reinit(n_blank);
@@ -139,7 +139,7 @@ namespace deltaform
     std::vector<Vector> motions;
     for (const auto &motion : {std::array<double, 3>{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}})
     {
-      Vector v(committed_.size());
+      Vector v(state_.unknowns.size());
       actors_.blank->rigid_motion(zero,
                                   Tensor1({motion[0], motion[1]}),
                                   motion[2],

@@ -11,36 +11,36 @@ namespace deltaform
 {
   void FormingProblem::collect_released(const std::string &next_stage)
   {
-    Collector ending(committed_.size());
+    Collector ending(state_.unknowns.size());
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
       if (actors_.tools[i]->exists_in(stage_name_) && !actors_.tools[i]->exists_in(next_stage))
       {
-        actors_.pairs[i]->release(committed_, ending);
-        released_.of_tools[i] = tool_forces_[i];
+        actors_.pairs[i]->release(state_.unknowns, ending);
+        state_.released.of_tools[i] = state_.tool_forces[i];
       }
     for (unsigned int i = 0; i < actors_.loads.size(); ++i)
       if (const Load &load = actors_.loads[i]; load.acts_in(stage_name_) && !load.acts_in(next_stage))
       {
-        load.assemble(*actors_.blank, committed_, time_, ending);
-        released_.of_loads[i] = load_resultants_[i];
+        load.assemble(*actors_.blank, state_.unknowns, time_, ending);
+        state_.released.of_loads[i] = state_.load_resultants[i];
       }
     // Reactions of supports that end, each once.
     std::vector<bool> ended(actors_.blank->n_dofs(), false);
     for (unsigned int i = 0; i < actors_.supports.size(); ++i)
       if (const Support &support = actors_.supports[i]; support.acts_in(stage_name_) && !support.acts_in(next_stage))
       {
-        released_.of_supports[i] = reaction(i);
+        state_.released.of_supports[i] = reaction(i);
         for (const auto dof : support.dofs)
         {
           if (!ended[dof])
-            ending.residual[dof] -= reactions_[dof];
+            ending.residual[dof] -= state_.reactions[dof];
           ended[dof] = true;
         }
       }
     for (unsigned int i = 0; i < actors_.blank->n_dofs(); ++i)
     {
-      released_.on_blank[i] = -ending.residual[i];
-      released_.any |= released_.on_blank[i] != 0.;
+      state_.released.on_blank[i] = -ending.residual[i];
+      state_.released.any |= state_.released.on_blank[i] != 0.;
     }
   }
 
@@ -51,10 +51,10 @@ namespace deltaform
     const double reach = 1e3 * (1. + size_[0]);
     for (unsigned int step = 0; step < 1000; ++step)
     {
-      const double gap = pair.closest(committed_, committed_[pair.travel_dof()]).second;
+      const double gap = pair.closest(state_.unknowns, state_.unknowns[pair.travel_dof()]).second;
       if (!(gap < reach) || gap <= 1e-12 * size_[0])
         return;
-      committed_[pair.travel_dof()] += gap;
+      state_.unknowns[pair.travel_dof()] += gap;
     }
   }
 
@@ -72,8 +72,8 @@ namespace deltaform
       const TimeFunction *own = tool.allowed_penetration();
       const double delta = own ? (*own)(stage.begin) : actors_.contact->allowed_penetration(stage.begin);
       const double tolerance = std::max(.1 * actors_.blank->typical_length(), delta);
-      const double travel = tool.force_driven() ? committed_[pair->travel_dof()] : tool.travel(stage.begin);
-      if (const auto wrong = find_misplacement(*actors_.blank, *pair, committed_, travel, tolerance))
+      const double travel = tool.force_driven() ? state_.unknowns[pair->travel_dof()] : tool.travel(stage.begin);
+      if (const auto wrong = find_misplacement(*actors_.blank, *pair, state_.unknowns, travel, tolerance))
         return wrong->message + " (Tools/" + tool.name() + "/" + wrong->entry + ")";
     }
     return "";
@@ -82,29 +82,29 @@ namespace deltaform
 
   void FormingProblem::begin_stage(const Stage &stage)
   {
-    released_.reset(committed_.size(), actors_.tools.size(), actors_.supports.size(), actors_.loads.size());
+    state_.released.reset(state_.unknowns.size(), actors_.tools.size(), actors_.supports.size(), actors_.loads.size());
     if (!stage_name_.empty())
       collect_released(stage.name);
-    at_once_ = released_.any && stage.release_at_once;
+    state_.releases_at_once = state_.released.any && stage.release_at_once;
     enter_stage(stage);
-    time_ = stage.begin;
+    time_ = state_.time = stage.begin;
     for (auto *pair : active_pairs_)
     {
       if (pair->tool().force_driven() && pair->n_touching() == 0)
         bring_into_contact(*pair);
-      pair->begin_stage(committed_, stage.begin);
+      pair->begin_stage(state_.unknowns, stage.begin);
     }
     for (const auto &support : actors_.supports)
       if (support.acts_in(stage.name))
         for (const auto dof : support.dofs)
-          hold_[dof] = committed_[dof];
+          state_.hold[dof] = state_.unknowns[dof];
   }
 
 
   void FormingProblem::enter_stage(const Stage &stage)
   {
     stage_name_ = stage.name;
-    released_.begin_stage(stage);
+    state_.released.begin_stage(stage);
     active_pairs_.clear();
     for (auto &pair : actors_.pairs)
       if (pair->tool().exists_in(stage.name))
@@ -140,38 +140,39 @@ namespace deltaform
   {
     Timers::Scope timer(timers_, timer_commit_);
     // Work of loads, of released forces, and of supports, whose reactions are what the residual shows in their rows.
-    Collector loads(committed_.size());
+    Collector loads(state_.unknowns.size());
     assemble_loads(q, loads);
-    const double released = released_.share(time_);
+    const double released = state_.released.share(time_);
     for (unsigned int i = 0; i < actors_.loads.size(); ++i)
     {
-      load_resultants_[i] = released * released_.of_loads[i];
+      state_.load_resultants[i] = released * state_.released.of_loads[i];
       if (!actors_.loads[i].acts_in(stage_name_))
         continue;
-      Collector own(committed_.size());
+      Collector own(state_.unknowns.size());
       actors_.loads[i].assemble(*actors_.blank, q, time_, own);
-      load_resultants_[i] = -1. * resultant(own.residual);
+      state_.load_resultants[i] = -1. * resultant(own.residual);
       // A moment counts by the thickness.
       for (unsigned int k = 0; k < actors_.blank->n_dofs(); ++k)
-        largest_resultant_ = std::max(largest_resultant_, std::abs(own.residual[k]) / scale_[k]);
+        state_.largest_resultant = std::max(state_.largest_resultant, std::abs(own.residual[k]) / scale_[k]);
     }
-    for (unsigned int i = 0; i < committed_.size(); ++i)
+    for (unsigned int i = 0; i < state_.unknowns.size(); ++i)
     {
       const double force = is_prescribed_[i] ? system_->residual()[i] - loads.residual[i] : -loads.residual[i];
       if (i < actors_.blank->n_dofs())
-        work_.loads += .5 * (force + load_forces_[i]) * (q[i] - committed_[i]);
-      load_forces_[i] = force;
-      reactions_[i] = is_prescribed_[i] ? system_->residual()[i] : 0.;
+        state_.work.loads += .5 * (force + state_.load_forces[i]) * (q[i] - state_.unknowns[i]);
+      state_.load_forces[i] = force;
+      state_.reactions[i] = is_prescribed_[i] ? system_->residual()[i] : 0.;
     }
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
     {
       auto &pair = *actors_.pairs[i];
       const bool active = std::find(active_pairs_.begin(), active_pairs_.end(), &pair) != active_pairs_.end();
-      const Tensor1 force = active ? pair.tool_force() : released * released_.of_tools[i];
-      const double travel = active ? pair.travel(q) : travels_[i];
-      work_.tools -= .5 * (force + tool_forces_[i]) * actors_.tools[i]->direction() * (travel - travels_[i]);
-      tool_forces_[i] = force;
-      travels_[i] = travel;
+      const Tensor1 force = active ? pair.tool_force() : released * state_.released.of_tools[i];
+      const double travel = active ? pair.travel(q) : state_.travels[i];
+      const double way = travel - state_.travels[i];
+      state_.work.tools -= .5 * (force + state_.tool_forces[i]) * actors_.tools[i]->direction() * way;
+      state_.tool_forces[i] = force;
+      state_.travels[i] = travel;
       if (actors_.tools[i]->force_driven())
         actors_.tools[i]->set_travel(travel);
     }
@@ -179,20 +180,22 @@ namespace deltaform
     for (auto *pair : active_pairs_)
       pair->commit(q);
     actors_.blank->commit(q);
-    committed_ = q;
-    at_once_ = false;
+    state_.time = time_;
+    state_.unknowns = q;
+    state_.releases_at_once = false;
 
-    for (const auto *const forces : {&tool_forces_, &load_resultants_})
+    for (const auto *const forces : {&state_.tool_forces, &state_.load_resultants})
       for (const auto &force : *forces)
-        largest_resultant_ = std::max({largest_resultant_, std::abs(force[0]), std::abs(force[1])});
+        state_.largest_resultant = std::max({state_.largest_resultant, std::abs(force[0]), std::abs(force[1])});
     for (unsigned int i = 0; i < actors_.supports.size(); ++i)
       if (const Support &support = actors_.supports[i]; !support.dofs.empty())
-        largest_resultant_ = std::max(largest_resultant_, std::abs(reaction(i)) / scale_[support.dofs.front()]);
+        state_.largest_resultant =
+          std::max(state_.largest_resultant, std::abs(reaction(i)) / scale_[support.dofs.front()]);
 
     double square = 0.;
     for (unsigned int i = 0; i < scale_.size(); ++i)
       square += std::pow(system_->magnitude()[i] / scale_[i], 2);
-    largest_force_ = std::max(largest_force_, std::sqrt(square));
+    state_.largest_force = std::max(state_.largest_force, std::sqrt(square));
 
     // The thickness has changed: new gaps, and the contact pressure that the next increments see.
     std::array<std::vector<double>, 2> pressure;

@@ -117,6 +117,55 @@ BOOST_AUTO_TEST_CASE(a_saved_state_goes_on_in_another_analysis)
   BOOST_TEST(whole.analysis.model().tool_forces()[0][1] == second.analysis.model().tool_forces()[0][1]);
 }
 
+BOOST_AUTO_TEST_CASE(two_states_of_one_model_in_turn)
+{
+  // Two futures of the same blank, increment by increment in turn, in one analysis: each is what it is alone.
+  Run alone, both;
+  const auto force = [](const Run &run) { return run.analysis.model().tool_forces()[0][1]; };
+  const auto go = [](Run &run, const unsigned int n) {
+    for (unsigned int i = 0; i < n; ++i)
+      run.analysis.advance();
+  };
+  alone.analysis.begin();
+  std::vector<double> expected;
+  for (unsigned int i = 0; i < 8; ++i)
+  {
+    go(alone, 1);
+    expected.push_back(force(alone));
+  }
+  both.analysis.begin();
+  go(both, 2);
+  State early = both.analysis.state();
+  go(both, 3);
+  State late = both.analysis.state();
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    both.analysis.set_state(early);
+    go(both, 1);
+    BOOST_TEST(force(both) == expected[2 + i]);
+    early = both.analysis.state();
+    both.analysis.set_state(late);
+    go(both, 1);
+    BOOST_TEST(force(both) == expected[5 + i]);
+    late = both.analysis.state();
+  }
+  // A state is a value: what happens to the run does not touch it, and another analysis goes on from it.
+  Run other;
+  other.analysis.set_state(early);
+  BOOST_TEST(other.analysis.time() == early.time());
+  go(other, 1);
+  BOOST_TEST(force(other) == expected[5]);
+  // It survives a stream.
+  std::stringstream stream;
+  late.save(stream);
+  State again;
+  again.load(stream);
+  BOOST_TEST((again.model.body == late.model.body));
+  BOOST_TEST(again.model.interfaces == late.model.interfaces);
+  BOOST_TEST(again.n_iterations == late.n_iterations);
+  BOOST_TEST(again.step.has_value() == late.step.has_value());
+}
+
 BOOST_AUTO_TEST_CASE(observers_are_told_in_their_order)
 {
   Run run;

@@ -207,8 +207,7 @@ BOOST_AUTO_TEST_CASE(carried_flow_turns_with_the_blank)
                  [&](Blank &blank, const Entries &) {
                    if (blank.axisymmetric())
                      return;
-                   std::stringstream fresh;
-                   blank.save(fresh);
+                   const KeyedArrays fresh = blank.state();
                    const Vector direction = random_state(blank, generator, .01);
                    const auto history = [&](const double turn) {
                      std::vector<double> norms;
@@ -228,7 +227,7 @@ BOOST_AUTO_TEST_CASE(carried_flow_turns_with_the_blank)
                      return norms;
                    };
                    const auto still = history(0.);
-                   blank.load(fresh);
+                   blank.set_state(fresh);
                    const auto turning = history(.15);
                    for (unsigned int i = 0; i < still.size(); ++i)
                      BOOST_TEST(std::abs(turning[i] / still[i] - 1.) < 1e-9);

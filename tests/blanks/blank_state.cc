@@ -8,19 +8,6 @@ using namespace deltaform::testing;
 
 namespace
 {
-  std::string saved(const Blank &blank)
-  {
-    std::ostringstream stream;
-    blank.save(stream);
-    return stream.str();
-  }
-
-  void restore(Blank &blank, const std::string &state)
-  {
-    std::istringstream stream(state);
-    blank.load(stream);
-  }
-
   void reach(Blank &blank, const Vector &q)
   {
     residual(blank, q);
@@ -87,14 +74,14 @@ BOOST_AUTO_TEST_CASE(elastic_forces_have_a_potential)
   std::mt19937 generator(1);
   for_all_blanks(curved(elastic),
                  [&](Blank &blank, const Entries &) {
-                   const std::string start = saved(blank);
+                   const KeyedArrays start = blank.state();
                    const Vector q = random_state(blank, generator, .02);
                    const auto energy = [&](const Vector &state) {
-                     restore(blank, start);
+                     blank.set_state(start);
                      reach(blank, state);
                      return blank.energy().elastic;
                    };
-                   restore(blank, start);
+                   blank.set_state(start);
                    const auto forces = residual(blank, q);
                    Eigen::VectorXd gradient(q.size());
                    const double h = 1e-4 * fineness(blank);
@@ -122,11 +109,11 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
                  [&](Blank &blank, const Entries &) {
                    const Vector goal = random_state(blank, generator, .02);
                    double error[2];
-                   const auto initial = saved(blank);
+                   const auto initial = blank.state();
                    unsigned int run = 0;
                    for (const unsigned int n : {40, 80})
                    {
-                     restore(blank, initial);
+                     blank.set_state(initial);
                      Vector q(blank.n_dofs());
                      double work = 0.;
                      Eigen::VectorXd before = Eigen::VectorXd::Zero(q.size());
@@ -258,7 +245,7 @@ BOOST_AUTO_TEST_CASE(restart_goes_on_where_it_stopped)
                      }
                      if (copy->n_dofs() != blank.n_dofs())
                        continue;
-                     restore(*copy, saved(blank));
+                     copy->set_state(blank.state());
                      BOOST_TEST(visible(*copy, q) == visible(blank, q));
                      Vector further = q;
                      further += random_state(blank, generator, 3e-3);

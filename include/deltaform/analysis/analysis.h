@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/analysis/increment.h>
+#include <deltaform/analysis/state.h>
 #include <deltaform/analysis/step_control.h>
 #include <deltaform/base/journal.h>
 #include <deltaform/base/timers.h>
@@ -54,6 +55,13 @@ namespace deltaform
     /// Go on from a saved state. Belongs before begin(). @throws SceneError if it does not fit the stages of the scene
     void resume(const Checkpoint &start);
 
+    /// The state after the last accepted increment, as a value.
+    State state() const;
+
+    /// Go to @p state, forwards or back; also that of another analysis of the same scene. @throws SceneError if it does
+    /// not fit
+    void set_state(const State &state);
+
     /// All stages. @return exit status: done, not_converged or promise_broken
     int run();
 
@@ -65,7 +73,7 @@ namespace deltaform
     /// Tell the observers how the run has ended. @return exit status
     int end();
 
-    /// The state after the last accepted increment, from which another analysis of the same scene can go on.
+    /// The state after the last accepted increment, with what the observers remember, for a file.
     Checkpoint checkpoint() const;
 
     const FormingProblem &model() const
@@ -75,7 +83,7 @@ namespace deltaform
 
     double time() const
     {
-      return time_;
+      return problem_.time();
     }
 
     /// Why the run stopped; empty if it did not.
@@ -90,10 +98,10 @@ namespace deltaform
 
     const Stage &stage() const
     {
-      return actors_.stages[stage_];
+      return actors_.stages[state_.stage];
     }
 
-    IncrementResult attempt(double time, Effort effort);
+    IncrementResult attempt(double end, Effort effort);
 
     /// What is tried in an increment to @p next.
     Effort effort(double next) const;
@@ -128,15 +136,9 @@ namespace deltaform
     std::vector<std::unique_ptr<Condition>> conditions_;
     std::vector<std::unique_ptr<Observer>> observers_;
 
-    double time_ = 0, last_increment_ = 0;
-    Vector before_; ///< the solution one increment before the committed one
-    unsigned int stage_ = 0; ///< index of the current one
-    unsigned int n_increments_ = 0, total_iterations_ = 0;
-    unsigned int accepted_iterations_ = 0; ///< up to the last accepted increment
-    unsigned int since_refinement_ = 0; ///< increments
+    State state_; ///< accepted; that of the model is with the model
+    unsigned int n_iterations_ = 0; ///< with those since the last accepted increment
     bool resumed_ = false; ///< in the middle of the current stage
-    /// After the last accepted increment of the stage, if there is one: what a resumed run goes on with.
-    std::optional<StepControl::State> step_;
     std::optional<StepControl> control_; ///< of the current stage
     IncrementCost cost_; ///< of the attempts at the next increment so far
 

@@ -3,6 +3,7 @@
 #include <deltaform/base/assembly_target.h>
 #include <deltaform/base/drawing.h>
 #include <deltaform/base/energy.h>
+#include <deltaform/base/keyed_arrays.h>
 #include <deltaform/base/status.h>
 #include <deltaform/base/table.h>
 #include <deltaform/base/types.h>
@@ -15,7 +16,6 @@
 
 #include <array>
 #include <functional>
-#include <iosfwd>
 #include <limits>
 #include <string>
 #include <vector>
@@ -234,11 +234,13 @@ namespace deltaform
                               const std::function<void(DofIndex, double)> &set) const = 0;
     ///@}
 
-    /// @name Restart
+    /// @name State: what the next increment finds, of the cells of this process
     ///@{
-    /// load() restores the mesh as well: the number of unknowns may change.
-    virtual void save(std::ostream &stream) const = 0;
-    virtual void load(std::istream &stream) = 0;
+    virtual KeyedArrays state() const = 0;
+
+    /// Go to a state, forwards or back. The mesh is refined as it was there: the number of unknowns may change.
+    /// @throws SceneError if it is the state of another blank, or of one that was refined less
+    virtual void set_state(const KeyedArrays &state) = 0;
     ///@}
   };
 } // namespace deltaform

@@ -96,8 +96,8 @@ namespace deltaform
                       const Tensor1 &translation,
                       double rotation,
                       const std::function<void(DofIndex, double)> &set) const override;
-    void save(std::ostream &stream) const override;
-    void load(std::istream &stream) override;
+    KeyedArrays state() const override;
+    void set_state(const KeyedArrays &state) override;
 
   private:
     void set_up_dofs();

@@ -96,8 +96,8 @@ namespace deltaform
     double estimated_error() const override;
     unsigned int n_cells() const override;
     const std::vector<std::array<unsigned int, 2>> &heritage(Side side) const override;
-    void save(std::ostream &stream) const override;
-    void load(std::istream &stream) override;
+    KeyedArrays state() const override;
+    void set_state(const KeyedArrays &state) override;
 
   private:
     /// An edge of the boundary, walked with the body to the left: start, end, middle (degree 2).

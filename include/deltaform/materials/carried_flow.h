@@ -1,9 +1,8 @@
 #pragma once
 
+#include <deltaform/base/keyed_arrays.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
-
-#include <boost/serialization/vector.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -77,10 +76,16 @@ namespace deltaform
       return active_ ? carried_.data() + point * values_per_point_ : nullptr;
     }
 
-    template <typename Archive>
-    void serialize(Archive &archive, const unsigned int /*version*/)
+    /// Put the flow of the last increment into a state, or take it from there.
+    void put(KeyedArrays &state) const
     {
-      archive &last_;
+      state.put("flow of the last increment", last_);
+    }
+
+    void take(const KeyedArrays &state)
+    {
+      state.take("flow of the last increment", last_);
+      active_ = false;
     }
 
   private:

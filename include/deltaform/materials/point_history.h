@@ -1,8 +1,9 @@
 #pragma once
 
-#include <boost/serialization/vector.hpp>
+#include <deltaform/base/keyed_arrays.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace deltaform
@@ -48,10 +49,18 @@ namespace deltaform
       trial_ = committed_;
     }
 
-    template <typename Archive>
-    void serialize(Archive &archive, const unsigned int /*version*/)
+    /// Put the values into a state under @p name, or take them from there.
+    void put(KeyedArrays &state, const std::string &name) const
     {
-      archive &values_per_point_ &committed_ &trial_;
+      state.put(name, committed_);
+      state.put(name + ", last iteration", trial_);
+    }
+
+    /// @throws SceneError if the state has none of that name
+    void take(const KeyedArrays &state, const std::string &name)
+    {
+      state.take(name, committed_);
+      state.take(name + ", last iteration", trial_);
     }
 
   private:

@@ -7,7 +7,7 @@
 #include <deltaform/model/accounts.h>
 #include <deltaform/model/boundary_conditions.h>
 #include <deltaform/model/increment_problem.h>
-#include <deltaform/model/released_forces.h>
+#include <deltaform/model/model_state.h>
 #include <deltaform/model/stage.h>
 #include <deltaform/solver/linear_solver.h>
 #include <deltaform/solver/system.h>
@@ -28,13 +28,6 @@ namespace deltaform
     std::vector<Support> supports;
     std::vector<Load> loads;
     std::vector<Stage> stages;
-  };
-
-  /// Work done on the blank since the start, other than by its own energies.
-  struct Work
-  {
-    double tools = 0; ///< by the tools
-    double loads = 0; ///< by loads, supports and released forces
   };
 
   /**
@@ -62,7 +55,7 @@ namespace deltaform
     bool soften(double share) override;
     const Vector &committed() const override
     {
-      return committed_;
+      return state_.unknowns;
     }
     const Vector &prescribed() const override
     {
@@ -183,7 +176,7 @@ namespace deltaform
     /// Force of the blank on each tool, committed.
     const std::vector<Tensor1> &tool_forces() const
     {
-      return tool_forces_;
+      return state_.tool_forces;
     }
 
     double travel(unsigned int tool) const;
@@ -196,7 +189,7 @@ namespace deltaform
     /// circumference) and z. Of one that ended with the stage before: what is left of it.
     const Tensor1 &load_force(const unsigned int load) const
     {
-      return load_resultants_[load];
+      return state_.load_resultants[load];
     }
 
     /**
@@ -205,12 +198,18 @@ namespace deltaform
      */
     double balance_error() const;
 
-    /// The committed state. load() belongs before resume_stage(). @throws SceneError if it is that of another scene.
-    void save(std::ostream &stream) const;
-    void load(std::istream &stream);
+    /// Of the committed state.
+    double time() const
+    {
+      return state_.time;
+    }
 
-    /// Go on in the middle of a stage, from a loaded state.
-    void resume_stage(const Stage &stage);
+    /// The committed state, as a value.
+    ModelState state() const;
+
+    /// Go to @p state, in the middle or at the end of @p stage: forwards or back, to a state of this model or of
+    /// another one of the same scene. @throws SceneError if it does not fit
+    void set_state(const ModelState &state, const Stage &stage);
 
   private:
     /// Who takes part in a stage, and which unknowns it prescribes.
@@ -247,26 +246,18 @@ namespace deltaform
     std::unique_ptr<System> system_;
     std::vector<double> scale_, size_;
     std::vector<bool> is_fixed_, is_prescribed_;
-    Vector committed_, prescribed_, hold_;
     std::array<Vector, 2> translation_; ///< of the blank along r and z, by a unit
-    ReleasedForces released_;
     std::string stage_name_;
-    double time_ = 0;
+    bool energies_wanted_ = true;
+
+    ModelState state_; ///< committed; body and contact points are with the blank and the pairs
+    double time_ = 0; ///< at the end of the increment that is tried
+    Vector prescribed_;
     std::vector<std::size_t> visited_; ///< sets of active constraints met in this solve
     bool cycling_ = false;
     bool factors_due_ = false; ///< the rule has to predict in the next assembly
     std::vector<ContactPair *> active_pairs_;
     std::function<void(const System &)> before_contact_; ///< mostly empty
     Augmentation augmentation_;
-    std::vector<Tensor1> tool_forces_;
-    std::vector<double> travels_;
-    Vector load_forces_; ///< committed: loads, supports, released
-    Vector reactions_; ///< committed: supports
-    std::vector<Tensor1> load_resultants_;
-    Work work_;
-    bool energies_wanted_ = true;
-    double largest_force_ = 0; ///< norm of all nodal forces so far
-    double largest_resultant_ = 0; ///< of a tool, a support or a load so far
-    bool at_once_ = false; ///< see releases_at_once()
   };
 } // namespace deltaform

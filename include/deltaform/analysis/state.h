@@ -1,0 +1,41 @@
+#pragma once
+
+#include <deltaform/analysis/step_control.h>
+#include <deltaform/model/model_state.h>
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+namespace deltaform
+{
+  /**
+   * The state of a run after an accepted increment: a value. It can be copied and kept, saved and loaded, and an
+   * analysis goes on from it, as often as one likes.
+   */
+  struct State
+  {
+    ModelState model;
+    unsigned int stage = 0; ///< index of the one that it belongs to
+    unsigned int n_increments = 0; ///< accepted so far
+    unsigned int n_iterations = 0; ///< of Newton's method so far
+    unsigned int since_refinement = 0; ///< increments
+
+    /// @name Memory of the last increment
+    ///@{
+    Vector before; ///< the unknowns at its start
+    double last_length = 0; ///< 0: there is none that the next one continues
+    std::optional<StepControl::State> step; ///< after the last increment of the stage, if there is one
+    ///@}
+
+    std::string conditions; ///< what conditions remember, in bytes that only they understand
+
+    double time() const
+    {
+      return model.time;
+    }
+
+    void save(std::ostream &stream) const;
+    void load(std::istream &stream);
+  };
+} // namespace deltaform

@@ -1,0 +1,93 @@
+// The state of an analysis, and going to one.
+#include <deltaform/analysis/analysis.h>
+#include <deltaform/base/byte_stream.h>
+#include <deltaform/base/command_line.h>
+#include <deltaform/base/scene_error.h>
+#include <deltaform/base/text.h>
+#include <deltaform/model/accepted_increment.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
+#include <sstream>
+
+namespace deltaform
+{
+  State Analysis::state() const
+  {
+    State result = state_;
+    result.model = problem_.state();
+    ByteStream bytes;
+    {
+      boost::archive::binary_oarchive archive(bytes.stream());
+      for (const auto &condition : conditions_)
+        condition->save(archive);
+    }
+    result.conditions = bytes.take();
+    return result;
+  }
+
+
+  void Analysis::set_state(const State &state)
+  {
+    const auto &stages = actors_.stages;
+    const double time = state.time();
+    if (state.stage >= stages.size() || time < stages[state.stage].begin || time > stages[state.stage].end)
+      throw SceneError("Cannot resume: the saved state at time " + text::format(time) + " is in stage number " +
+                       std::to_string(state.stage + 1) + ", which the scene now has " +
+                       (state.stage < stages.size()
+                          ? "from time " + text::format(stages[state.stage].begin) + " to " +
+                              text::format(stages[state.stage].end)
+                          : "no more") +
+                       " (Steps). Start again without --resume.");
+    state_ = state;
+    state_.model = ModelState();
+    problem_.set_state(state.model, stage());
+    std::istringstream bytes(state.conditions);
+    boost::archive::binary_iarchive archive(bytes);
+    for (const auto &condition : conditions_)
+      condition->load(archive);
+    n_iterations_ = state_.n_iterations;
+    resumed_ = true;
+    control_.reset();
+    cost_ = IncrementCost();
+    status_ = exit_status::done;
+    message_.clear();
+  }
+
+
+  Checkpoint Analysis::checkpoint() const
+  {
+    Checkpoint result;
+    result.scene = settings_.entries;
+    result.increment = state_.n_increments;
+    result.time = time();
+    result.stage = state_.stage;
+    ByteStream own, others;
+    state().save(own.stream());
+    result.simulation = own.take();
+    {
+      boost::archive::binary_oarchive archive(others.stream());
+      for (const auto &observer : observers_)
+        observer->save(archive);
+    }
+    result.observers = others.take();
+    return result;
+  }
+
+
+  void Analysis::resume(const Checkpoint &start)
+  {
+    State state;
+    std::istringstream own(start.simulation);
+    state.load(own);
+    set_state(state);
+    std::istringstream others(start.observers);
+    boost::archive::binary_iarchive archive(others);
+    for (const auto &observer : observers_)
+      observer->load(archive);
+    const AcceptedIncrement last = accepted(IncrementCost());
+    for (const auto &observer : observers_)
+      observer->resumed(last);
+  }
+} // namespace deltaform

@@ -1,0 +1,71 @@
+// The state of a solid.
+#include <deltaform/base/ranks.h>
+#include <deltaform/blanks/solid.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    std::string pass_name(const std::size_t pass)
+    {
+      return "refined cells, pass " + std::to_string(pass + 1);
+    }
+  } // namespace
+
+
+  KeyedArrays Solid::state() const
+  {
+    KeyedArrays state;
+    for (std::size_t pass = 0; pass < passes_.size(); ++pass)
+      state.put(pass_name(pass), std::vector<double>(passes_[pass].begin(), passes_[pass].end()));
+    const BlankEnergy total = energy();
+    state.put("estimated error", estimated_error_);
+    history_.put(state, "history");
+    carried_.put(state);
+    state.put("area of nodes, bottom", faces_[0].area);
+    state.put("area of nodes, top", faces_[1].area);
+    state.put("smallest thickness", smallest_thickness_);
+    state.put("energies", std::vector<double>{total.elastic, total.plastic});
+    state.put("rotation of the last increment", spin_);
+    state.put("stress", committed_stress_);
+    state.put("deformation", committed_deformation_);
+    state.put("plastic metric", plastic_metric_);
+    return state;
+  }
+
+
+  void Solid::set_state(const KeyedArrays &state)
+  {
+    std::vector<Vector> none;
+    for (std::size_t pass = 0; pass < passes_.size() || state.has(pass_name(pass)); ++pass)
+    {
+      const std::vector<double> *flags = state.has(pass_name(pass)) ? &state.at(pass_name(pass)) : nullptr;
+      const std::vector<bool> cells =
+        flags != nullptr ? std::vector<bool>(flags->begin(), flags->end()) : std::vector<bool>();
+      if (pass < passes_.size() && cells != passes_[pass])
+        throw SceneError("The blank has been refined since, or in another way: it cannot go back to this state.");
+      if (pass < passes_.size())
+        continue;
+      mesh_.triangulation().load_refine_flags(cells);
+      refine(none);
+    }
+    state.take("estimated error", estimated_error_);
+    history_.take(state, "history");
+    carried_.take(state);
+    state.take("area of nodes, bottom", faces_[0].area);
+    state.take("area of nodes, top", faces_[1].area);
+    state.take("smallest thickness", smallest_thickness_);
+    const auto &energies = state.at("energies");
+    if (energy_)
+    {
+      energy_->elastic = energies.at(0);
+      energy_->plastic = energies.at(1);
+    }
+    state.take("rotation of the last increment", spin_);
+    state.take("stress", committed_stress_);
+    state.take("deformation", committed_deformation_);
+    state.take("plastic metric", plastic_metric_);
+    stress_ = committed_stress_;
+    deformation_ = committed_deformation_;
+  }
+} // namespace deltaform

@@ -1,0 +1,58 @@
+// The committed state of a problem as a value, and going to one.
+#include <deltaform/base/byte_stream.h>
+#include <deltaform/base/scene_error.h>
+#include <deltaform/model/forming_problem.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
+#include <sstream>
+
+namespace deltaform
+{
+  ModelState FormingProblem::state() const
+  {
+    ModelState result = state_;
+    result.body = actors_.blank->state();
+    for (const auto &pair : actors_.pairs)
+    {
+      ByteStream bytes;
+      {
+        boost::archive::binary_oarchive archive(bytes.stream());
+        archive << static_cast<const ContactPair &>(*pair);
+      }
+      result.interfaces.push_back(bytes.take());
+    }
+    return result;
+  }
+
+
+  void FormingProblem::set_state(const ModelState &state, const Stage &stage)
+  {
+    const std::size_t n_before = state_.unknowns.size();
+    actors_.blank->set_state(state.body);
+    if (actors_.blank->refinement() != nullptr && state.unknowns.size() != n_before)
+    {
+      for (auto &pair : actors_.pairs)
+        pair->resize();
+      renumber();
+    }
+    if (state.unknowns.size() != state_.unknowns.size() || state.interfaces.size() != actors_.pairs.size())
+      throw SceneError("Cannot resume: the saved state has " + std::to_string(state.unknowns.size()) +
+                       " unknowns, the scene has " + std::to_string(state_.unknowns.size()) + ".");
+    state_ = state;
+    state_.body = KeyedArrays();
+    state_.interfaces.clear();
+    for (std::size_t i = 0; i < actors_.pairs.size(); ++i)
+    {
+      std::istringstream bytes(state.interfaces[i]);
+      boost::archive::binary_iarchive archive(bytes);
+      archive >> *actors_.pairs[i];
+    }
+    for (unsigned int i = 0; i < actors_.tools.size(); ++i)
+      if (actors_.tools[i]->force_driven())
+        actors_.tools[i]->set_travel(state_.travels[i]);
+    enter_stage(stage);
+    discard(state_.time);
+  }
+} // namespace deltaform
