@@ -1,3 +1,14 @@
+# deltaform_make_global(<target>...): make imported targets of this folder known outside of it: a project that has deltaform as a
+# subfolder links the library there. Those that the project has found itself are not this folder's.
+function(deltaform_make_global)
+  get_property(_own DIRECTORY PROPERTY IMPORTED_TARGETS)
+  foreach(_target IN LISTS ARGN)
+    if(_target IN_LIST _own)
+      set_target_properties(${_target} PROPERTIES IMPORTED_GLOBAL TRUE)
+    endif()
+  endforeach()
+endfunction()
+
 # deltaform_deal_ii(<DEBUG or RELEASE>): the target deltaform::deal_ii, what a program needs that includes headers of
 # deltaform: deal.II's headers, definitions and library in this flavour, without its compiler flags, which are nobody else's
 # business. Used by the build and, installed, by find_package(deltaform).
@@ -10,8 +21,7 @@ function(deltaform_deal_ii flavour)
     include(${DEAL_II_TARGET_CONFIG})
     set(DEAL_II_TARGET_CONFIG_INCLUDED TRUE PARENT_SCOPE)
   endif()
-  # Global: a project that has deltaform as a subfolder links the library outside of it.
-  set_target_properties(${DEAL_II_TARGET_${flavour}} PROPERTIES IMPORTED_GLOBAL TRUE)
+  deltaform_make_global(${DEAL_II_TARGET_${flavour}})
   add_library(deltaform::deal_ii INTERFACE IMPORTED GLOBAL)
   set(_definitions ${DEAL_II_USER_DEFINITIONS} ${DEAL_II_USER_DEFINITIONS_${flavour}})
   list(REMOVE_ITEM _definitions NDEBUG)

@@ -4,9 +4,7 @@ deltaform_deal_ii(${DELTAFORM_FLAVOUR})
 
 set(_dependencies deltaform::deal_ii Eigen3::Eigen Boost::program_options Boost::serialization ZLIB::ZLIB)
 if(NOT PROJECT_IS_TOP_LEVEL)
-  # Global: the project around links the library outside of this folder.
-  set_target_properties(Eigen3::Eigen Boost::program_options Boost::serialization Boost::headers ZLIB::ZLIB
-                        PROPERTIES IMPORTED_GLOBAL TRUE)
+  deltaform_make_global(${_dependencies} Boost::headers)
 endif()
 
 add_library(deltaform_library SHARED $<TARGET_OBJECTS:deltaform_objects>)

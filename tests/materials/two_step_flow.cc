@@ -136,7 +136,7 @@ namespace
 } // namespace
 
 
-BOOST_AUTO_TEST_SUITE(two_steps)
+BOOST_AUTO_TEST_SUITE(two_step_flow)
 
 BOOST_AUTO_TEST_CASE(orders_one_and_two)
 {

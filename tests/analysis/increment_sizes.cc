@@ -17,7 +17,7 @@ namespace
 } // namespace
 
 
-BOOST_AUTO_TEST_SUITE(step_error)
+BOOST_AUTO_TEST_SUITE(increment_sizes)
 
 BOOST_AUTO_TEST_CASE(iterations_alone)
 {

@@ -30,7 +30,7 @@ namespace
   }
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(other_rules)
+BOOST_AUTO_TEST_SUITE(heuristic_rules)
 
 BOOST_AUTO_TEST_CASE(element_stiffness)
 {
