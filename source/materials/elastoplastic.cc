@@ -37,9 +37,9 @@ namespace deltaform
                                     "the last increment.") == "two steps";
       }
 
-      unsigned int history_size() const override
+      const HistoryLayout &history_layout() const override
       {
-        return J2::n_history;
+        return history_;
       }
 
       bool two_steps() const override
@@ -65,7 +65,7 @@ namespace deltaform
           double *carried = batch.carried != nullptr ? batch.carried + p * n : nullptr;
           PointOutcome outcome = PointOutcome::good;
           bool goes_on = false;
-          if (carried != nullptr && carried[4] > 0.)
+          if (carried != nullptr && carried[J2::equivalent] > 0.)
           {
             std::array<double, n> start;
             for (unsigned int i = 0; i < n; ++i)
@@ -107,12 +107,12 @@ namespace deltaform
 
       double equivalent_plastic_strain(const double *history) const override
       {
-        return history[4];
+        return history[J2::equivalent];
       }
 
       double flow_stress(const double *history) const override
       {
-        return hardening_->evaluate(history[4]).value;
+        return hardening_->evaluate(history[J2::equivalent]).value;
       }
 
       double shear_modulus() const override
@@ -130,6 +130,8 @@ namespace deltaform
 
     private:
       Elasticity elastic_;
+      HistoryLayout history_{{"plastic_strain", HistoryKind::tensor, "1"},
+                             {"equivalent_plastic_strain", HistoryKind::positive, "1"}};
       std::unique_ptr<Hardening> hardening_;
       double initial_flow_stress_ = 0.;
       bool two_steps_ = false;

@@ -15,9 +15,9 @@ namespace deltaform
       {
       }
 
-      unsigned int history_size() const override
+      const HistoryLayout &history_layout() const override
       {
-        return 0;
+        return history_;
       }
 
       Status update(const MaterialBatch &batch) const override
@@ -80,6 +80,7 @@ namespace deltaform
 
     private:
       Elasticity elastic_;
+      HistoryLayout history_; ///< nothing
     };
 
     const Registry<Material>::Entry

@@ -116,7 +116,7 @@ namespace deltaform
     Returned r{};
     const auto excess = [&](const double l) -> Excess {
       r = stress_at.at(l);
-      flow = j2.hardening.evaluate(committed[4] + r.x);
+      flow = j2.hardening.evaluate(committed[J2::equivalent] + r.x);
       return {1. - flow.value * r.inverse_q, (flow.value * r.slope - flow.slope * r.x_slope) * r.inverse_q};
     };
     // q <= q_trial / (1 + a l), because a < b, and the flow stress does not fall under its initial value.
@@ -137,7 +137,7 @@ namespace deltaform
     trial[1] = committed[1] + flow_a - flow_b;
     trial[2] = -(trial[0] + trial[1]);
     trial[3] = committed[3] + l * t_now;
-    trial[4] = committed[4] + r.x;
+    trial[J2::equivalent] = committed[J2::equivalent] + r.x;
     set_stress(r.scale_a, r.scale_b);
 
     if (tangent != nullptr)

@@ -48,7 +48,7 @@ namespace deltaform
     const double inverse_q = 1. / q;
     FlowStress flow{};
     const auto excess = [&](const double x) -> Excess {
-      flow = j2.hardening.evaluate(committed[4] + x);
+      flow = j2.hardening.evaluate(committed[J2::equivalent] + x);
       return {1. - (3. * G * x + flow.value) * inverse_q, -(3. * G + flow.slope) * inverse_q};
     };
     const double start = (q - j2.initial_flow_stress) / (3. * G);
@@ -68,7 +68,7 @@ namespace deltaform
       trial[i] = committed[i] + flow_of_s * s[i];
       stress[i] = remaining * s[i] + (i < 3 ? pressure : 0.);
     }
-    trial[4] = committed[4] + x;
+    trial[J2::equivalent] = committed[J2::equivalent] + x;
 
     if (tangent != nullptr)
     {

@@ -14,6 +14,7 @@ namespace deltaform
    */
   struct J2
   {
+    static constexpr unsigned int equivalent = 4; ///< place of the equivalent plastic strain, behind the plastic strain
     static constexpr unsigned int n_history = 5;
 
     const Elasticity &elastic;
@@ -59,6 +60,6 @@ namespace deltaform
    */
   inline double expected_increment(const double *committed, const double *trial)
   {
-    return std::abs(trial[4] - committed[4]);
+    return std::abs(trial[J2::equivalent] - committed[J2::equivalent]);
   }
 } // namespace deltaform

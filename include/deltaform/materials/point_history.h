@@ -1,8 +1,13 @@
 #pragma once
 
+#include <deltaform/base/scene_error.h>
+#include <deltaform/materials/history_layout.h>
+
+#include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace deltaform
@@ -17,9 +22,15 @@ namespace deltaform
   public:
     PointHistory() = default;
 
-    PointHistory(const std::size_t n_points, const unsigned int values_per_point)
-      : values_per_point_(values_per_point), committed_(n_points * values_per_point, 0.), trial_(committed_)
+    PointHistory(const std::size_t n_points, const HistoryLayout &layout)
+      : layout_(layout), values_per_point_(layout.size()), committed_(n_points * values_per_point_, 0.),
+        trial_(committed_)
     {
+    }
+
+    const HistoryLayout &layout() const
+    {
+      return layout_;
     }
 
     /// Values of point @p point and all that follow.
@@ -48,13 +59,20 @@ namespace deltaform
       trial_ = committed_;
     }
 
+    /// @throws SceneError if what is loaded was saved by a law with another layout
     template <typename Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &values_per_point_ &committed_ &trial_;
+      std::string saved = layout_.to_string();
+      archive &saved;
+      if (saved != layout_.to_string())
+        throw SceneError("Cannot resume: the history of the material was saved as '" + saved + "', this material has '" +
+                         layout_.to_string() + "'.");
+      archive &committed_ &trial_;
     }
 
   private:
+    HistoryLayout layout_;
     unsigned int values_per_point_ = 0;
     std::vector<double> committed_, trial_;
   };
