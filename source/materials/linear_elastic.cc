@@ -1,6 +1,7 @@
-#include "elasticity.h"
-
 #include <deltaform/base/registry.h>
+#include <deltaform/materials/elasticity.h>
+#include <deltaform/materials/material.h>
+#include <deltaform/materials/read_law.h>
 
 namespace deltaform
 {
@@ -11,7 +12,7 @@ namespace deltaform
     {
     public:
       explicit LinearElastic(Section &section)
-        : elastic_(section)
+        : elastic_(read_elasticity(section))
       {
       }
 

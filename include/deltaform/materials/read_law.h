@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/base/registry.h>
+#include <deltaform/materials/elasticity.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/parameter_table.h>
 
@@ -22,6 +23,17 @@ namespace deltaform
       if (!condition.holds(law))
         section.fail(condition.parameter, condition.sentence);
     return law;
+  }
+
+
+  /// Hencky's elasticity. @throws SceneError
+  inline Elasticity read_elasticity(Section &section)
+  {
+    const double poisson =
+      section.number("Poisson's ratio", required(.3), Range::inside(-1., .5), "1", "Poisson's ratio.");
+    const double young =
+      section.number("Young's modulus", required(69004.), Range::positive(), "stress", "Young's modulus.");
+    return {young, poisson};
   }
 
 
