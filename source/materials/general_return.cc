@@ -56,10 +56,22 @@ namespace deltaform
   } // namespace
 
 
+  /// The arguments of update().
+  struct GeneralReturn::Point
+  {
+    Mandel &strain;
+    double third_stress;
+    const double *start;
+    double *trial;
+    Mandel &stress;
+    double *tangent;
+  };
+
+
   /// One point on the way to its yield surface.
   struct GeneralReturn::State
   {
-    const ReturnPoint &point;
+    const Point &point;
     Matrix4 compliance;
     Vector4 strain; ///< total less plastic at the start
     Vector4 relative_stress; ///< xi
@@ -82,16 +94,16 @@ namespace deltaform
 
   FlowStress GeneralReturn::flow_stress(const FlowLaw &law, const State &state, const double x) const
   {
-    const ReturnPoint &point = state.point;
+    const Point &point = state.point;
     const FlowStress slow = law.hardening.evaluate(point.start[FlowHistory::equivalent] + x);
     if (!laws_.rate_factor)
       return slow;
     return laws_.rate_factor->evaluate(
-      slow, x, point.duration, point.start + rate_first_, point.trial + rate_first_);
+      slow, x, law.duration, point.start + rate_first_, point.trial + rate_first_);
   }
 
 
-  void GeneralReturn::set_elastic(const FlowLaw &law, const ReturnPoint &point, State &state) const
+  void GeneralReturn::set_elastic(const FlowLaw &law, const Point &point, State &state) const
   {
     const Elasticity &elastic = law.elastic;
     Mandel e;
@@ -181,16 +193,23 @@ namespace deltaform
   {
     if (laws_.back_stress)
       return std::numeric_limits<double>::infinity();
-    // The first equation times xi: mu q^2 = xi . C^-1 (xi_trial - xi) <= xi_trial . C^-1 xi_trial / 4, with q no less than
-    // the initial flow stress. What is blind to the pressure needs no pressure.
+    // The first equation times xi: mu q^2 = xi . C^-1 (xi_trial - xi) <= xi_trial . C^-1 xi_trial / 4, with q no less
+    // than the initial flow stress. What is blind to the pressure needs no pressure.
     Vector4 xi = state.relative_stress;
     xi.head<3>().array() -= third_stress_given_ ? xi[normal] : xi.head<3>().mean();
     return xi.dot(state.compliance * xi) / (4. * law.initial_flow_stress * law.initial_flow_stress);
   }
 
 
-  PointOutcome GeneralReturn::update(const FlowLaw &law, const ReturnPoint &point) const
+  PointOutcome GeneralReturn::update(const FlowLaw &law,
+                                     Mandel &strain,
+                                     const double third_stress,
+                                     const double *start_history,
+                                     double *trial,
+                                     Mandel &stress,
+                                     double *tangent) const
   {
+    const Point point{strain, third_stress, start_history, trial, stress, tangent};
     State state{point, {}, {}, {}, {}, 0., {}, {}, {}, {}, {}, {}};
     set_elastic(law, point, state);
     const double guess = expected_increment(point.start, point.trial);
@@ -254,7 +273,7 @@ namespace deltaform
 
   void GeneralReturn::set_tangent(const FlowLaw &law, const State &state, const FlowStress &flow, double *tangent) const
   {
-    // Both equations at fixed e_p, for d xi and dx; the second one, N . d xi = H dx, is scaled so that H may be infinite.
+    // Both equations at fixed e_p, for d xi and dx; the second one, N . d xi = H dx, is scaled: H may be infinite.
     using Matrix5 = Eigen::Matrix<double, 5, 5>;
     const auto N = vector(state.at.gradient);
     const double young = law.elastic.young;

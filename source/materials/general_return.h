@@ -11,10 +11,10 @@ namespace deltaform
    *     C^-1 (xi + alpha(xi, x)) + mu q N = e - e_p,   x = mu q(xi),   q(xi) = s(e_n + x).
    *
    * For given mu the first equation is, without backstress, the minimum of a strictly convex function, which Newton's
-   * method with step halving finds from everywhere; for quadratic surfaces (Mises, Hill 1948) it is linear. It leaves one
-   * scalar equation in mu, which solve_consistency() solves whatever the slope of s. Where the third stress is given, the
-   * third row reads xi_3 + alpha_3 = t_3. J.C. Simo, T.J.R. Hughes, Computational Inelasticity, Springer 1998, sec. 3.6;
-   * step control: W.M. Scherzinger, A return mapping algorithm for isotropic and anisotropic plasticity models using a
+   * method with step halving finds from everywhere; for quadratic surfaces (Mises, Hill 1948) it is linear. It leaves
+   * one scalar equation in mu, which solve_consistency() solves whatever the slope of s. Where the third stress is
+   * given, the third row reads xi_3 + alpha_3 = t_3. J.C. Simo, T.J.R. Hughes, Computational Inelasticity, Springer
+   * 1998, sec. 3.6; step control: W.M. Scherzinger, A return mapping algorithm for isotropic and anisotropic plasticity models using a
    * line search method, Comput. Methods Appl. Mech. Eng. 317 (2017) 526.
    */
   class GeneralReturn final : public ReturnMap
@@ -23,12 +23,19 @@ namespace deltaform
     /// @p laws outlive this; @p n_history values of a point.
     GeneralReturn(const FlowLaws &laws, ThirdDirection third, unsigned int n_history);
 
-    PointOutcome update(const FlowLaw &law, const ReturnPoint &point) const override;
+    PointOutcome update(const FlowLaw &law,
+                        Mandel &strain,
+                        double third_stress,
+                        const double *start,
+                        double *trial,
+                        Mandel &stress,
+                        double *tangent) const override;
 
   private:
+    struct Point;
     struct State;
 
-    void set_elastic(const FlowLaw &law, const ReturnPoint &point, State &state) const;
+    void set_elastic(const FlowLaw &law, const Point &point, State &state) const;
     void set_residual(const FlowLaw &law, State &state, double mu) const;
     bool find_stress(const FlowLaw &law, State &state, double mu) const;
     FlowStress flow_stress(const FlowLaw &law, const State &state, double x) const;

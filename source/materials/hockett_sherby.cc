@@ -1,25 +1,8 @@
 #include <deltaform/materials/hardening_laws.h>
 #include <deltaform/materials/read_law.h>
 
-#include <cmath>
-#include <limits>
-
 namespace deltaform
 {
-  FlowStress HockettSherby::operator()(const double e) const
-  {
-    const double rise = ss - s0;
-    if (e > 0.)
-    {
-      const double power = m * std::pow(e, n);
-      const double risen = -std::expm1(-power);
-      return {s0 + rise * risen, rise * (1. - risen) * n * power / e};
-    }
-    const bool unbounded = n < 1. && rise > 0.;
-    return {s0, unbounded ? std::numeric_limits<double>::infinity() : rise * m};
-  }
-
-
   const ParameterTable<HockettSherby> &HockettSherby::parameters()
   {
     using Law = HockettSherby;

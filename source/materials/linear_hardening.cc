@@ -3,12 +3,6 @@
 
 namespace deltaform
 {
-  FlowStress LinearHardening::operator()(const double e) const
-  {
-    return {s0 + H * e, H};
-  }
-
-
   const ParameterTable<LinearHardening> &LinearHardening::parameters()
   {
     using Law = LinearHardening;

@@ -1,23 +1,8 @@
 #include <deltaform/materials/hardening_laws.h>
 #include <deltaform/materials/read_law.h>
 
-#include <cmath>
-#include <limits>
-
 namespace deltaform
 {
-  FlowStress Ludwik::operator()(const double e) const
-  {
-    if (e > 0.)
-    {
-      const double power = K * std::pow(e, n);
-      return {s0 + power, n * power / e};
-    }
-    const bool unbounded = n < 1. && K > 0.;
-    return {s0, unbounded ? std::numeric_limits<double>::infinity() : K};
-  }
-
-
   const ParameterTable<Ludwik> &Ludwik::parameters()
   {
     static const ParameterTable<Ludwik> table{

@@ -9,14 +9,34 @@ namespace deltaform
 {
   namespace
   {
-    /// A closed form as a return map.
-    template <PointOutcome (*closed_form)(const FlowLaw &, const ReturnPoint &)>
-    class ClosedForm final : public ReturnMap
+    class SolidReturn final : public ReturnMap
     {
     public:
-      PointOutcome update(const FlowLaw &law, const ReturnPoint &point) const override
+      PointOutcome update(const FlowLaw &law,
+                          Mandel &strain,
+                          double /*third_stress*/,
+                          const double *start,
+                          double *trial,
+                          Mandel &stress,
+                          double *tangent) const override
       {
-        return closed_form(law, point);
+        return radial_return(law, strain, start, trial, stress, tangent);
+      }
+    };
+
+
+    class ShellReturn final : public ReturnMap
+    {
+    public:
+      PointOutcome update(const FlowLaw &law,
+                          Mandel &strain,
+                          const double third_stress,
+                          const double *start,
+                          double *trial,
+                          Mandel &stress,
+                          double *tangent) const override
+      {
+        return plane_stress_return(law, strain, third_stress, start, trial, stress, tangent);
       }
     };
 
@@ -69,8 +89,8 @@ namespace deltaform
         return {{t[0] - mean, t[1] - mean, t[2] - mean, t[3]}};
       }
 
-      ClosedForm<radial_return> solid_;
-      ClosedForm<plane_stress_return> shell_;
+      SolidReturn solid_;
+      ShellReturn shell_;
     };
 
     std::unique_ptr<YieldSurface> make(Section &)

@@ -3,12 +3,6 @@
 
 namespace deltaform
 {
-  FlowStress PerfectlyPlastic::operator()(double) const
-  {
-    return {s0, 0.};
-  }
-
-
   const ParameterTable<PerfectlyPlastic> &PerfectlyPlastic::parameters()
   {
     static const ParameterTable<PerfectlyPlastic> table{

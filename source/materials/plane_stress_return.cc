@@ -74,13 +74,15 @@ namespace deltaform
     };
   } // namespace
 
-  PointOutcome plane_stress_return(const FlowLaw &law, const ReturnPoint &point)
+  PointOutcome plane_stress_return(const FlowLaw &law,
+                                   Mandel &strain,
+                                   const double third_stress,
+                                   const double *committed,
+                                   double *trial,
+                                   Mandel &stress,
+                                   double *tangent)
   {
     const Elasticity &elastic = law.elastic;
-    Mandel &strain = point.strain, &stress = point.stress;
-    const double third_stress = point.third_stress;
-    const double *const committed = point.start;
-    double *const trial = point.trial, *const tangent = point.tangent;
     const double shift = third_stress * elastic.shift;
     const double e1 = strain[0] - committed[0] - shift;
     const double e2 = strain[1] - committed[1] - shift;

@@ -95,7 +95,7 @@ namespace deltaform
   template <typename Size>
   Status Elastoplastic::update_points(const MaterialBatch &batch, const ReturnMap &map, const Size n) const
   {
-    const FlowLaw law{elastic_, *laws_.hardening, initial_flow_stress_};
+    const FlowLaw law{elastic_, *laws_.hardening, initial_flow_stress_, batch.duration};
     const bool third_stress = batch.third_direction == ThirdDirection::stress_given;
     for (unsigned int p = 0; p < batch.n_points; ++p)
     {
@@ -103,14 +103,8 @@ namespace deltaform
       double *trial = batch.trial + p * n;
       double *tangent = batch.tangent != nullptr ? batch.tangent + p * std::size_t(16) : nullptr;
       const auto return_from = [&](const double *start) {
-        return map.update(law,
-                          {batch.strain[p],
-                           third_stress ? batch.third_stress[p] : 0.,
-                           batch.duration,
-                           start,
-                           trial,
-                           batch.stress[p],
-                           tangent});
+        return map.update(
+          law, batch.strain[p], third_stress ? batch.third_stress[p] : 0., start, trial, batch.stress[p], tangent);
       };
       double *carried = batch.carried != nullptr ? batch.carried + p * n : nullptr;
       PointOutcome outcome = PointOutcome::good;

@@ -15,13 +15,14 @@ namespace deltaform
    * H the slope of the flow stress at e_n + x. First order in the increment; exact if the direction of s does not
    * change. J.C. Simo, T.J.R. Hughes, Computational Inelasticity, Springer 1998, boxes 3.1 and 3.2.
    */
-  PointOutcome radial_return(const FlowLaw &law, const ReturnPoint &point)
+  PointOutcome radial_return(const FlowLaw &law,
+                             const Mandel &strain,
+                             const double *committed,
+                             double *trial,
+                             Mandel &stress,
+                             double *tangent)
   {
     const Elasticity &elastic = law.elastic;
-    const Mandel &strain = point.strain;
-    const double *const committed = point.start;
-    double *const trial = point.trial, *const tangent = point.tangent;
-    Mandel &stress = point.stress;
     const double G = elastic.shear;
 
     // Trial deviator

@@ -1,21 +1,8 @@
 #include <deltaform/materials/hardening_laws.h>
 #include <deltaform/materials/read_law.h>
 
-#include <cmath>
-#include <limits>
-
 namespace deltaform
 {
-  FlowStress Swift::operator()(const double e) const
-  {
-    const double x = e0 + e;
-    const double value = K * std::pow(x, n);
-    if (x > 0.)
-      return {value, n * value / x};
-    return {value, n < 1. ? std::numeric_limits<double>::infinity() : K};
-  }
-
-
   const ParameterTable<Swift> &Swift::parameters()
   {
     static const ParameterTable<Swift> table{

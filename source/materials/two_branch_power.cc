@@ -14,7 +14,8 @@ namespace deltaform
     const bool same = first_.n == second_.n;
     if (same ? first_.K > second_.K : first_.n < second_.n)
       std::swap(first_, second_);
-    switch_ = same ? std::numeric_limits<double>::infinity() : std::pow(second_.K / first_.K, 1. / (first_.n - second_.n));
+    switch_ =
+      same ? std::numeric_limits<double>::infinity() : std::pow(second_.K / first_.K, 1. / (first_.n - second_.n));
   }
 
 
@@ -29,18 +30,6 @@ namespace deltaform
     law.second_ = {K2, n};
     law.switch_ = switch_strain;
     return law;
-  }
-
-
-  FlowStress TwoBranchPower::operator()(const double e) const
-  {
-    const Branch &branch = e <= switch_ ? first_ : second_;
-    if (e > 0.)
-    {
-      const double power = branch.K * std::pow(e, branch.n);
-      return {s0_ + power, branch.n * power / e};
-    }
-    return {s0_, first_.n < 1. ? std::numeric_limits<double>::infinity() : first_.K};
   }
 
 

@@ -1,17 +1,8 @@
 #include <deltaform/materials/hardening_laws.h>
 #include <deltaform/materials/read_law.h>
 
-#include <cmath>
-
 namespace deltaform
 {
-  FlowStress Voce::operator()(const double e) const
-  {
-    const double risen = -std::expm1(-b * e), rise = ss - s0;
-    return {s0 + rise * risen + H * e, rise * b * (1. - risen) + H};
-  }
-
-
   const ParameterTable<Voce> &Voce::parameters()
   {
     static const ParameterTable<Voce> table{

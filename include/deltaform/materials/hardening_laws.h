@@ -3,14 +3,17 @@
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/parameter_table.h>
 
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
 /**
  * @file
- * The hardening laws as values: flow stress s (Kirchhoff stress) and slope against the equivalent plastic strain e >= 0.
- * They take any numbers; parameters() says which make sense, and its check() throws if these do not. Formulas are
- * evaluated, registered under the name of a scene and tested in the .cc of each law.
+ * The hardening laws as values: flow stress s (Kirchhoff stress) and slope against the equivalent plastic strain
+ * e >= 0. They take any numbers; parameters() says which make sense, and its check() throws if these do not. Formulas
+ * stand here, so that they are compiled into the loops that call them; the .cc of each law has its table and its name
+ * in a scene.
  */
 namespace deltaform
 {
@@ -19,7 +22,11 @@ namespace deltaform
   {
     double s0;
 
-    FlowStress operator()(double e) const;
+    FlowStress operator()(double) const
+    {
+      return {s0, 0.};
+    }
+
     static const ParameterTable<PerfectlyPlastic> &parameters();
   };
 
@@ -32,7 +39,11 @@ namespace deltaform
   {
     double s0, H;
 
-    FlowStress operator()(double e) const;
+    FlowStress operator()(const double e) const
+    {
+      return {s0 + H * e, H};
+    }
+
     static const ParameterTable<LinearHardening> &parameters();
   };
 
@@ -45,7 +56,17 @@ namespace deltaform
   {
     double s0, K, n;
 
-    FlowStress operator()(double e) const;
+    FlowStress operator()(const double e) const
+    {
+      if (e > 0.)
+      {
+        const double power = K * std::pow(e, n);
+        return {s0 + power, n * power / e};
+      }
+      const bool unbounded = n < 1. && K > 0.;
+      return {s0, unbounded ? std::numeric_limits<double>::infinity() : K};
+    }
+
     static const ParameterTable<Ludwik> &parameters();
   };
 
@@ -59,7 +80,15 @@ namespace deltaform
   {
     double K, e0, n;
 
-    FlowStress operator()(double e) const;
+    FlowStress operator()(const double e) const
+    {
+      const double x = e0 + e;
+      const double value = K * std::pow(x, n);
+      if (x > 0.)
+        return {value, n * value / x};
+      return {value, n < 1. ? std::numeric_limits<double>::infinity() : K};
+    }
+
     static const ParameterTable<Swift> &parameters();
   };
 
@@ -73,7 +102,12 @@ namespace deltaform
   {
     double s0, ss, b, H = 0.;
 
-    FlowStress operator()(double e) const;
+    FlowStress operator()(const double e) const
+    {
+      const double risen = -std::expm1(-b * e), rise = ss - s0;
+      return {s0 + rise * risen + H * e, rise * b * (1. - risen) + H};
+    }
+
     static const ParameterTable<Voce> &parameters();
   };
 
@@ -88,7 +122,19 @@ namespace deltaform
   {
     double s0, ss, m, n;
 
-    FlowStress operator()(double e) const;
+    FlowStress operator()(const double e) const
+    {
+      const double rise = ss - s0;
+      if (e > 0.)
+      {
+        const double power = m * std::pow(e, n);
+        const double risen = -std::expm1(-power);
+        return {s0 + rise * risen, rise * (1. - risen) * n * power / e};
+      }
+      const bool unbounded = n < 1. && rise > 0.;
+      return {s0, unbounded ? std::numeric_limits<double>::infinity() : rise * m};
+    }
+
     static const ParameterTable<HockettSherby> &parameters();
   };
 
@@ -119,7 +165,16 @@ namespace deltaform
      */
     static TwoBranchPower as_printed(double s0, double K1, double K2, double n, double switch_strain);
 
-    FlowStress operator()(double e) const;
+    FlowStress operator()(const double e) const
+    {
+      const Branch &branch = e <= switch_ ? first_ : second_;
+      if (e > 0.)
+      {
+        const double power = branch.K * std::pow(e, branch.n);
+        return {s0_ + power, branch.n * power / e};
+      }
+      return {s0_, first_.n < 1. ? std::numeric_limits<double>::infinity() : first_.K};
+    }
 
   private:
     double s0_;

@@ -37,19 +37,7 @@ namespace deltaform
     const Elasticity &elastic;
     const Hardening &hardening;
     double initial_flow_stress; ///< hardening at no plastic strain
-  };
-
-
-  /// One point: see MaterialBatch.
-  struct ReturnPoint
-  {
-    Mandel &strain; ///< total logarithmic strain; [2] is output where the third stress is given
-    double third_stress; ///< where it is given
     double duration; ///< of the increment (time)
-    const double *start; ///< history that backward Euler starts from
-    double *trial; ///< in: a starting guess; out: history at this strain
-    Mandel &stress; ///< out: Kirchhoff stress
-    double *tangent; ///< out if not null: 4 x 4, row-major; at given third stress row and column [2] are zero
   };
 
 
@@ -59,7 +47,22 @@ namespace deltaform
   public:
     virtual ~ReturnMap() = default;
 
-    virtual PointOutcome update(const FlowLaw &law, const ReturnPoint &point) const = 0;
+    /**
+     * One point: see MaterialBatch.
+     * @param strain total logarithmic strain; [2] is output where the third stress is given
+     * @param third_stress Kirchhoff stress, where it is given
+     * @param start history that backward Euler starts from
+     * @param trial in: a starting guess; out: history at this strain
+     * @param stress out: Kirchhoff stress
+     * @param tangent out if not null: 4 x 4, row-major; at given third stress row and column [2] are zero
+     */
+    virtual PointOutcome update(const FlowLaw &law,
+                                Mandel &strain,
+                                double third_stress,
+                                const double *start,
+                                double *trial,
+                                Mandel &stress,
+                                double *tangent) const = 0;
   };
 
 
