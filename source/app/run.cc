@@ -7,8 +7,11 @@
 #include <deltaform/base/registry.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/base/text.h>
+#include <deltaform/materials/back_stress.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
+#include <deltaform/materials/rate_factor.h>
+#include <deltaform/materials/yield_surface.h>
 #include <deltaform/results/earlier_run.h>
 #include <deltaform/results/observers.h>
 #include <deltaform/scene/input_warnings.h>
@@ -112,6 +115,9 @@ namespace deltaform
       list<Blank>("Blank/Kind");
       list<Material>("Material/Model");
       list<Hardening>("Material/Hardening/Law");
+      list<YieldSurface>("Material/Yield surface/Law");
+      list<BackStress>("Material/Backstress/Law");
+      list<RateFactor>("Material/Rate factor/Law");
       list<Shape>("Tools/<name>/Shape");
       list<FrictionLaw>("Tools/<name>/Friction law");
       list<Enforcement>("Contact/Enforcement");

@@ -1,4 +1,6 @@
 // Set-up of the shell and what it hands to contact and solver; assembly and results stand in files of their own.
+#include "usable_material.h"
+
 #include <deltaform/base/registry.h>
 #include <deltaform/blanks/shell.h>
 #include <deltaform/kinematics/shell_strain.h>
@@ -50,6 +52,7 @@ namespace deltaform
 
     auto material_section = section.root().sub("Material");
     material_ = Registry<Material>::choose(material_section, "Model", "elastoplastic", "Stress-strain law.");
+    check_usable(*material_, ThirdDirection::stress_given, material_section);
 
     if (membrane_)
       n_layers_ = 1;

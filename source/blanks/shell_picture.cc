@@ -104,6 +104,10 @@ namespace deltaform
     double *pressure = add("hydrostatic_pressure", "stress", 1);
     double *strain = add("strain", "1", 4);
     double *plastic = material_->history_size() > 0 ? add("plastic_strain", "1", 4) : nullptr;
+    std::vector<std::pair<HistoryField, double *>> further; // what else the law remembers
+    for (const HistoryField &field : history_.layout().fields())
+      if (field.name != "plastic_strain" && field.name != "equivalent_plastic_strain")
+        further.emplace_back(field, add(field.name.c_str(), field.unit.c_str(), field.size()));
 
     const unsigned int n_levels = n_layers_ + 1;
     drawing.cells.reserve(4 * n_cells);
@@ -131,6 +135,14 @@ namespace deltaform
           strain = write_turned(committed_strain_[i], along, strain);
           if (plastic)
             plastic = write_turned(material_->plastic_strain(history_.committed(i)), along, plastic);
+          for (auto &[field, values] : further)
+          {
+            const double *const own = history_.committed(i) + field.first;
+            if (field.kind == HistoryKind::tensor)
+              values = write_turned({{own[0], own[1], own[2], own[3]}}, along, values);
+            else
+              *values++ = *own;
+          }
         }
       }
   }

@@ -268,7 +268,7 @@ namespace deltaform
     const BlankEnergy total = energy();
     state.put("strain", committed_strain_);
     state.put("stress", committed_stress_);
-    history_.put(state, "history");
+    history_.put(state);
     carried_.put(state);
     state.put("thickness ratio", thickness_ratio_);
     state.put("thickness at nodes", node_thickness_);
@@ -286,7 +286,7 @@ namespace deltaform
   {
     state.take("strain", committed_strain_);
     state.take("stress", committed_stress_);
-    history_.take(state, "history");
+    history_.take(state);
     carried_.take(state);
     state.take("thickness ratio", thickness_ratio_);
     state.take("thickness at nodes", node_thickness_);

@@ -95,7 +95,7 @@ namespace deltaform
     }
 
     const unsigned int n = points_.size() * n_layers_;
-    history_ = PointHistory(n, material_->history_size());
+    history_ = PointHistory(n, material_->history_layout());
     if (material_->two_steps())
       carried_ = CarriedFlow(n, material_->history_size());
     strain_.assign(n, Mandel{});

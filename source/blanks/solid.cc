@@ -1,5 +1,7 @@
 // The solid as read, and what it tells solver and scene about itself; set-up, assembly and results have their own
 // files.
+#include "usable_material.h"
+
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/registry.h>
 #include <deltaform/base/text.h>
@@ -36,6 +38,7 @@ namespace deltaform
     auto top = section.names("Contact top", "top", "Parts of the boundary that tools with Side = top touch.");
     auto material_section = section.root().sub("Material");
     material_ = Registry<Material>::choose(material_section, "Model", "elastoplastic", "Stress-strain law.");
+    check_usable(*material_, ThirdDirection::strain_given, material_section);
     if (section.documentation() && mesh_.boundaries().empty())
       return;
 

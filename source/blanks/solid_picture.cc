@@ -60,13 +60,27 @@ namespace deltaform
   }
 
 
+  std::vector<double>
+  Solid::remembered(const HistoryField &field, const unsigned int first_point, const unsigned int n_points) const
+  {
+    std::vector<double> mean(field.size(), 0.);
+    for (unsigned int i = first_point; i < first_point + n_points; ++i)
+      for (unsigned int k = 0; k < field.size(); ++k)
+        mean[k] += history_.committed(i)[field.first + k] / n_points;
+    if (field.kind == HistoryKind::tensor)
+      mean[3] *= root_half;
+    return mean;
+  }
+
+
   void Solid::draw_cells(const Vector &q, Drawing &drawing) const
   {
     const auto add_field = [&](const std::string &name, const std::string &unit, const unsigned int components) {
       drawing.fields.push_back({name, unit, false, components, {}});
       return &drawing.fields.back().values;
     };
-    drawing.fields.reserve(drawing.fields.size() + 10);
+    const auto &fields = history_.layout().fields();
+    drawing.fields.reserve(drawing.fields.size() + 10 + fields.size());
     auto *const equivalent = add_field("equivalent_plastic_strain", "1", 1);
     const std::array<std::vector<double> *, 4> stress = {{add_field("stress_rr", "stress", 1),
                                                           add_field("stress_zz", "stress", 1),
@@ -77,6 +91,10 @@ namespace deltaform
     auto *const pressure = add_field("hydrostatic_pressure", "stress", 1);
     auto *const strain = add_field("strain", "1", 4);
     auto *const plastic = material_->history_size() > 0 ? add_field("plastic_strain", "1", 4) : nullptr;
+    std::vector<std::pair<HistoryField, std::vector<double> *>> further; // what else the law remembers
+    for (const HistoryField &field : fields)
+      if (field.name != "plastic_strain" && field.name != "equivalent_plastic_strain")
+        further.emplace_back(field, add_field(field.name, field.unit, field.size()));
 
     // A cell of degree 2 is drawn in four quarters, each with the values of its own corner's quadrature point.
     constexpr unsigned int quarters[4][4] = {{0, 6, 8, 4}, {6, 1, 5, 8}, {4, 8, 7, 2}, {8, 5, 3, 7}};
@@ -114,6 +132,11 @@ namespace deltaform
         append(*strain, values.strain);
         if (plastic)
           append(*plastic, values.plastic);
+        for (const auto &[field, drawn] : further)
+        {
+          const auto own = remembered(field, c * n_points_per_cell_ + first, n);
+          drawn->insert(drawn->end(), own.begin(), own.end());
+        }
       }
   }
 

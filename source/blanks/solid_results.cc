@@ -61,9 +61,14 @@ namespace deltaform
     // The last flow is known in the axes of the last increment's end: they go on turning.
     for (unsigned int i = 0; i < spin_.size(); ++i)
     {
-      double *const flow = carried_.at(i);
-      const Mandel now = turned({{flow[0], flow[1], flow[2], flow[3]}}, turn(spin_[i], ratio));
-      std::copy(now.begin(), now.end(), flow);
+      const Turn by = turn(spin_[i], ratio);
+      for (const HistoryField &field : history_.layout().fields())
+        if (field.kind == HistoryKind::tensor)
+        {
+          double *const flow = carried_.at(i) + field.first;
+          const Mandel now = turned({{flow[0], flow[1], flow[2], flow[3]}}, by);
+          std::copy(now.begin(), now.end(), flow);
+        }
     }
   }
 

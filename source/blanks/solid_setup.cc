@@ -128,7 +128,7 @@ namespace deltaform
           projection_.push_back(projection(p, k));
     }
 
-    history_ = PointHistory(points_.size(), material_->history_size());
+    history_ = PointHistory(points_.size(), material_->history_layout());
     if (material_->two_steps())
     {
       carried_ = CarriedFlow(points_.size(), material_->history_size());

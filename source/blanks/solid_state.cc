@@ -20,7 +20,7 @@ namespace deltaform
       state.put(pass_name(pass), std::vector<double>(passes_[pass].begin(), passes_[pass].end()));
     const BlankEnergy total = energy();
     state.put("estimated error", estimated_error_);
-    history_.put(state, "history");
+    history_.put(state);
     carried_.put(state);
     state.put("area of nodes, bottom", faces_[0].area);
     state.put("area of nodes, top", faces_[1].area);
@@ -50,7 +50,7 @@ namespace deltaform
       refine(none);
     }
     state.take("estimated error", estimated_error_);
-    history_.take(state, "history");
+    history_.take(state);
     carried_.take(state);
     state.take("area of nodes, bottom", faces_[0].area);
     state.take("area of nodes, top", faces_[1].area);

@@ -22,7 +22,7 @@ namespace deltaform
 
   /**
    * Solve f(u) = 0, u >= 0, for a continuous f(u) that goes from f(0) > 0 to f(@p upper) <= 0 (@p upper may be
-   * infinite) to |f| <= 2e-15. @p guess is where the root is believed to be (anything else than a number in (0, upper)
+   * infinite) to |f| <= @p tolerance. @p guess is where the root is believed to be (anything else than a number in (0, upper)
    * means no idea), @p start a finite number in (0, upper] to begin with if the slope at 0 is unbounded.
    *
    * Newton's iteration inside a bracket. Where it leaves the bracket or converges slowly, f(0) - f(u) is taken for a
@@ -32,9 +32,12 @@ namespace deltaform
    * 0, the last call of @p excess was at the amount returned.
    */
   template <typename Function>
-  PlasticFlow solve_consistency(const Function &excess, const double guess, const double start, double upper)
+  PlasticFlow solve_consistency(const Function &excess,
+                                const double guess,
+                                const double start,
+                                double upper,
+                                const double tolerance = 2e-15)
   {
-    constexpr double tolerance = 2e-15;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
     constexpr unsigned int max_iter = 200;

@@ -1,6 +1,7 @@
-#include "elasticity.h"
-
 #include <deltaform/base/registry.h>
+#include <deltaform/materials/elasticity.h>
+#include <deltaform/materials/material.h>
+#include <deltaform/materials/read_law.h>
 
 namespace deltaform
 {
@@ -11,13 +12,13 @@ namespace deltaform
     {
     public:
       explicit LinearElastic(Section &section)
-        : elastic_(section)
+        : elastic_(read_elasticity(section))
       {
       }
 
-      unsigned int history_size() const override
+      const HistoryLayout &history_layout() const override
       {
-        return 0;
+        return history_;
       }
 
       Status update(const MaterialBatch &batch) const override
@@ -80,6 +81,7 @@ namespace deltaform
 
     private:
       Elasticity elastic_;
+      HistoryLayout history_; ///< nothing
     };
 
     const Registry<Material>::Entry

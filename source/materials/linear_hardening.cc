@@ -1,41 +1,25 @@
-#include <deltaform/base/registry.h>
-#include <deltaform/materials/hardening.h>
+#include <deltaform/materials/hardening_laws.h>
+#include <deltaform/materials/read_law.h>
 
 namespace deltaform
 {
+  const ParameterTable<LinearHardening> &LinearHardening::parameters()
+  {
+    using Law = LinearHardening;
+    static const ParameterTable<Law> table{
+      {{"Initial flow stress", &Law::s0, Range::positive(), "stress", "Flow stress s0 at plastic strain 0.", 200.},
+       {"Hardening modulus",
+        &Law::H,
+        Range::not_negative(),
+        "stress",
+        "Slope H of the flow stress against the plastic strain (not the tangent modulus).",
+        300.}}};
+    return table;
+  }
+
+
   namespace
   {
-    /**
-     * Linear: s(e) = s0 + H e, s0 > 0 and H >= 0 stresses; unbounded. In uniaxial tension the tangent modulus is
-     * E H / (E + H).
-     * R. Hill, The Mathematical Theory of Plasticity, Oxford 1950, chapter II.
-     */
-    class LinearHardening : public Hardening
-    {
-    public:
-      explicit LinearHardening(Section &section)
-        : initial_(section.number("Initial flow stress",
-                                  required(200.),
-                                  Range::positive(),
-                                  "stress",
-                                  "Flow stress s0 at plastic strain 0.")),
-          modulus_(section.number("Hardening modulus",
-                                  required(300.),
-                                  Range::not_negative(),
-                                  "stress",
-                                  "Slope H of the flow stress against the plastic strain (not the tangent modulus)."))
-      {
-      }
-
-      FlowStress evaluate(const double e) const override
-      {
-        return {initial_ + modulus_ * e, modulus_};
-      }
-
-    private:
-      double initial_, modulus_;
-    };
-
-    const Registry<Hardening>::Entry entry("linear", "s0 + H e", make_as<LinearHardening, Hardening>);
+    const Registry<Hardening>::Entry entry("linear", "s0 + H e", hardening_from<LinearHardening>);
   } // namespace
 } // namespace deltaform

@@ -1,31 +1,18 @@
-#include <deltaform/base/registry.h>
-#include <deltaform/materials/hardening.h>
+#include <deltaform/materials/hardening_laws.h>
+#include <deltaform/materials/read_law.h>
 
 namespace deltaform
 {
+  const ParameterTable<PerfectlyPlastic> &PerfectlyPlastic::parameters()
+  {
+    static const ParameterTable<PerfectlyPlastic> table{
+      {{"Flow stress", &PerfectlyPlastic::s0, Range::positive(), "stress", "Flow stress s0.", 200.}}};
+    return table;
+  }
+
+
   namespace
   {
-    /**
-     * Perfect plasticity: s(e) = s0, s0 > 0 a stress; slope 0.
-     * R. Hill, The Mathematical Theory of Plasticity, Oxford 1950, chapter II.
-     */
-    class PerfectlyPlastic : public Hardening
-    {
-    public:
-      explicit PerfectlyPlastic(Section &section)
-        : flow_stress_(section.number("Flow stress", required(200.), Range::positive(), "stress", "Flow stress s0."))
-      {
-      }
-
-      FlowStress evaluate(double) const override
-      {
-        return {flow_stress_, 0.};
-      }
-
-    private:
-      double flow_stress_;
-    };
-
-    const Registry<Hardening>::Entry entry("perfectly plastic", "s0", make_as<PerfectlyPlastic, Hardening>);
+    const Registry<Hardening>::Entry entry("perfectly plastic", "s0", hardening_from<PerfectlyPlastic>);
   } // namespace
 } // namespace deltaform

@@ -1,5 +1,5 @@
 #include "consistency.h"
-#include "return_map.h"
+#include "mises_return.h"
 
 #include <algorithm>
 
@@ -74,7 +74,7 @@ namespace deltaform
     };
   } // namespace
 
-  PointOutcome plane_stress_return(const J2 &j2,
+  PointOutcome plane_stress_return(const FlowLaw &law,
                                    Mandel &strain,
                                    const double third_stress,
                                    const double *committed,
@@ -82,7 +82,7 @@ namespace deltaform
                                    Mandel &stress,
                                    double *tangent)
   {
-    const Elasticity &elastic = j2.elastic;
+    const Elasticity &elastic = law.elastic;
     const double shift = third_stress * elastic.shift;
     const double e1 = strain[0] - committed[0] - shift;
     const double e2 = strain[1] - committed[1] - shift;
@@ -107,7 +107,7 @@ namespace deltaform
 
     const TrialStress stress_at{A * A / 2., 1.5 * (B * B + T * T), elastic.biaxial / 3., 2. * elastic.shear};
     const double q_square = stress_at.a_square + stress_at.b_square;
-    if (q_square <= j2.initial_flow_stress * j2.initial_flow_stress)
+    if (q_square <= law.initial_flow_stress * law.initial_flow_stress)
       return stay_elastic();
     if (!std::isfinite(q_square))
       return PointOutcome::not_finite;
@@ -116,11 +116,11 @@ namespace deltaform
     Returned r{};
     const auto excess = [&](const double l) -> Excess {
       r = stress_at.at(l);
-      flow = j2.hardening.evaluate(committed[4] + r.x);
+      flow = law.hardening.evaluate(committed[FlowHistory::equivalent] + r.x);
       return {1. - flow.value * r.inverse_q, (flow.value * r.slope - flow.slope * r.x_slope) * r.inverse_q};
     };
     // q <= q_trial / (1 + a l), because a < b, and the flow stress does not fall under its initial value.
-    const double ratio = std::sqrt(q_square) / j2.initial_flow_stress;
+    const double ratio = std::sqrt(q_square) / law.initial_flow_stress;
     const double upper = ratio / stress_at.a;
     const double start = std::fmin(ratio - 1., 1.) / stress_at.b;
     const double guess = stress_at.multiplier(expected_increment(committed, trial));
@@ -137,7 +137,7 @@ namespace deltaform
     trial[1] = committed[1] + flow_a - flow_b;
     trial[2] = -(trial[0] + trial[1]);
     trial[3] = committed[3] + l * t_now;
-    trial[4] = committed[4] + r.x;
+    trial[FlowHistory::equivalent] = committed[FlowHistory::equivalent] + r.x;
     set_stress(r.scale_a, r.scale_b);
 
     if (tangent != nullptr)

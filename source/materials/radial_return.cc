@@ -1,5 +1,5 @@
 #include "consistency.h"
-#include "return_map.h"
+#include "mises_return.h"
 
 #include <algorithm>
 
@@ -15,14 +15,14 @@ namespace deltaform
    * H the slope of the flow stress at e_n + x. First order in the increment; exact if the direction of s does not
    * change. J.C. Simo, T.J.R. Hughes, Computational Inelasticity, Springer 1998, boxes 3.1 and 3.2.
    */
-  PointOutcome radial_return(const J2 &j2,
+  PointOutcome radial_return(const FlowLaw &law,
                              const Mandel &strain,
                              const double *committed,
                              double *trial,
                              Mandel &stress,
                              double *tangent)
   {
-    const Elasticity &elastic = j2.elastic;
+    const Elasticity &elastic = law.elastic;
     const double G = elastic.shear;
 
     // Trial deviator
@@ -39,7 +39,7 @@ namespace deltaform
         std::copy(elastic.tangent.begin(), elastic.tangent.end(), tangent);
       return PointOutcome::good;
     };
-    if (q_square <= j2.initial_flow_stress * j2.initial_flow_stress)
+    if (q_square <= law.initial_flow_stress * law.initial_flow_stress)
       return stay_elastic();
     if (!std::isfinite(q_square))
       return PointOutcome::not_finite;
@@ -48,10 +48,10 @@ namespace deltaform
     const double inverse_q = 1. / q;
     FlowStress flow{};
     const auto excess = [&](const double x) -> Excess {
-      flow = j2.hardening.evaluate(committed[4] + x);
+      flow = law.hardening.evaluate(committed[FlowHistory::equivalent] + x);
       return {1. - (3. * G * x + flow.value) * inverse_q, -(3. * G + flow.slope) * inverse_q};
     };
-    const double start = (q - j2.initial_flow_stress) / (3. * G);
+    const double start = (q - law.initial_flow_stress) / (3. * G);
     const PlasticFlow solved = solve_consistency(excess, expected_increment(committed, trial), start, q / (3. * G));
     if (!solved.found)
       return PointOutcome::not_converged;
@@ -68,7 +68,7 @@ namespace deltaform
       trial[i] = committed[i] + flow_of_s * s[i];
       stress[i] = remaining * s[i] + (i < 3 ? pressure : 0.);
     }
-    trial[4] = committed[4] + x;
+    trial[FlowHistory::equivalent] = committed[FlowHistory::equivalent] + x;
 
     if (tangent != nullptr)
     {

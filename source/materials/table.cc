@@ -1,86 +1,76 @@
 #include <deltaform/base/registry.h>
 #include <deltaform/base/text.h>
-#include <deltaform/materials/hardening.h>
+#include <deltaform/materials/hardening_laws.h>
 
 // Boost 1.74 calls isnan without its namespace: math.h, not cmath, declares it.
 #include <math.h> // NOLINT(modernize-deprecated-headers)
 
 #include <boost/math/interpolators/pchip.hpp>
 
+#include <stdexcept>
+
 namespace deltaform
 {
+  struct FlowCurve::Interpolant
+  {
+    boost::math::interpolators::pchip<std::vector<double>> curve;
+  };
+
+
+  FlowCurve::FlowCurve(const std::vector<std::vector<double>> &rows)
+  {
+    if (rows.size() < 4)
+      throw std::invalid_argument("must have at least four rows.");
+    if (rows.front()[0] != 0.)
+      throw std::invalid_argument("must begin at plastic strain 0.");
+    std::vector<double> strain, stress;
+    for (const auto &row : rows)
+    {
+      const std::string which = "at plastic strain " + text::format(row[0]) + " ";
+      if (!strain.empty() && !(row[0] > strain.back()))
+        throw std::invalid_argument(which + "the strain does not increase.");
+      if (!(row[1] > 0.))
+        throw std::invalid_argument(which + "the flow stress is not positive.");
+      if (!stress.empty() && !(row[1] >= stress.back()))
+        throw std::invalid_argument(which + "the flow stress decreases: the curve must be monotone.");
+      strain.push_back(row[0]);
+      stress.push_back(row[1]);
+    }
+    last_strain_ = strain.back();
+    last_stress_ = stress.back();
+    interpolant_ =
+      std::make_shared<Interpolant>(Interpolant{{std::move(strain), std::move(stress)}});
+  }
+
+
+  FlowStress FlowCurve::operator()(const double e) const
+  {
+    if (e < last_strain_)
+      return {interpolant_->curve(e), interpolant_->curve.prime(e)};
+    return {last_stress_, 0.};
+  }
+
+
   namespace
   {
-    /**
-     * Measured curve: rows (e, s), at least four, e from 0 upwards strictly increasing, s > 0 not decreasing. Between
-     * the rows the monotone piecewise cubic through them: continuous slope, no overshoot, exact for points on a line.
-     * Beyond the last row s is constant (slope 0), as in Abaqus: what was not measured is not invented. Give a last row
-     * beyond the strains expected if hardening is to go on. Strains are logarithmic plastic strains, stresses Kirchhoff
-     * stresses (for metals the true stress, up to the elastic change of volume). F.N. Fritsch, J. Butland, A method for
-     * constructing local monotone piecewise cubic interpolants, SIAM J. Sci. Stat. Comput. 5 (1984) 300.
-     */
-    class HardeningTable : public Hardening
+    std::unique_ptr<Hardening> read(Section &section)
     {
-      using Curve = boost::math::interpolators::pchip<std::vector<double>>;
-
-    public:
-      explicit HardeningTable(Section &section)
-        : HardeningTable(read(section))
+      const std::string name = "Flow curve";
+      const auto rows = section.rows(name,
+                                     required("0 200; 0.02 262; 0.05 301; 0.1 339; 0.2 379; 0.5 438; 1 489"),
+                                     2,
+                                     "1, stress",
+                                     "Rows of plastic strain and flow stress; constant beyond the last one.");
+      try
       {
+        return hardening_of(FlowCurve(rows));
       }
-
-      FlowStress evaluate(const double e) const override
+      catch (const std::invalid_argument &error)
       {
-        if (e < last_strain_)
-          return {curve_(e), curve_.prime(e)};
-        return {last_stress_, 0.};
+        section.fail(name, error.what());
       }
+    }
 
-    private:
-      struct Columns
-      {
-        std::vector<double> strain, stress;
-      };
-
-      explicit HardeningTable(Columns columns)
-        : last_strain_(columns.strain.back()), last_stress_(columns.stress.back()),
-          curve_(std::move(columns.strain), std::move(columns.stress))
-      {
-      }
-
-      static Columns read(Section &section)
-      {
-        const std::string name = "Flow curve";
-        Columns columns;
-        const auto rows = section.rows(name,
-                                       required("0 200; 0.02 262; 0.05 301; 0.1 339; 0.2 379; 0.5 438; 1 489"),
-                                       2,
-                                       "1, stress",
-                                       "Rows of plastic strain and flow stress; constant beyond the last one.");
-        if (rows.size() < 4)
-          section.fail(name, "must have at least four rows.");
-        if (rows.front()[0] != 0.)
-          section.fail(name, "must begin at plastic strain 0.");
-        for (const auto &row : rows)
-        {
-          const std::string which = "at plastic strain " + text::format(row[0]) + " ";
-          if (!columns.strain.empty() && !(row[0] > columns.strain.back()))
-            section.fail(name, which + "the strain does not increase.");
-          if (!(row[1] > 0.))
-            section.fail(name, which + "the flow stress is not positive.");
-          if (!columns.stress.empty() && !(row[1] >= columns.stress.back()))
-            section.fail(name, which + "the flow stress decreases: the curve must be monotone.");
-          columns.strain.push_back(row[0]);
-          columns.stress.push_back(row[1]);
-        }
-        return columns;
-      }
-
-      double last_strain_, last_stress_;
-      Curve curve_;
-    };
-
-    const Registry<Hardening>::Entry
-      entry("table", "Monotone cubic through measured points", make_as<HardeningTable, Hardening>);
+    const Registry<Hardening>::Entry entry("table", "Monotone cubic through measured points", read);
   } // namespace
 } // namespace deltaform

@@ -1,7 +1,10 @@
 // The documentation of all parameters: every registered object declares its entries once.
 #include <deltaform/base/registry.h>
+#include <deltaform/materials/back_stress.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
+#include <deltaform/materials/rate_factor.h>
+#include <deltaform/materials/yield_surface.h>
 #include <deltaform/scene/scene.h>
 
 namespace deltaform
@@ -30,6 +33,9 @@ namespace deltaform
     declare_each<Blank>(blank_section, "Kind");
     declare_each<Material>(root.sub("Material"), "Model");
     declare_each<Hardening>(root.sub("Material").sub("Hardening"), "Law");
+    declare_each<YieldSurface>(root.sub("Material").sub("Yield surface"), "Law");
+    declare_each<BackStress>(root.sub("Material").sub("Backstress"), "Law");
+    declare_each<RateFactor>(root.sub("Material").sub("Rate factor"), "Law");
 
     const std::map<std::string, double> constants{{"thickness", blank->initial_thickness()}};
     Section contact_section = root.sub("Contact");

@@ -46,8 +46,7 @@ namespace
   {
   public:
     explicit Strip(const unsigned int along)
-      : dof_handler_(triangulation_), element_(dealii::FE_Q<2>(2), 2), history_(2 * along * n_points, 5),
-        strain_(2 * along * n_points)
+      : dof_handler_(triangulation_), element_(dealii::FE_Q<2>(2), 2), strain_(2 * along * n_points)
     {
       dealii::GridGenerator::subdivided_hyper_rectangle(
         triangulation_, {along, 2u}, dealii::Point<2>(0, 0), dealii::Point<2>(along, 2));
@@ -65,6 +64,7 @@ namespace
                                                  "Material/Hardening/Hardening exponent=.216"});
       Section section = tree.root().sub("Material");
       material_ = Registry<Material>::make("elastoplastic", section);
+      history_ = PointHistory(strain_.size(), material_->history_layout());
       for (unsigned int p = 0; p < n_points; ++p)
         for (unsigned int a = 0; a < n_nodes; ++a)
         {

@@ -37,7 +37,7 @@ namespace
     std::uniform_real_distribution<double> uniform(.5, 1.);
     std::vector<Mandel> strain(n_points), stress(n_points), last(n_points);
     std::vector<double> third_stress(n_points, -1.), tangent(16 * n_points);
-    PointHistory history(n_points, material.history_size());
+    PointHistory history(n_points, material.history_layout());
 
     const auto update = [&](std::vector<Mandel> &e, const bool with_tangent) {
       Status status;

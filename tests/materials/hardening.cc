@@ -2,6 +2,8 @@
 #include "material_point.h"
 
 #include <deltaform/base/scene_error.h>
+#include <deltaform/materials/hardening_laws.h>
+#include <deltaform/materials/read_law.h>
 
 using namespace deltaform;
 using testing::make_hardening;
@@ -25,6 +27,25 @@ namespace
   }
 
   constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// A law by its value, and by its name with the same numbers; its table has the documented ones.
+  template <typename Law>
+  void check_value(const std::string &name, const Law &law, const std::vector<std::string> &entries)
+  {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const auto named = make_hardening(name, entries), documented = make_hardening(name);
+      const Law example = Law::parameters().example();
+      BOOST_CHECK_NO_THROW(Law::parameters().check(law));
+      BOOST_CHECK_NO_THROW(Law::parameters().check(example));
+      for (const double e : {0., 1e-9, .07, .6})
+      {
+        BOOST_TEST(law(e).value == named->evaluate(e).value);
+        BOOST_TEST(law(e).slope == named->evaluate(e).slope);
+        BOOST_TEST(example(e).value == documented->evaluate(e).value);
+      }
+    }
+  }
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(hardening)
@@ -82,6 +103,36 @@ BOOST_AUTO_TEST_CASE(values)
     check(law->evaluate(0.07), 12.677365843761309, 52.397034075081428);
     check(law->evaluate(0.6), 25.546357914324223, 12.591473696452639);
   }
+}
+
+BOOST_AUTO_TEST_CASE(values_without_a_scene)
+{
+  check_value("perfectly plastic", PerfectlyPlastic{230.}, {"Flow stress=230"});
+  check_value("linear", LinearHardening{230., 310.}, {"Initial flow stress=230", "Hardening modulus=310"});
+  check_value("ludwik",
+              Ludwik{190., 510., .3},
+              {"Initial flow stress=190", "Strength coefficient=510", "Hardening exponent=.3"});
+  check_value(
+    "swift", Swift{510., 2e-4, .3}, {"Strength coefficient=510", "Prestrain=2e-4", "Hardening exponent=.3"});
+  check_value("voce",
+              Voce{400., 700., 12.},
+              {"Initial flow stress=400", "Saturation stress=700", "Saturation rate=12"});
+  check_value("hockett-sherby",
+              HockettSherby{100., 400., 6., .7},
+              {"Initial flow stress=100", "Saturation stress=400", "Saturation rate=6", "Hardening exponent=.7"});
+  check(TwoBranchPower(5.4, {27.8, .504}, {24.4, .375})(.6), 25.546357914324223, 12.591473696452639);
+  check(FlowCurve({{0., 100.}, {.1, 110.}, {.5, 150.}, {2., 300.}})(.037), 103.7, 100.);
+}
+
+BOOST_AUTO_TEST_CASE(values_that_make_no_law)
+{
+  const auto names = [](const std::string &parameter) {
+    return [=](const std::invalid_argument &error) { return std::string(error.what()).find(parameter) == 0; };
+  };
+  BOOST_CHECK_EXCEPTION(
+    Swift::parameters().check({589., 1e-4, 1.2}), std::invalid_argument, names("Hardening exponent"));
+  BOOST_CHECK_EXCEPTION(Voce::parameters().check({400., 300., 5.}), std::invalid_argument, names("Saturation stress"));
+  BOOST_CHECK_THROW(FlowCurve({{0., 100.}, {.1, 90.}, {.2, 200.}, {.3, 300.}}), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(slope_at_zero)

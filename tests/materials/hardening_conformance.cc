@@ -1,5 +1,5 @@
 // What every registered hardening law has to fulfil, whatever it is called.
-#include "material_point.h"
+#include "material_cases.h"
 
 using namespace deltaform;
 
@@ -20,8 +20,9 @@ namespace
     for (const auto &name : Registry<Hardening>::names())
       BOOST_TEST_CONTEXT(name)
       {
-        const auto law = testing::make_hardening(name);
-        body(*law);
+        body(*testing::make_hardening(name));
+        BOOST_TEST_CONTEXT("other parameters")
+        body(*testing::make_hardening(name, testing::other_hardening_entries(name)));
       }
   }
 } // namespace
@@ -38,15 +39,17 @@ BOOST_AUTO_TEST_CASE(positive_and_never_under_the_initial_value)
   for_all_laws(
     [](const Hardening &law) {
       const double initial = law.evaluate(0.).value;
-      BOOST_TEST(initial >= 0.);
-      BOOST_TEST(law.evaluate(0.).slope >= 0.);
+      BOOST_TEST_REQUIRE(initial >= 0.);
+      BOOST_TEST_REQUIRE(law.evaluate(0.).slope >= 0.);
       for (const double e : sample_strains())
-      {
-        BOOST_TEST(law.evaluate(e).value > 0.);
-        BOOST_TEST(law.evaluate(e).value >= initial);
-        BOOST_TEST(std::isfinite(law.evaluate(e).value));
-        BOOST_TEST(std::isfinite(law.evaluate(e).slope));
-      }
+        BOOST_TEST_CONTEXT("at " << e)
+        {
+          const FlowStress flow = law.evaluate(e);
+          BOOST_TEST_REQUIRE(flow.value > 0.);
+          BOOST_TEST_REQUIRE(flow.value >= initial);
+          BOOST_TEST_REQUIRE(std::isfinite(flow.value));
+          BOOST_TEST_REQUIRE(std::isfinite(flow.slope));
+        }
     });
 }
 
@@ -63,7 +66,8 @@ BOOST_AUTO_TEST_CASE(slope_is_the_derivative)
         const double numerical = (4. * difference(h / 2.) - difference(h)) / 3.;
         const FlowStress flow = law.evaluate(e);
         BOOST_TEST_CONTEXT("at " << e)
-        BOOST_TEST(std::abs(flow.slope - numerical) <= 1e-6 * std::abs(flow.slope) + 1e-13 * flow.value / h);
+        testing::require_close(
+          flow.slope, numerical, 1e-6 * std::abs(flow.slope) + 1e-13 * flow.value / h, "the slope, by differences,");
       }
     });
 }
@@ -91,12 +95,15 @@ BOOST_AUTO_TEST_CASE(continuous)
             else
               left = middle;
           }
-          BOOST_TEST(std::abs(law.evaluate(right).value - law.evaluate(left).value) <= 1e-6 * here);
+          testing::require_close(law.evaluate(right).value,
+                                 law.evaluate(left).value,
+                                 1e-6 * here,
+                                 "beyond a jump at " + std::to_string(right) + " the flow stress");
         }
         before = here;
       }
       // At zero: even K e^n with a small n comes down to the initial value.
-      BOOST_TEST(law.evaluate(1e-300).value <= (1. + 1e-6) * law.evaluate(0.).value + 1e-6);
+      BOOST_TEST_REQUIRE(law.evaluate(1e-300).value <= (1. + 1e-6) * law.evaluate(0.).value + 1e-6);
     });
 }
 

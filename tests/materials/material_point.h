@@ -72,24 +72,13 @@ namespace deltaform
       return Registry<Material>::make(name, section);
     }
 
-    /// All pairs of a registered material and a registered hardening law.
-    template <typename Body>
-    void for_all_materials(const Body &body)
-    {
-      for (const auto &name : Registry<Material>::names())
-        for (const auto &law : Registry<Hardening>::names())
-          BOOST_TEST_CONTEXT(name << ", " << law)
-          {
-            const auto material = make_material(name, law);
-            body(*material);
-          }
-    }
-
     /// One point of a material with its history.
     struct MaterialPoint
     {
-      explicit MaterialPoint(const Material &law)
-        : material(law), committed(law.history_size(), 0.), trial(law.history_size(), 0.)
+      /// @param two_steps is the flow of the last increment carried on?
+      explicit MaterialPoint(const Material &law, const bool two_steps = false)
+        : material(law), committed(law.history_size(), 0.), trial(law.history_size(), 0.),
+          carried(two_steps ? law.history_size() : 0, 0.)
       {
       }
 
@@ -102,7 +91,9 @@ namespace deltaform
         batch.third_direction = third;
         batch.strain = &e;
         batch.third_stress = &third_stress;
+        batch.duration = .5;
         batch.committed = committed.data();
+        batch.carried = carried.empty() ? nullptr : carried.data();
         batch.trial = trial.data();
         batch.stress = &stress;
         batch.tangent = C;
@@ -118,6 +109,8 @@ namespace deltaform
 
       void commit()
       {
+        for (std::size_t i = 0; i < carried.size(); ++i)
+          carried[i] = (trial[i] - committed[i]) / 3.; // increments of the same length
         committed.swap(trial);
       }
 
@@ -127,7 +120,7 @@ namespace deltaform
       }
 
       const Material &material;
-      std::vector<double> committed, trial;
+      std::vector<double> committed, trial, carried;
       Status status;
     };
 

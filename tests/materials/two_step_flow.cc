@@ -28,7 +28,7 @@ namespace
   struct Path
   {
     explicit Path(const Material &law)
-      : material(law), history(1, law.history_size()),
+      : material(law), history(1, law.history_layout()),
         carried(law.two_steps() ? CarriedFlow(1, law.history_size()) : CarriedFlow())
     {
     }

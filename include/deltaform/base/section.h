@@ -1,8 +1,8 @@
 #pragma once
 
+#include <deltaform/base/range.h>
 #include <deltaform/base/time_function.h>
 
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,47 +10,6 @@
 namespace deltaform
 {
   class ParameterTree;
-
-  /// Allowed values of a number. Infinite bounds are no bounds; an exclusive bound is not itself allowed.
-  struct Range
-  {
-    double lower = -std::numeric_limits<double>::infinity();
-    double upper = std::numeric_limits<double>::infinity();
-    bool lower_exclusive = false;
-    bool upper_exclusive = false;
-
-    static Range any()
-    {
-      return {};
-    }
-    static Range positive()
-    {
-      return {0., std::numeric_limits<double>::infinity(), true, false};
-    }
-    static Range not_negative()
-    {
-      return {0., std::numeric_limits<double>::infinity(), false, false};
-    }
-    static Range between(const double a, const double b)
-    {
-      return {a, b, false, false};
-    }
-    static Range inside(const double a, const double b)
-    {
-      return {a, b, true, true};
-    }
-    static Range from_to_below(const double a, const double b)
-    {
-      return {a, b, false, true};
-    }
-    static Range above_to(const double a, const double b)
-    {
-      return {a, b, true, false};
-    }
-
-    bool contains(double value) const;
-    std::string to_string() const; ///< for example "(0, 0.5)"
-  };
 
   /// Default of an entry, or the statement that there is none (`required`), with an example for the documentation and
   /// tests.

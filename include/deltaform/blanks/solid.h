@@ -213,6 +213,9 @@ namespace deltaform
     /// small kinematics the one of the history.
     Mandel plastic_strain(unsigned int point, const Deformation &F) const;
 
+    /// Mean over points of a cell of what else the law remembers, as it is drawn (a tensor: rr, zz, hoop, rz).
+    std::vector<double> remembered(const HistoryField &field, unsigned int first_point, unsigned int n_points) const;
+
     /// The cells of a picture with their fields; @p q with hanging nodes.
     void draw_cells(const Vector &q, Drawing &drawing) const;
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <utility>
+
 namespace deltaform
 {
   /// Flow stress and its slope at one equivalent plastic strain.
@@ -11,7 +14,8 @@ namespace deltaform
 
   /**
    * Isotropic hardening: flow stress s(e) >= 0 (Kirchhoff stress) against the equivalent (logarithmic) plastic strain
-   * e >= 0. Must be continuous and never fall under s(0); the slope may be unbounded at e = 0.
+   * e >= 0. Must be continuous and never fall under s(0); the slope may be unbounded at e = 0. The laws themselves are
+   * values (hardening_laws.h).
    */
   class Hardening
   {
@@ -22,4 +26,32 @@ namespace deltaform
 
     /// Integral of s(e) de from 0 to e is not needed: dissipation is integrated along the path.
   };
+
+
+  /// The hardening of a value @p Law with `FlowStress operator()(double) const`.
+  template <typename Law>
+  class HardeningOf final : public Hardening
+  {
+  public:
+    explicit HardeningOf(Law law)
+      : law_(std::move(law))
+    {
+    }
+
+    FlowStress evaluate(const double equivalent_plastic_strain) const override
+    {
+      return law_(equivalent_plastic_strain);
+    }
+
+  private:
+    Law law_;
+  };
+
+
+  /// Hardening without a scene: hardening_of(Swift{589., 1e-4, .216}).
+  template <typename Law>
+  std::unique_ptr<Hardening> hardening_of(Law law)
+  {
+    return std::make_unique<HardeningOf<Law>>(std::move(law));
+  }
 } // namespace deltaform

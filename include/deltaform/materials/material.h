@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/base/status.h>
+#include <deltaform/materials/history_layout.h>
 
 #include <array>
 #include <limits>
@@ -20,6 +21,25 @@ namespace deltaform
     stress_given ///< third_stress[p] is input, strain[p][2] is output: shells (plane stress)
   };
 
+  /// Which turns of the axes the answer of a law does not notice.
+  enum class Symmetry : unsigned char
+  {
+    orthotropic, ///< none
+    about_third_axis, ///< in the plane of directions 1 and 2: a sheet with normal anisotropy
+    isotropic ///< any
+  };
+
+  /// What a law is and can be used for. Blanks refuse a law that they cannot serve, tests ask no more than this.
+  struct MaterialTraits
+  {
+    Symmetry symmetry = Symmetry::isotropic;
+    bool symmetric_tangent = true;
+    bool isotropic_hardening = true; ///< stress times increment of plastic strain is flow stress times increment of the
+      ///< equivalent plastic strain
+    bool needs_duration = false; ///< MaterialBatch::duration
+    bool strain_given = true, stress_given = true; ///< what may be known of the third direction
+  };
+
   /**
    * All points of one cell. Arrays have n_points entries; history has n_points * Material::history_size() values,
    * point by point. Stress is the Kirchhoff stress, strain the total logarithmic strain.
@@ -31,19 +51,13 @@ namespace deltaform
     Mandel *strain = nullptr; ///< in; [2] out for stress_given
     const double *third_stress = nullptr; ///< in for stress_given: Kirchhoff stress along direction 3
     const double *committed = nullptr; ///< in: history at the last accepted increment
+    double duration = 0.; ///< in: time that the increment takes (time), for laws that need it
     double *carried = nullptr; ///< in, or null: what a law of two steps adds to the committed history before the flow
       ///< of this increment (CarriedFlow); out: zero where the flow did not go on
     double *trial = nullptr; ///< in: a starting guess from the last iteration; out: history at this strain
     Mandel *stress = nullptr; ///< out
     double *tangent = nullptr; ///< out if not null: n_points x 4 x 4 row-major, d stress / d strain. For
       ///< stress_given it is condensed: row and column [2] are zero.
-  };
-
-  /// Energies per reference volume at one point.
-  struct PointEnergy
-  {
-    double elastic; ///< stored, recoverable
-    double hardening; ///< stored otherwise (0 for J2 with isotropic hardening: all plastic work counts as dissipation)
   };
 
   /**
@@ -55,10 +69,21 @@ namespace deltaform
   public:
     virtual ~Material() = default;
 
-    /// Values of history per point; they start at zero. 0: the law is elastic.
-    virtual unsigned int history_size() const = 0;
+    /// What the law remembers at a point; all values start at zero. No fields: the law is elastic.
+    virtual const HistoryLayout &history_layout() const = 0;
 
-    /// Does the law want MaterialBatch::carried? Its history then begins with the plastic strain (Mandel).
+    /// Values of history per point.
+    unsigned int history_size() const
+    {
+      return history_layout().size();
+    }
+
+    virtual MaterialTraits traits() const
+    {
+      return {};
+    }
+
+    /// Does the law want MaterialBatch::carried?
     virtual bool two_steps() const
     {
       return false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/base/keyed_arrays.h>
+#include <deltaform/materials/history_layout.h>
 
 #include <cstddef>
 #include <string>
@@ -18,9 +19,15 @@ namespace deltaform
   public:
     PointHistory() = default;
 
-    PointHistory(const std::size_t n_points, const unsigned int values_per_point)
-      : values_per_point_(values_per_point), committed_(n_points * values_per_point, 0.), trial_(committed_)
+    PointHistory(const std::size_t n_points, const HistoryLayout &layout)
+      : layout_(layout), values_per_point_(layout.size()), committed_(n_points * values_per_point_, 0.),
+        trial_(committed_)
     {
+    }
+
+    const HistoryLayout &layout() const
+    {
+      return layout_;
     }
 
     /// Values of point @p point and all that follow.
@@ -49,21 +56,28 @@ namespace deltaform
       trial_ = committed_;
     }
 
-    /// Put the values into a state under @p name, or take them from there.
-    void put(KeyedArrays &state, const std::string &name) const
+    /// Put the values into a state, or take them from there.
+    void put(KeyedArrays &state) const
     {
-      state.put(name, committed_);
-      state.put(name + ", last iteration", trial_);
+      state.put(name("committed"), committed_);
+      state.put(name("last iteration"), trial_);
     }
 
-    /// @throws SceneError if the state has none of that name
-    void take(const KeyedArrays &state, const std::string &name)
+    /// @throws SceneError if the state is that of a law with another layout
+    void take(const KeyedArrays &state)
     {
-      state.take(name, committed_);
-      state.take(name + ", last iteration", trial_);
+      state.take(name("committed"), committed_);
+      state.take(name("last iteration"), trial_);
     }
 
   private:
+    /// Of an array in a state: what the values mean is part of it.
+    std::string name(const std::string &which) const
+    {
+      return "history, " + which + " (" + layout_.to_string() + ")";
+    }
+
+    HistoryLayout layout_;
     unsigned int values_per_point_ = 0;
     std::vector<double> committed_, trial_;
   };

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deltaform/base/section.h>
 #include <deltaform/materials/material.h>
 
 #include <algorithm>
@@ -30,12 +29,7 @@ namespace deltaform
     std::array<double, 16> tangent; ///< d stress / d strain, 4 x 4, row-major
     std::array<double, 16> condensed_tangent; ///< the same at given third stress: row and column [2] are zero
 
-    explicit Elasticity(Section &section)
-      : Elasticity(section.number("Young's modulus", required(69004.), Range::positive(), "stress", "Young's modulus."),
-                   section.number("Poisson's ratio", required(.3), Range::inside(-1., .5), "1", "Poisson's ratio."))
-    {
-    }
-
+    /// Young's modulus @p E > 0 (stress), Poisson's ratio @p nu in (-1, 1/2).
     Elasticity(const double E, const double nu)
       : young(E), poisson(nu), shear(E / (2. * (1. + nu))), bulk(E / (3. * (1. - 2. * nu))),
         plane_stress(E / ((1. - nu) * (1. + nu))), biaxial(E / (1. - nu)), shift((1. - 2. * nu) / E),

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <deltaform/materials/back_stress.h>
+#include <deltaform/materials/elasticity.h>
+#include <deltaform/materials/hardening.h>
+#include <deltaform/materials/material.h>
+#include <deltaform/materials/rate_factor.h>
+#include <deltaform/materials/yield_surface.h>
+
+#include <array>
+#include <memory>
+
+namespace deltaform
+{
+  /// What a metal is composed of. @p back_stress and @p rate_factor may be null: there is none.
+  struct FlowLaws
+  {
+    std::unique_ptr<Hardening> hardening;
+    std::unique_ptr<YieldSurface> yield_surface;
+    std::unique_ptr<BackStress> back_stress = nullptr;
+    std::unique_ptr<RateFactor> rate_factor = nullptr;
+  };
+
+
+  /**
+   * Metal plasticity at large strain: yield condition in the Kirchhoff stress tau, associated flow, additive in the
+   * logarithmic strain,
+   *
+   *     tau = C : (e - e_p),   q(tau - alpha) <= s(x),   d e_p = dx dq/dtau,   dx >= 0,
+   *
+   * C isotropic, with a yield surface q, hardening s, backstress alpha and rate factor of any laws that go together.
+   * Integrated by backward Euler (first order in the increment; exact where the direction of flow is constant) or by
+   * the two-step formula of CarriedFlow (second order), with the consistent tangent. Where the yield surface has a
+   * return map in closed form, that is used; else the general one. C. Miehe, N. Apel, M. Lambrecht, Anisotropic
+   * additive plasticity in the logarithmic strain space, Comput. Methods Appl. Mech. Eng. 191 (2002) 5383.
+   */
+  class Elastoplastic : public Material
+  {
+  public:
+    enum class Integration : unsigned char
+    {
+      backward_euler,
+      two_steps
+    };
+
+    /// @throws std::invalid_argument if the laws do not go together
+    Elastoplastic(const Elasticity &elastic, FlowLaws laws, Integration integration = Integration::two_steps);
+
+    /// The return maps refer to the laws of this object.
+    Elastoplastic(const Elastoplastic &) = delete;
+    Elastoplastic &operator=(const Elastoplastic &) = delete;
+
+    const HistoryLayout &history_layout() const override;
+    MaterialTraits traits() const override;
+    bool two_steps() const override;
+    Status update(const MaterialBatch &batch) const override;
+    Mandel elastic_strain(const Mandel &stress) const override;
+    double elastic_energy(const Mandel &stress) const override;
+    Mandel plastic_strain(const double *history) const override;
+    double equivalent_plastic_strain(const double *history) const override;
+    double flow_stress(const double *history) const override;
+    double shear_modulus() const override;
+    double young_modulus() const override;
+    double poisson_ratio() const override;
+
+  private:
+    /// Values of the history of a point, for which there is room on the stack.
+    static constexpr std::size_t most_values = 64;
+
+    /// All points, with @p n values of history: a number known to the compiler (closed forms) or not.
+    template <typename Size>
+    Status update_points(const MaterialBatch &batch, const ReturnMap &map, Size n) const;
+
+    Elasticity elastic_;
+    FlowLaws laws_;
+    Integration integration_;
+    HistoryLayout history_;
+    double initial_flow_stress_;
+    std::array<std::unique_ptr<ReturnMap>, 2> general_; ///< for each ThirdDirection; null: there is a closed form
+    std::array<const ReturnMap *, 2> map_{}; ///< closed form or general; null: the question cannot be answered
+  };
+} // namespace deltaform

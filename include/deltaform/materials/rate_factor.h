@@ -1,0 +1,42 @@
+#pragma once
+
+#include <deltaform/materials/hardening.h>
+#include <deltaform/materials/history_layout.h>
+
+namespace deltaform
+{
+  /**
+   * What the rate of flow and the temperature make of the flow stress. A law that heats the metal by its own flow
+   * (adiabatic) keeps the rise of temperature in its own field of the history and solves for it within evaluate().
+   */
+  class RateFactor
+  {
+  public:
+    virtual ~RateFactor() = default;
+
+    /// Fields of its own, behind those of the backstress; @p start and @p end below point to them. They start at zero.
+    virtual HistoryLayout history_layout() const = 0;
+
+    /// false: the flow stress knows neither rate nor temperature.
+    virtual bool acts() const
+    {
+      return true;
+    }
+
+    /// Does evaluate() want the duration of the increment?
+    virtual bool needs_duration() const
+    {
+      return true;
+    }
+
+    /**
+     * @param slow flow stress at a vanishing rate and the initial temperature, and its slope, after @p flow
+     * @param flow growth x of the equivalent plastic strain in this increment
+     * @param duration time that the increment takes (time)
+     * @return flow stress and its slope in x; must not fall under @p slow at x = 0 by more than heat softens. Writes
+     *   the history at the end.
+     */
+    virtual FlowStress
+    evaluate(const FlowStress &slow, double flow, double duration, const double *start, double *end) const = 0;
+  };
+} // namespace deltaform

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <deltaform/materials/elasticity.h>
+#include <deltaform/materials/hardening.h>
+#include <deltaform/materials/history_layout.h>
+#include <deltaform/materials/material.h>
+
+#include <cmath>
+
+namespace deltaform
+{
+  /// The history of every metal begins with the plastic strain (3x3, Mandel) and the equivalent plastic strain.
+  struct FlowHistory
+  {
+    static constexpr unsigned int equivalent = 4; ///< place of the equivalent plastic strain
+    static constexpr unsigned int size = 5;
+
+    static HistoryLayout layout()
+    {
+      return {{"plastic_strain", HistoryKind::tensor, "1"}, {"equivalent_plastic_strain", HistoryKind::positive, "1"}};
+    }
+  };
+
+
+  /// How a return map ended.
+  enum class PointOutcome : unsigned char
+  {
+    good,
+    not_finite,
+    not_converged
+  };
+
+
+  /// What every return map needs of a metal.
+  struct FlowLaw
+  {
+    const Elasticity &elastic;
+    const Hardening &hardening;
+    double initial_flow_stress; ///< hardening at no plastic strain
+    double duration; ///< of the increment (time)
+  };
+
+
+  /// Backward Euler of one point, for one of the questions about the third direction.
+  class ReturnMap
+  {
+  public:
+    virtual ~ReturnMap() = default;
+
+    /**
+     * One point: see MaterialBatch.
+     * @param strain total logarithmic strain; [2] is output where the third stress is given
+     * @param third_stress Kirchhoff stress, where it is given
+     * @param start history that backward Euler starts from
+     * @param trial in: a starting guess; out: history at this strain
+     * @param stress out: Kirchhoff stress
+     * @param tangent out if not null: 4 x 4, row-major; at given third stress row and column [2] are zero
+     */
+    virtual PointOutcome update(const FlowLaw &law,
+                                Mandel &strain,
+                                double third_stress,
+                                const double *start,
+                                double *trial,
+                                Mandel &stress,
+                                double *tangent) const = 0;
+  };
+
+
+  /// An elastic step: the history does not change.
+  inline void keep_history(const double *start, double *trial, const unsigned int n = FlowHistory::size)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      trial[i] = start[i];
+  }
+
+
+  /**
+   * Equivalent plastic strain to be expected of this increment: that of the last iteration, or, just after a commit,
+   * when the trial values are those of the increment before, the last increment's again.
+   */
+  inline double expected_increment(const double *start, const double *trial)
+  {
+    return std::abs(trial[FlowHistory::equivalent] - start[FlowHistory::equivalent]);
+  }
+} // namespace deltaform

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <deltaform/base/section.h>
+#include <deltaform/materials/material.h>
+
+namespace deltaform
+{
+  /**
+   * Can a blank that asks for @p third serve the material chosen in @p section? Solids turn with the increment, but
+   * they keep neither the axes of an anisotropic metal nor tensors of the history other than the plastic strain.
+   * @throws SceneError
+   */
+  void check_usable(const Material &material, ThirdDirection third, const Section &section);
+} // namespace deltaform

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <deltaform/materials/plasticity.h>
+
+namespace deltaform
+{
+  /**
+   * Backward Euler for any yield surface, with backstress and rate factor if there are any. With mu = x/q, x the growth
+   * of the equivalent plastic strain, and N = dq/dxi at the end,
+   *
+   *     C^-1 (xi + alpha(xi, x)) + mu q N = e - e_p,   x = mu q(xi),   q(xi) = s(e_n + x).
+   *
+   * For given mu the first equation is, without backstress, the minimum of a strictly convex function, which Newton's
+   * method with step halving finds from everywhere; for quadratic surfaces (Mises, Hill 1948) it is linear. It leaves
+   * one scalar equation in mu, which solve_consistency() solves whatever the slope of s. Where the third stress is
+   * given, the third row reads xi_3 + alpha_3 = t_3. J.C. Simo, T.J.R. Hughes, Computational Inelasticity, Springer
+   * 1998, sec. 3.6; step control: W.M. Scherzinger, A return mapping algorithm for isotropic and anisotropic plasticity models using a
+   * line search method, Comput. Methods Appl. Mech. Eng. 317 (2017) 526.
+   */
+  class GeneralReturn final : public ReturnMap
+  {
+  public:
+    /// @p laws outlive this; @p n_history values of a point.
+    GeneralReturn(const FlowLaws &laws, ThirdDirection third, unsigned int n_history);
+
+    PointOutcome update(const FlowLaw &law,
+                        Mandel &strain,
+                        double third_stress,
+                        const double *start,
+                        double *trial,
+                        Mandel &stress,
+                        double *tangent) const override;
+
+  private:
+    struct Point;
+    struct State;
+
+    void set_elastic(const FlowLaw &law, const Point &point, State &state) const;
+    void set_residual(const FlowLaw &law, State &state, double mu) const;
+    bool find_stress(const FlowLaw &law, State &state, double mu) const;
+    FlowStress flow_stress(const FlowLaw &law, const State &state, double x) const;
+    double largest_multiplier(const FlowLaw &law, const State &state) const;
+    void set_tangent(const FlowLaw &law, const State &state, const FlowStress &flow, double *tangent) const;
+
+    const FlowLaws &laws_;
+    bool third_stress_given_;
+    unsigned int n_history_;
+    unsigned int back_stress_first_, rate_first_; ///< where the laws' own values of history begin
+  };
+} // namespace deltaform

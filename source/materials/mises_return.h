@@ -1,0 +1,23 @@
+#pragma once
+
+#include <deltaform/materials/return_map.h>
+
+namespace deltaform
+{
+  /// Mises, isotropic hardening, all strains given.
+  PointOutcome radial_return(const FlowLaw &law,
+                             const Mandel &strain,
+                             const double *committed,
+                             double *trial,
+                             Mandel &stress,
+                             double *tangent);
+
+  /// Mises, isotropic hardening, in-plane strains and third stress given.
+  PointOutcome plane_stress_return(const FlowLaw &law,
+                                   Mandel &strain,
+                                   double third_stress,
+                                   const double *committed,
+                                   double *trial,
+                                   Mandel &stress,
+                                   double *tangent);
+} // namespace deltaform

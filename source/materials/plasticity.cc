@@ -1,0 +1,197 @@
+#include <deltaform/materials/plasticity.h>
+
+#include "general_return.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <type_traits>
+
+namespace deltaform
+{
+  namespace
+  {
+    constexpr std::array<ThirdDirection, 2> both = {{ThirdDirection::strain_given, ThirdDirection::stress_given}};
+
+    std::size_t index(const ThirdDirection third)
+    {
+      return third == ThirdDirection::strain_given ? 0 : 1;
+    }
+
+    /// Laws that do nothing need no call.
+    FlowLaws without_idle_ones(FlowLaws laws)
+    {
+      if (laws.back_stress && !laws.back_stress->acts())
+        laws.back_stress.reset();
+      if (laws.rate_factor && !laws.rate_factor->acts())
+        laws.rate_factor.reset();
+      return laws;
+    }
+
+    HistoryLayout layout_of(const FlowLaws &laws)
+    {
+      HistoryLayout layout = FlowHistory::layout();
+      if (laws.back_stress)
+        layout.append(laws.back_stress->history_layout());
+      if (laws.rate_factor)
+        layout.append(laws.rate_factor->history_layout());
+      return layout;
+    }
+  } // namespace
+
+
+  Elastoplastic::Elastoplastic(const Elasticity &elastic, FlowLaws laws, const Integration integration)
+    : elastic_(elastic), laws_(without_idle_ones(std::move(laws))), integration_(integration),
+      history_(layout_of(laws_)), initial_flow_stress_(laws_.hardening->evaluate(0.).value)
+  {
+    const std::string objection =
+      laws_.back_stress ? laws_.back_stress->objection(*laws_.yield_surface) : std::string();
+    if (!objection.empty())
+      throw std::invalid_argument(objection);
+    if (history_.size() > most_values)
+      throw std::invalid_argument("the laws of a metal remember more than " + std::to_string(most_values) + " values");
+    for (const auto third : both)
+    {
+      if (!laws_.yield_surface->serves(third))
+        continue;
+      const std::size_t i = index(third);
+      if (!laws_.back_stress && !laws_.rate_factor)
+        map_[i] = laws_.yield_surface->closed_form(third);
+      if (map_[i] == nullptr)
+      {
+        general_[i] = std::make_unique<GeneralReturn>(laws_, third, history_.size());
+        map_[i] = general_[i].get();
+      }
+    }
+  }
+
+
+  const HistoryLayout &Elastoplastic::history_layout() const
+  {
+    return history_;
+  }
+
+
+  MaterialTraits Elastoplastic::traits() const
+  {
+    MaterialTraits traits;
+    traits.symmetry = laws_.yield_surface->symmetry();
+    traits.symmetric_tangent = !laws_.back_stress || laws_.back_stress->symmetric();
+    traits.isotropic_hardening = !laws_.back_stress && !laws_.rate_factor;
+    traits.needs_duration = laws_.rate_factor && laws_.rate_factor->needs_duration();
+    traits.strain_given = map_[0] != nullptr;
+    traits.stress_given = map_[1] != nullptr;
+    return traits;
+  }
+
+
+  bool Elastoplastic::two_steps() const
+  {
+    return integration_ == Integration::two_steps;
+  }
+
+
+  template <typename Size>
+  Status Elastoplastic::update_points(const MaterialBatch &batch, const ReturnMap &map, const Size n) const
+  {
+    const FlowLaw law{elastic_, *laws_.hardening, initial_flow_stress_, batch.duration};
+    const bool third_stress = batch.third_direction == ThirdDirection::stress_given;
+    for (unsigned int p = 0; p < batch.n_points; ++p)
+    {
+      const double *committed = batch.committed + p * n;
+      double *trial = batch.trial + p * n;
+      double *tangent = batch.tangent != nullptr ? batch.tangent + p * std::size_t(16) : nullptr;
+      const auto return_from = [&](const double *start) {
+        return map.update(
+          law, batch.strain[p], third_stress ? batch.third_stress[p] : 0., start, trial, batch.stress[p], tangent);
+      };
+      double *carried = batch.carried != nullptr ? batch.carried + p * n : nullptr;
+      PointOutcome outcome = PointOutcome::good;
+      bool goes_on = false;
+      if (carried != nullptr && carried[FlowHistory::equivalent] > 0.)
+      {
+        std::array<double, most_values> start;
+        for (std::size_t i = 0; i < n; ++i)
+          start[i] = committed[i] + carried[i];
+        outcome = return_from(start.data());
+        double along = 0.;
+        for (unsigned int i = 0; i < 4; ++i)
+          along += carried[i] * (trial[i] - start[i]);
+        goes_on = outcome == PointOutcome::good && along > 0.;
+        // Decided once: points that change their minds from iteration to iteration keep Newton from converging.
+        if (!goes_on)
+          std::fill_n(carried, std::size_t(n), 0.);
+      }
+      // Where there is much less flow now, or none, or it has turned back, the last flow has nothing to go on with.
+      if (!goes_on)
+        outcome = return_from(committed);
+      if (outcome == PointOutcome::not_finite)
+        return Status::shorten("the strain at a material point is not finite", p);
+      if (outcome == PointOutcome::not_converged)
+        return Status::shorten("the yield condition at a material point could not be met", p);
+    }
+    return {};
+  }
+
+
+  Status Elastoplastic::update(const MaterialBatch &batch) const
+  {
+    const ReturnMap *map = map_[index(batch.third_direction)];
+    AssertThrow(map != nullptr,
+                dealii::ExcMessage("This yield surface does not know what is asked of the third direction."));
+    AssertThrow(!laws_.rate_factor || !laws_.rate_factor->needs_duration() || batch.duration > 0.,
+                dealii::ExcMessage("The rate factor wants to know how long the increment takes."));
+    if (history_.size() == FlowHistory::size)
+      return update_points(batch, *map, std::integral_constant<std::size_t, FlowHistory::size>());
+    return update_points(batch, *map, std::size_t(history_.size()));
+  }
+
+
+  Mandel Elastoplastic::elastic_strain(const Mandel &stress) const
+  {
+    return elastic_.strain(stress);
+  }
+
+
+  double Elastoplastic::elastic_energy(const Mandel &stress) const
+  {
+    return elastic_.energy(stress);
+  }
+
+
+  Mandel Elastoplastic::plastic_strain(const double *history) const
+  {
+    return {{history[0], history[1], history[2], history[3]}};
+  }
+
+
+  double Elastoplastic::equivalent_plastic_strain(const double *history) const
+  {
+    return history[FlowHistory::equivalent];
+  }
+
+
+  double Elastoplastic::flow_stress(const double *history) const
+  {
+    return laws_.hardening->evaluate(history[FlowHistory::equivalent]).value;
+  }
+
+
+  double Elastoplastic::shear_modulus() const
+  {
+    return elastic_.shear;
+  }
+
+
+  double Elastoplastic::young_modulus() const
+  {
+    return elastic_.young;
+  }
+
+
+  double Elastoplastic::poisson_ratio() const
+  {
+    return elastic_.poisson;
+  }
+} // namespace deltaform

@@ -1,0 +1,168 @@
+#pragma once
+// The materials that conformance is asked of, and how it is asked.
+#include <deltaform/materials/hardening_laws.h>
+
+#include "material_point.h"
+#include "other_laws.h"
+
+#include <iomanip>
+#include <map>
+
+namespace deltaform
+{
+  namespace testing
+  {
+    /// The first failure ends the test case, and says what came out and what was expected.
+    inline void
+    require_close(const double value, const double expected, const double tolerance, const std::string &what)
+    {
+      const bool close = std::abs(value - expected) <= tolerance;
+      BOOST_REQUIRE_MESSAGE(close,
+                            std::setprecision(17) << what << " is " << value << " instead of " << expected
+                                                  << ", which is more than " << tolerance << " away");
+    }
+
+    inline void require_close(const Mandel &value, const Mandel &expected, const double tolerance, const std::string &what)
+    {
+      const bool close = norm(difference(value, expected)) <= tolerance;
+      const auto text = [](const Mandel &a) {
+        std::ostringstream stream;
+        stream << std::setprecision(17) << "(" << a[0] << ", " << a[1] << ", " << a[2] << ", " << a[3] << ")";
+        return stream.str();
+      };
+      BOOST_REQUIRE_MESSAGE(close,
+                            what << " is " << text(value) << " instead of " << text(expected) << ", which is more than "
+                                 << tolerance << " away");
+    }
+
+    /// Entries of a registered hardening law that make another one than its documentation does: numbers are scaled.
+    inline std::vector<std::string> other_hardening_entries(const std::string &law)
+    {
+      // What scaling does not change: zeros, and what is no number.
+      static const std::map<std::string, std::string> also = {
+        {"voce", "Linear modulus=129.24"},
+        {"table", "Flow curve=0 150; 0.03 250; 0.1 290; 0.15 330; 0.4 400; 0.8 470"}};
+      std::vector<std::string> result;
+      bool changed = false;
+      for (const auto &entry : documented_entries([&](ParameterTree &tree) {
+             Section section = tree.root();
+             Registry<Hardening>::make(law, section);
+           }))
+      {
+        const auto equal = entry.find('=');
+        std::istringstream text(entry.substr(equal + 1));
+        double value = 0.;
+        // Of the two-branch power law the documentation has the switch strain, which a scene must not have.
+        if (entry.find("Switch strain") == 0)
+          continue;
+        const bool is_number = (text >> value) && (text >> std::ws).eof();
+        changed = changed || (is_number && value != 0.);
+        std::ostringstream scaled;
+        scaled << entry.substr(0, equal + 1) << std::setprecision(17) << .8 * value;
+        result.push_back(is_number ? scaled.str() : entry);
+      }
+      if (also.count(law) > 0)
+        result.push_back(also.at(law));
+      BOOST_REQUIRE_MESSAGE(changed || also.count(law) > 0, law << ": no second set of parameters is known");
+      return result;
+    }
+
+    /// A material, and what is expected of it beyond its traits.
+    struct MaterialCase
+    {
+      std::string name;
+      std::unique_ptr<Material> material;
+      bool mises = true; ///< the equivalent plastic strain is sqrt(2/3) of the plastic strain's length
+    };
+
+    /// Registered materials with registered hardening laws, of documented and of other parameters.
+    inline void add_registered_cases(std::vector<MaterialCase> &cases)
+    {
+      const std::vector<std::string> other_entries = {
+        "Material/Young's modulus=21000", "Material/Poisson's ratio=.41", "Material/Integration=backward Euler"};
+      for (const auto &name : Registry<Material>::names())
+        for (const auto &law : Registry<Hardening>::names())
+        {
+          cases.push_back({name + ", " + law, make_material(name, law)});
+          auto entries = other_entries;
+          for (const auto &entry : other_hardening_entries(law))
+            entries.push_back("Material/Hardening/" + entry);
+          cases.push_back({name + ", " + law + ", other parameters", make_material(name, law, entries)});
+        }
+      const auto add_each = [&](const std::string &section, const std::vector<std::string> &laws) {
+        for (const auto &law : laws)
+          cases.push_back({section + " " + law,
+                           make_material("elastoplastic", "swift", {"Material/" + section + "/Law=" + law}),
+                           section != "Yield surface" || law == "mises"});
+      };
+      add_each("Yield surface", Registry<YieldSurface>::names());
+      add_each("Backstress", Registry<BackStress>::names());
+      add_each("Rate factor", Registry<RateFactor>::names());
+    }
+
+    inline std::unique_ptr<YieldSurface> make_mises()
+    {
+      ParameterTree tree = ParameterTree::documentation();
+      Section section = tree.root();
+      return Registry<YieldSurface>::make("mises", section);
+    }
+
+    inline std::unique_ptr<YieldSurface> general_mises()
+    {
+      return std::make_unique<WithoutClosedForm>(make_mises());
+    }
+
+    inline std::unique_ptr<YieldSurface> normal_anisotropy(const double r)
+    {
+      return std::make_unique<Hill48>(r, r, r);
+    }
+
+    /// Metals composed of laws that the program does not have, by the general return map.
+    inline void add_composed_cases(std::vector<MaterialCase> &cases)
+    {
+      const auto add = [&](const std::string &name, FlowLaws laws, const bool mises) {
+        cases.push_back({name, std::make_unique<Elastoplastic>(Elasticity(69004., .3), std::move(laws)), mises});
+      };
+      const Swift swift = Swift::parameters().example();
+      const Voce voce = Voce::parameters().example();
+      const auto chaboche = []() {
+        return std::make_unique<Chaboche>(std::vector<Chaboche::Part>{{2000., 20.}, {300., 0.}});
+      };
+      const auto rate = []() { return std::make_unique<CowperSymondsWithHeat>(40.4, 5., 2e-3, .3); };
+      add("general Mises, Swift", {hardening_of(swift), general_mises()}, true);
+      add("general Mises, perfectly plastic", {hardening_of(PerfectlyPlastic{120.}), general_mises()}, true);
+      add("general Mises, Ludwik", {hardening_of(Ludwik{20., 500., .2}), general_mises()}, true);
+      add("Hill 1948 r = .6, Swift", {hardening_of(swift), normal_anisotropy(.6)}, false);
+      add("Hill 1948 r = 2, Voce", {hardening_of(voce), normal_anisotropy(2.)}, false);
+      add("Hill 1948 with three r", {hardening_of(swift), std::make_unique<Hill48>(1.79, 1.51, 2.27)}, false);
+      add("quartic",
+          {hardening_of(swift), std::make_unique<Quartic>(make_mises(), std::make_unique<Hill48>(3., 2., 1.5))},
+          false);
+      add("plane stress only",
+          {hardening_of(swift), std::make_unique<PlaneStressOnly>(normal_anisotropy(1.4))},
+          false);
+      add("Mises, Chaboche", {hardening_of(voce), make_mises(), chaboche()}, true);
+      add("Hill 1948, Chaboche", {hardening_of(swift), normal_anisotropy(.6), chaboche()}, false);
+      add("Mises, rate and heat", {hardening_of(swift), make_mises(), nullptr, rate()}, true);
+      add("Hill 1948, Chaboche, rate and heat", {hardening_of(voce), normal_anisotropy(2.), chaboche(), rate()}, false);
+    }
+
+    /// All materials that the conformance tests ask: registered ones and those that the interfaces have to carry.
+    template <typename Body>
+    void for_all_cases(const Body &body)
+    {
+      std::vector<MaterialCase> cases;
+      add_registered_cases(cases);
+      add_composed_cases(cases);
+      for (const auto &one : cases)
+        BOOST_TEST_CONTEXT(one.name)
+      body(one);
+    }
+
+    template <typename Body>
+    void for_all_materials(const Body &body)
+    {
+      for_all_cases([&](const MaterialCase &one) { body(*one.material); });
+    }
+  } // namespace testing
+} // namespace deltaform
