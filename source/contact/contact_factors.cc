@@ -66,11 +66,25 @@ namespace deltaform
   }
 
 
-  double ContactPair::tangential_factor(const PairState &state, const double stiffness) const
+  FrictionInput ContactPair::friction_input(const unsigned int i, const double normal_force) const
+  {
+    FrictionInput result;
+    result.normal_force = normal_force;
+    result.committed = committed_[i].touching ? committed_[i].tangential_force : 0.;
+    result.stiffness = trial_[i].epsilon_tangential;
+    result.area = area_[i];
+    if (!flow_stress_.empty())
+      result.flow_stress = flow_stress_[i];
+    return result;
+  }
+
+
+  double ContactPair::tangential_factor(const unsigned int i, const double stiffness) const
   {
     if (settings_.tangential_factor > 0)
       return settings_.tangential_factor;
-    return std::max(settings_.tangential_floor * stiffness, friction_->limit(state.force) / slip_limit_);
+    const double limit = friction_->limit(friction_input(i, trial_[i].force)).value;
+    return std::max(settings_.tangential_floor * stiffness, limit / slip_limit_);
   }
 
 
@@ -83,7 +97,7 @@ namespace deltaform
     if (friction_)
     {
       state.epsilon_tangential =
-        std::max(state.epsilon_tangential, tangential_factor(state, nodal_stiffness(i, node, projection.tangent)));
+        std::max(state.epsilon_tangential, tangential_factor(i, nodal_stiffness(i, node, projection.tangent)));
       if (!committed_[i].touching)
         state.slip_start = tool_.project(committed_x_[i], 0., hint_[i]).arc_length;
     }
@@ -134,7 +148,7 @@ namespace deltaform
         state.epsilon = settings_.rule->predict(what);
       }
       if (friction_)
-        state.epsilon_tangential = tangential_factor(state, nodal_stiffness(i, description, projection.tangent));
+        state.epsilon_tangential = tangential_factor(i, nodal_stiffness(i, description, projection.tangent));
       state.last_penetration = state.penetration();
       state.shift = settings_.enforcement->start_shift(state);
     }

@@ -1,5 +1,4 @@
 // The node loop: who touches, with which force, and what it adds to residual and tangent.
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/contact_pair.h>
 
 #include <cmath>
@@ -58,11 +57,7 @@ namespace deltaform
       "Does the half of a shell's thickness on this side give way at once, by pressure over Young's "
       "modulus, or only when the increment is accepted?");
     squeezed_ = squeeze == "on";
-    auto law =
-      Registry<FrictionLaw>::choose(tool_section, "Friction law", "coulomb", "Tangential law; no friction, no object.");
-    if (tool.friction_coefficient() > 0)
-      friction_ = std::move(law);
-
+    friction_ = make_friction_law(tool_section);
     resize();
   }
 
@@ -126,6 +121,8 @@ namespace deltaform
     at_start_ = true;
     slack_ = 0.;
     slip_limit_ = settings_.allowed_slip(time);
+    if (friction_ && friction_->needs_flow_stress())
+      flow_stress_ = surface_.flow_stress(tool_.side());
     trial_ = committed_;
     const TimeFunction *own = tool_.allowed_penetration();
     const double asked = own ? (*own)(time) : settings_.allowed_penetration(time);
@@ -229,19 +226,8 @@ namespace deltaform
         normal.derivative *= softening_;
         normal.compliance += own_unknown ? 1. / (softening_ * state.stiffness) : 0.;
       }
-      FrictionResponse friction;
-      if (friction_ && normal.touching)
-      {
-        const PairState &before = committed_[i];
-        const double start = before.touching ? before.arc_length : state.slip_start;
-        // The cone belongs to the estimate of lambda; what the iterate's force differs from it enters linearly.
-        const double lambda = std::max(state.multiplier, 0.);
-        friction = friction_->update(lambda,
-                                     before.touching ? before.tangential_force : 0.,
-                                     tool_.shape().slip(start, projection.arc_length, node.offset),
-                                     state.epsilon_tangential);
-        friction.force += friction.force_rate * (normal.force - lambda);
-      }
+      const FrictionResponse friction =
+        friction_ && normal.touching ? friction_response(i, node, projection, normal) : FrictionResponse();
       status_changed_ |= state.touching != normal.touching;
       state.touching = normal.touching;
       state.force = normal.force;
@@ -255,6 +241,21 @@ namespace deltaform
       if (normal.touching || own_unknown)
         add_pair(i, node, projection, normal, friction, target);
     }
+  }
+
+
+  FrictionResponse ContactPair::friction_response(const unsigned int i,
+                                                  const ContactNode &node,
+                                                  const Projection &projection,
+                                                  const NormalResponse &normal) const
+  {
+    // The limit belongs to the estimate of lambda; what the iterate's force differs from it enters linearly.
+    FrictionInput what = friction_input(i, std::max(trial_[i].multiplier, 0.));
+    const double start = committed_[i].touching ? committed_[i].arc_length : trial_[i].slip_start;
+    what.slip_increment = tool_.shape().slip(start, projection.arc_length, node.offset);
+    FrictionResponse result = friction_->update(what);
+    result.force += result.force_rate * (normal.force - what.normal_force);
+    return result;
   }
 
 

@@ -165,9 +165,9 @@ namespace deltaform
                         node.area > 0 ? state.force / node.area : 0.,
                         state.slip,
                         state.tangential_force,
-                        std::string(pair->tool().friction_coefficient() == 0 ? "frictionless"
-                                    : state.sticking                         ? "stick"
-                                                                             : "slip"),
+                        std::string(!pair->friction() ? "frictionless"
+                                    : state.sticking  ? "stick"
+                                                      : "slip"),
                         node.arc_coordinate});
       }
     return rows;

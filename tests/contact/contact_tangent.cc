@@ -81,6 +81,7 @@ namespace
     std::string drive; // entry of the tool
     std::string enforcement; // registered
     bool second; // in the second increment of contact, from a state with friction
+    std::string law = "coulomb"; // of friction, registered
   };
 
   using Branch = std::tuple<bool, bool, unsigned int, double>;
@@ -92,6 +93,7 @@ namespace
       : surface(where.size(), what.arm, what.arm > 0. ? 0. : offset), fixture(surface, contact, entries), q(fixture.n),
         before(fixture.n)
     {
+      surface.yield = .3;
       for (unsigned int i = 0; i < where.size(); ++i)
         put(i, where[i], what);
       fixture.pair.begin_stage(before, 0.);
@@ -176,14 +178,19 @@ namespace
   void check(const std::string &shape, const std::string &side, const Variant &what)
   {
     constexpr double step = 1e-5;
-    // Entries of the shape's documentation
+    // Entries of the documentation of shape and law
     Entries entries = documented_entries(
       [&](ParameterTree &tree) {
         Section section = tree.root();
         Registry<Shape>::make(shape, section);
+        Registry<FrictionLaw>::make(what.law, section);
       });
-    entries =
-      entries + Entries{"Shape=" + shape, "Side=" + side, "Position z=0", "Friction coefficient=.3", what.drive};
+    entries = entries + Entries{"Shape=" + shape,
+                                "Side=" + side,
+                                "Position z=0",
+                                "Friction law=" + what.law,
+                                "Friction coefficient=.3",
+                                what.drive};
     const Entries contact{"Enforcement=" + what.enforcement, "Tangential factor=20"};
     const auto all = places(PairFixture(FakeSurface(1), contact, entries).tool);
     BOOST_TEST_REQUIRE(all.size() > 0u);
@@ -204,7 +211,7 @@ namespace
       sliding += state.touching && !state.sticking;
     }
     BOOST_TEST(touching > 0u);
-    BOOST_TEST((what.slip < 1e-2 || sliding > 0u));
+    BOOST_TEST((what.slip < 1e-2 || sliding > 0u || !fixture.pair.friction()));
     BOOST_TEST((what.slip > 1e-2 || sliding < touching));
     const Assembly assembly = [&](const Vector &state, AssemblyTarget &target) {
       fixture.pair.assemble(state, target);
@@ -232,6 +239,15 @@ BOOST_AUTO_TEST_CASE(moved_tools)
     for (const double slip : {5e-4, .03})
       for (const bool second : {false, true})
         for_all_shapes({arm, slip, "Motion=0", enforcement, second});
+}
+
+BOOST_AUTO_TEST_CASE(laws_of_friction)
+{
+  for (const auto &law : Registry<FrictionLaw>::names())
+    for (const std::string enforcement : {"penalty", "active set"})
+      BOOST_TEST_CONTEXT("friction law '" << law << "', enforcement '" << enforcement << "'")
+  for (const double slip : {5e-4, .03})
+    for_all_shapes({.05, slip, "Motion=0", enforcement, true, law});
 }
 
 BOOST_AUTO_TEST_CASE(force_driven_tools)

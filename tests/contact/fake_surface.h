@@ -43,6 +43,11 @@ namespace deltaform
         return 1e3;
       }
 
+      std::vector<double> flow_stress(Side) const override
+      {
+        return std::vector<double>(X.size(), yield);
+      }
+
       void contact_node(const Vector &q,
                         const Side side,
                         const unsigned int i,
@@ -77,7 +82,7 @@ namespace deltaform
       }
 
       std::vector<Point2> X;
-      double arm, offset, area = 1., squeeze = 0.;
+      double arm, offset, area = 1., squeeze = 0., yield = std::numeric_limits<double>::infinity();
       unsigned int axis_node = invalid_index; ///< a node without area
       std::vector<std::array<unsigned int, 3>> edges;
     };

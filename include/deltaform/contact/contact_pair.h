@@ -47,6 +47,12 @@ namespace deltaform
       return tool_;
     }
 
+    /// Null: without friction.
+    const FrictionLaw *friction() const
+    {
+      return friction_.get();
+    }
+
     DofIndex travel_dof() const
     {
       return travel_dof_;
@@ -259,8 +265,16 @@ namespace deltaform
     /// factor for the force of the last increment alone is too soft for a growing one and costs a correction.
     double expected_growth(unsigned int i) const;
 
-    /// Tangential factor from the allowed elastic slip.
-    double tangential_factor(const PairState &state, double stiffness) const;
+    /// Tangential factor from the allowed elastic slip; @p stiffness of the node along the tool.
+    double tangential_factor(unsigned int i, double stiffness) const;
+
+    /// What the law may know of pair @p i with a normal force; its slip is not yet set.
+    FrictionInput friction_input(unsigned int i, double normal_force) const;
+
+    FrictionResponse friction_response(unsigned int i,
+                                       const ContactNode &node,
+                                       const Projection &projection,
+                                       const NormalResponse &normal) const;
 
     /// First touch of a pair within this increment: factors, and where its slip starts.
     void touch(unsigned int i, const ContactNode &node, const Projection &projection);
@@ -326,6 +340,7 @@ namespace deltaform
     /// What a pair adds to the residual in the rows of its node's unknowns: accepted, and as assembled last.
     std::vector<std::array<double, ContactNode::max_dofs>> committed_residual_, residual_;
     std::vector<double> area_, thickness_of_; ///< of the last assembled configuration
+    std::vector<double> flow_stress_; ///< accepted, of the blank's surface; empty if the law of friction does not ask
     std::vector<std::array<double, 9>> stiffness_; ///< nodal blocks of the blank's tangent
     std::vector<Point2> committed_x_; ///< contact point relative to the tool at the last commit
     std::vector<Point2> x_; ///< the same at the last assembly
