@@ -15,7 +15,7 @@ namespace deltaform
             << tool_forces_ << travels_ << work_.tools << work_.loads << largest_force_ << largest_resultant_
             << at_once_;
     for (const auto &pair : actors_.pairs)
-      archive << static_cast<const ContactPair &>(*pair);
+      archive << static_cast<const ContactInterface &>(*pair);
   }
 
 

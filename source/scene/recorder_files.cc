@@ -2,6 +2,7 @@
 #include "recorder_files.h"
 
 #include <deltaform/base/text.h>
+#include <deltaform/contact/contact_measures.h>
 #include <deltaform/results/table_file.h>
 
 #include <cmath>
@@ -50,18 +51,18 @@ namespace deltaform
     {
       for (unsigned int i = 0; i < pair->n_nodes(); ++i)
       {
-        const PairState &state = pair->committed()[i];
+        const ContactPointState &state = pair->committed()[i];
         if (!state.touching)
           continue;
         ++row.contact_pairs;
         row.max_penetration = std::max(row.max_penetration, state.penetration());
         row.max_penetration_over_delta = std::max(row.max_penetration_over_delta, state.penetration() / state.delta);
-        row.min_epsilon = std::min(row.min_epsilon, state.epsilon);
-        row.max_epsilon = std::max(row.max_epsilon, state.epsilon);
+        row.min_epsilon = std::min(row.min_epsilon, state.penalty_factor);
+        row.max_epsilon = std::max(row.max_epsilon, state.penalty_factor);
         governed += pair->governed_by_floor(i);
       }
       row.max_penetration_between_nodes =
-        std::max(row.max_penetration_between_nodes, pair->penetration_between_nodes(problem.committed()));
+        std::max(row.max_penetration_between_nodes, penetration_between_nodes(*pair, problem.committed()));
     }
     if (row.contact_pairs == 0)
       row.min_epsilon = 0.;
@@ -152,7 +153,7 @@ namespace deltaform
     for (const auto *pair : problem.active_pairs())
       for (unsigned int i = 0; i < pair->n_nodes(); ++i)
       {
-        const PairState &state = pair->committed()[i];
+        const ContactPointState &state = pair->committed()[i];
         if (!state.touching)
           continue;
         const ContactNode node = pair->node(problem.committed(), i);
@@ -160,7 +161,7 @@ namespace deltaform
                         node.reference_coordinate,
                         state.penetration(),
                         state.delta,
-                        state.epsilon,
+                        state.penalty_factor,
                         state.force,
                         node.area > 0 ? state.force / node.area : 0.,
                         state.slip,

@@ -1,6 +1,7 @@
 // What stands in the pictures.
 #include "recorder_files.h"
 
+#include <deltaform/contact/contact_measures.h>
 #include <deltaform/results/vtu.h>
 
 #include <algorithm>
@@ -20,14 +21,14 @@ namespace deltaform
                                      {"contact_status", "0 free 1 slip 2 stick", true, 1, none}};
       for (const auto *pair : problem.active_pairs())
       {
-        const auto pressure = pair->pressure(problem.committed());
+        const auto pressure = contact_pressure(*pair, problem.committed());
         for (unsigned int i = 0; i < pair->n_nodes(); ++i)
         {
-          const PairState &state = pair->committed()[i];
+          const ContactPointState &state = pair->committed()[i];
           if (!state.touching)
             continue;
           const unsigned int k = pair->node(problem.committed(), i).node;
-          fields[0].values[k] = std::max(fields[0].values[k], state.epsilon);
+          fields[0].values[k] = std::max(fields[0].values[k], state.penalty_factor);
           fields[1].values[k] = std::max(fields[1].values[k], state.penetration() / state.delta);
           fields[2].values[k] = std::max(fields[2].values[k], pressure[i]);
           fields[3].values[k] = std::max(fields[3].values[k], state.sticking ? 2. : 1.);

@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(the_flow_stress_of_the_surface_bounds_the_force)
     surface.area = .4;
     surface.yield = 7.;
     surface.axis_node = 0;
-    PairFixture fixture(
+    InterfaceFixture fixture(
       surface, {"Enforcement=penalty"}, flat + Entries{"Friction law=shear factor", "Shear factor=.6"});
     Vector before(fixture.n), q(fixture.n);
     for (unsigned int i = 0; i < 4; ++i)
@@ -93,12 +93,12 @@ BOOST_AUTO_TEST_CASE(the_flow_stress_of_the_surface_bounds_the_force)
       q[2 * i] = .2;
       q[2 * i + 1] = -depth;
     }
-    fixture.pair.begin_stage(before, 0.);
+    fixture.contact.begin_stage(before, 0.);
     fixture.begin_increment(before, 1., 1e3);
     fixture.settle(q);
-    BOOST_TEST(fixture.pair.n_touching() == 3u);
+    BOOST_TEST(fixture.contact.n_touching() == 3u);
     const double each = .6 * 7. / std::sqrt(3.) * .4;
-    BOOST_TEST(std::abs(std::abs(fixture.pair.tool_force()[0]) - 3. * each) < 1e-12);
+    BOOST_TEST(std::abs(std::abs(fixture.contact.tool_force()[0]) - 3. * each) < 1e-12);
   }
 }
 

@@ -56,11 +56,11 @@ namespace
     }
   };
 
-  PairState random_pair(Random &random)
+  ContactPointState random_pair(Random &random)
   {
-    PairState state;
+    ContactPointState state;
     state.stiffness = random.positive(1., 1e6);
-    state.epsilon = random.positive(1e-3, 1e3) * state.stiffness;
+    state.penalty_factor = random.positive(1e-3, 1e3) * state.stiffness;
     return state;
   }
 
@@ -70,9 +70,9 @@ namespace
     input.stiffness = random.positive(1e-2, 1e7);
     input.delta = random.positive(1e-9, 1e-2);
     input.area = random.positive(1e-6, 10.);
-    input.previous_epsilon = random.positive(1e-3, 1e6) * input.stiffness;
+    input.previous_factor = random.positive(1e-3, 1e6) * input.stiffness;
     input.penetration = random.uniform(0., 1.) < .2 ? 0. : random.positive(1e-3, 1e3) * input.delta;
-    input.force = input.previous_epsilon * input.penetration;
+    input.force = input.previous_factor * input.penetration;
     input.thickness = random.positive(1e-3, 10.);
     input.modulus = random.positive(1., 1e6);
     input.previous_penetration = random.uniform(0., 1.) < .3 ? 0. : random.positive(.1, 10.) * input.penetration;
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(enforcement_complementarity)
       Random random;
       for (unsigned int k = 0; k < 1000; ++k)
       {
-        const PairState state = random_pair(random);
+        const ContactPointState state = random_pair(random);
         const double g = random.positive(1e-9, 1e-1);
         // Apart, and no force: no contact, whatever the distance.
         const NormalResponse apart = enforcement.respond(state, g, 0.);
@@ -136,14 +136,14 @@ BOOST_AUTO_TEST_CASE(enforcement_derivative)
                          Random random;
                          for (unsigned int k = 0; k < 1000; ++k)
                          {
-                           const PairState state = random_pair(random);
+                           const ContactPointState state = random_pair(random);
                            const double gap = random.uniform(-1e-2, 1e-2), h = 1e-7;
                            const double lambda = random.uniform(-1., 1.) * state.stiffness;
                            const auto at = [&](const double g) { return enforcement.respond(state, g, lambda); };
                            BOOST_TEST(at(gap).derivative <= 0.);
                            if (at(gap - h).touching == at(gap + h).touching)
                              BOOST_TEST(std::abs((at(gap + h).force - at(gap - h).force) / (2. * h) -
-                                                 at(gap).derivative) <= 1e-6 * state.epsilon);
+                                                 at(gap).derivative) <= 1e-6 * state.penalty_factor);
                            BOOST_TEST((at(gap).touching || at(gap).force == 0.));
                          }
                        });
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(penalty_factors_are_positive_and_finite)
                            BOOST_TEST(usable(rule.correct(input)));
                            PenaltyInput first = input;
                            first.force = 0.;
-                           first.previous_epsilon = 0.;
+                           first.previous_factor = 0.;
                            first.penetration = 0.;
                            first.coupling = 0.;
                            BOOST_TEST(usable(rule.predict(first)));
@@ -191,22 +191,22 @@ BOOST_AUTO_TEST_CASE(a_promise_is_kept_by_corrections)
                            input.delta = random.positive(1e-6, 2.) * way;
                            input.force = input.penetration = input.previous_penetration = input.coupling = 0.;
                            input.neighbour = 0.;
-                           input.previous_epsilon = 0.; // a first touch
-                           input.previous_epsilon = rule.predict(input);
+                           input.previous_factor = 0.; // a first touch
+                           input.previous_factor = rule.predict(input);
                            unsigned int round = 0;
                            for (; round < 40; ++round)
                            {
-                             input.penetration = spring * way / (spring + input.previous_epsilon);
-                             input.force = input.previous_epsilon * input.penetration;
+                             input.penetration = spring * way / (spring + input.previous_factor);
+                             input.force = input.previous_factor * input.penetration;
                              const double factor = rule.correct(input);
-                             BOOST_TEST(factor >= input.previous_epsilon);
+                             BOOST_TEST(factor >= input.previous_factor);
                              if (input.penetration <= input.delta)
                              {
-                               BOOST_TEST(factor == input.previous_epsilon);
+                               BOOST_TEST(factor == input.previous_factor);
                                break;
                              }
-                             BOOST_TEST(factor > input.previous_epsilon);
-                             input.previous_epsilon = factor;
+                             BOOST_TEST(factor > input.previous_factor);
+                             input.previous_factor = factor;
                              input.previous_penetration = input.penetration;
                            }
                            BOOST_TEST(round < 30u);
@@ -230,14 +230,14 @@ BOOST_AUTO_TEST_CASE(predictions_keep_a_promise_at_constant_reaction)
                            double change = 1.;
                            for (unsigned int round = 0; round < 40 && change > 1e-12; ++round)
                            {
-                             input.penetration = input.force / input.previous_epsilon;
+                             input.penetration = input.force / input.previous_factor;
                              const double factor = rule.predict(input);
-                             change = std::abs(factor / input.previous_epsilon - 1.);
+                             change = std::abs(factor / input.previous_factor - 1.);
                              input.previous_penetration = input.penetration;
-                             input.previous_epsilon = factor;
+                             input.previous_factor = factor;
                            }
                            BOOST_TEST(change <= 1e-12);
-                           BOOST_TEST(input.force / input.previous_epsilon <= input.delta * (1. + 1e-12));
+                           BOOST_TEST(input.force / input.previous_factor <= input.delta * (1. + 1e-12));
                          }
                        });
 }
@@ -255,16 +255,16 @@ BOOST_AUTO_TEST_CASE(the_adaptive_rule_settles_at_its_aim)
       PenaltyInput input = random_input(random);
       input.force = random.positive(1e-3, 1e3);
       const double goal = input.force / (aim * input.delta);
-      double last = std::abs(std::log(input.previous_epsilon / goal));
+      double last = std::abs(std::log(input.previous_factor / goal));
       for (unsigned int round = 0; round < 30 && last > 1e-12; ++round)
       {
-        input.penetration = input.force / input.previous_epsilon;
-        input.previous_epsilon = rule->predict(input);
-        const double now = std::abs(std::log(input.previous_epsilon / goal));
+        input.penetration = input.force / input.previous_factor;
+        input.previous_factor = rule->predict(input);
+        const double now = std::abs(std::log(input.previous_factor / goal));
         BOOST_TEST(now < last);
         last = now;
       }
-      BOOST_TEST(std::abs(input.previous_epsilon * aim * input.delta / input.force - 1.) < 1e-11);
+      BOOST_TEST(std::abs(input.previous_factor * aim * input.delta / input.force - 1.) < 1e-11);
     }
   }
 }
@@ -277,7 +277,7 @@ BOOST_AUTO_TEST_CASE(floors_bound_the_factor)
                          for (unsigned int k = 0; k < 1000; ++k)
                          {
                            PenaltyInput input = random_input(random);
-                           input.previous_epsilon = std::max(input.previous_epsilon, rule.floor(input));
+                           input.previous_factor = std::max(input.previous_factor, rule.floor(input));
                            BOOST_TEST(rule.predict(input) >= rule.floor(input) * (1. - 1e-14));
                          }
                        });
@@ -299,17 +299,17 @@ BOOST_AUTO_TEST_CASE(rules_without_a_promise_end_their_corrections)
                              PenaltyInput input = random_input(random);
                              input.stiffness = random.positive(.1, 10.) * spring;
                              input.delta = random.positive(1e-6, 2.) * way;
-                             input.force = input.previous_epsilon = input.previous_penetration = 0.;
-                             input.previous_epsilon = rule.predict(input);
+                             input.force = input.previous_factor = input.previous_penetration = 0.;
+                             input.previous_factor = rule.predict(input);
                              unsigned int round = 0;
                              for (; round < 60; ++round)
                              {
-                               input.penetration = spring * way / (spring + input.previous_epsilon);
+                               input.penetration = spring * way / (spring + input.previous_factor);
                                const double factor = rule.correct(input);
-                               if (factor == input.previous_epsilon)
+                               if (factor == input.previous_factor)
                                  break;
-                               BOOST_TEST(factor > input.previous_epsilon);
-                               input.previous_epsilon = factor;
+                               BOOST_TEST(factor > input.previous_factor);
+                               input.previous_factor = factor;
                                input.previous_penetration = input.penetration;
                              }
                              BOOST_TEST(round < 20u);
@@ -346,7 +346,7 @@ BOOST_AUTO_TEST_CASE(the_printed_rule)
     negative += exact < 0.;
     if (exact < 0.)
       BOOST_TEST(guarded->predict(input) ==
-                 std::clamp(input.previous_epsilon, 1e-2 * input.stiffness, 1e6 * input.stiffness));
+                 std::clamp(input.previous_factor, 1e-2 * input.stiffness, 1e6 * input.stiffness));
   }
   BOOST_TEST(negative > 10u);
   BOOST_TEST(printed->needs_coupling());
