@@ -294,8 +294,8 @@ namespace deltaform
     result.reference_coordinate = mesh_.nodes()[node][0];
     result.arc_coordinate = mesh_.arc_length()[node];
     result.thickness = node_thickness_[node];
-    result.squeeze = result.area > 0 ? .5 * h / (modulus() * result.area) : 0.;
-    result.relief = thickness == ContactThickness::current ? node_relief_[node] : 0.;
+    result.compliance = result.area > 0 ? .5 * h / (modulus() * result.area) : 0.;
+    result.recovery = thickness == ContactThickness::current ? node_relief_[node] : 0.;
     result.jacobian[0] = Tensor1({1., 0.});
     result.jacobian[1] = Tensor1({0., 1.});
     if (contact_point_ == ContactPoint::normal_offset)

@@ -105,6 +105,16 @@ namespace deltaform
   }
 
 
+  std::vector<double> Shell::flow_stress(const Side side) const
+  {
+    const unsigned int outer = side == Side::top ? n_layers_ - 1 : 0;
+    std::vector<double> values(points_.size());
+    for (unsigned int p = 0; p < values.size(); ++p)
+      values[p] = material_->flow_stress(history_.committed(static_cast<std::size_t>(p) * n_layers_ + outer));
+    return to_nodes(values);
+  }
+
+
   std::vector<SheetSection> Shell::sections() const
   {
     const unsigned int n = points_.size();

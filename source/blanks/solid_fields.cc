@@ -6,6 +6,19 @@
 
 namespace deltaform
 {
+  std::vector<double> Solid::flow_stress(const Side side) const
+  {
+    std::vector<double> values(points_.size());
+    for (unsigned int p = 0; p < values.size(); ++p)
+      values[p] = material_->flow_stress(history_.committed(p));
+    values = to_nodes(values);
+    std::vector<double> result;
+    for (const auto node : faces_[static_cast<unsigned int>(side)].nodes)
+      result.push_back(values[node]);
+    return result;
+  }
+
+
   Table Solid::profile(const Vector &state) const
   {
     Vector storage;

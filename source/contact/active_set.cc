@@ -1,5 +1,5 @@
-// Active set: gap = 0 where lambda > 0. The force of every pair is an unknown; the semi-smooth Newton method chooses
-// the set by the sign of lambda - c gap with c > 0.
+// Active set: gap = 0 where lambda > 0. The force of every contact point is an unknown; the semi-smooth Newton method
+// chooses the set by the sign of lambda - c gap with c > 0.
 #include <deltaform/base/registry.h>
 #include <deltaform/contact/enforcement.h>
 
@@ -14,7 +14,7 @@ namespace deltaform
       {
       }
 
-      NormalResponse respond(const PairState &state, const double gap, const double multiplier) const override
+      NormalResponse respond(const ContactPointState &state, const double gap, const double multiplier) const override
       {
         NormalResponse response;
         response.tied = multiplier - weight(state) * gap >= 0;

@@ -1,5 +1,5 @@
 // Adaptive: eps_i = max(beta K_nn, lambda_i / (alpha delta_i)) with lambda_i of the last increment, frozen inside a
-// Newton solve; a converged pair with p_i > delta_i gets eps_i min(10, p_i / (alpha delta_i)), alpha = .8. At
+// Newton solve; a converged point with p_i > delta_i gets eps_i min(10, p_i / (alpha delta_i)), alpha = .8. At
 // equilibrium the incremental eqn (7) of Bednarek, Kowalczyk has the only fixed point eps = lambda / delta; aiming at
 // .8 delta reaches the promise p <= delta from the safe side in a finite number of corrections. Derivation:
 // doc/theory/contact.md.
@@ -39,21 +39,21 @@ namespace deltaform
       double predict(const PenaltyInput &input) const override
       {
         const double lowest = floor(input);
-        if (input.previous_epsilon <= 0)
+        if (input.previous_factor <= 0)
         {
           // Without a floor the very first touch still needs a value.
           const double start = std::max(lowest, input.neighbour);
           return start > 0 ? start : 1e-2 * input.stiffness;
         }
         const double wanted = std::max(lowest, input.force / (aim_ * input.delta));
-        return std::clamp(wanted, input.previous_epsilon / largest_change_, input.previous_epsilon * largest_change_);
+        return std::clamp(wanted, input.previous_factor / largest_change_, input.previous_factor * largest_change_);
       }
 
       double correct(const PenaltyInput &input) const override
       {
         if (input.penetration <= input.delta)
-          return input.previous_epsilon;
-        return input.previous_epsilon * std::min(largest_change_, input.penetration / (aim_ * input.delta));
+          return input.previous_factor;
+        return input.previous_factor * std::min(largest_change_, input.penetration / (aim_ * input.delta));
       }
 
       double floor(const PenaltyInput &input) const override

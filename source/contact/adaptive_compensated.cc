@@ -1,5 +1,5 @@
 // Adaptive compensated: the augmented Lagrangian with a shifted start. With eps = lambda_n / delta of the last
-// increment's force lambda_n a pair would penetrate by delta; so the surface is moved against it by delta, s = eps
+// increment's force lambda_n a point would penetrate by delta; so the surface is moved against it by delta, s = eps
 // delta (= lambda_n; never more, where the floor has raised eps). The true penetration is near zero from the start;
 // further augmentations are those of Uzawa.
 #include "augmented_lagrangian.h"
@@ -17,9 +17,9 @@ namespace deltaform
     public:
       using AugmentedLagrangian::AugmentedLagrangian;
 
-      double start_shift(const PairState &state) const override
+      double start_shift(const ContactPointState &state) const override
       {
-        return std::min(std::max(state.force, 0.), state.epsilon * state.delta);
+        return std::min(std::max(state.force, 0.), state.penalty_factor * state.delta);
       }
     };
 

@@ -28,13 +28,13 @@ namespace deltaform
   }
 
 
-  unsigned int Augmentation::update(const std::vector<ContactPair *> &pairs)
+  unsigned int Augmentation::update(const std::vector<ContactInterface *> &interfaces)
   {
     Values shift, force;
     bool exact = true;
     const double relaxation = std::pow(10., rounds_ / patience_);
-    for (const auto *pair : pairs)
-      exact &= pair->augmentation(shift, force, relaxation);
+    for (const auto *interface : interfaces)
+      exact &= interface->augmentation(shift, force, relaxation);
     if (exact)
       return 0;
     ++rounds_;
@@ -43,7 +43,7 @@ namespace deltaform
     Values change(n), next = force;
     for (unsigned int i = 0; i < n; ++i)
       change[i] = force[i] - shift[i];
-    // Another set of loaded pairs is another fixed-point problem.
+    // Another set of loaded points is another fixed-point problem.
     std::vector<bool> loaded(n);
     for (unsigned int i = 0; i < n; ++i)
       loaded[i] = force[i] > 0;
@@ -86,8 +86,8 @@ namespace deltaform
         next = force;
 
     const double *position = next.data();
-    for (auto *pair : pairs)
-      position = pair->shift(position);
+    for (auto *interface : interfaces)
+      position = interface->shift(position);
     return n;
   }
 } // namespace deltaform

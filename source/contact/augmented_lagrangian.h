@@ -1,7 +1,7 @@
 #pragma once
 // What the augmented forms share: lambda = s - eps gap while positive; after each converged solve s := lambda (Uzawa;
 // Hestenes 1969, Powell 1969; for contact Simo, Laursen, Comput. Struct. 42 (1992) 97), until the gaps of the loaded
-// pairs vanish: exact contact at a factor that stays soft.
+// points vanish: exact contact at a factor that stays soft.
 #include <deltaform/base/section.h>
 #include <deltaform/contact/enforcement.h>
 
@@ -20,12 +20,12 @@ namespace deltaform
     {
     }
 
-    NormalResponse respond(const PairState &state, const double gap, const double multiplier) const override
+    NormalResponse respond(const ContactPointState &state, const double gap, const double multiplier) const override
     {
       const double effective = effective_gap(state, gap);
       if (multiplier > 0 ? multiplier < weight(state) * effective : effective > 0)
         return {};
-      return {true, state.shift - state.epsilon * gap, -state.epsilon, false};
+      return {true, state.shift - state.penalty_factor * gap, -state.penalty_factor, false};
     }
 
     bool has_multiplier() const override

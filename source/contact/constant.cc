@@ -1,6 +1,6 @@
 // Constant: eps = C per node (as in the paper), or eps_i = C A_i per area. The classical approach. Promises nothing.
-// A pair that touches for the first time starts at K_nn if that is softer and is stiffened by factors of 100 after each
-// converged solve until C is reached: the first touch of a thin blank at full stiffness does not converge.
+// A point that touches for the first time starts at K_nn if that is softer and is stiffened by factors of 100 after
+// each converged solve until C is reached: the first touch of a thin blank at full stiffness does not converge.
 #include <deltaform/base/registry.h>
 #include <deltaform/contact/penalty_rule.h>
 
@@ -33,14 +33,14 @@ namespace deltaform
       double predict(const PenaltyInput &input) const override
       {
         const double target = goal(input);
-        if (input.previous_epsilon > 0 || !continuation_)
+        if (input.previous_factor > 0 || !continuation_)
           return target;
         return std::min(target, input.stiffness);
       }
 
       double correct(const PenaltyInput &input) const override
       {
-        return std::min(goal(input), 100. * input.previous_epsilon);
+        return std::min(goal(input), 100. * input.previous_factor);
       }
 
       double floor(const PenaltyInput &) const override
@@ -64,7 +64,7 @@ namespace deltaform
     };
 
     const Registry<PenaltyRule>::Entry entry("constant",
-                                             "one factor for all pairs; promises nothing about the penetration",
+                                             "one factor for all points; promises nothing about the penetration",
                                              &make_as<Constant, PenaltyRule>);
   } // namespace
 } // namespace deltaform

@@ -1,9 +1,7 @@
-// Coulomb: |t| <= mu lambda, slip only at the limit, against the motion. Return mapping of the trial t_n + eps_t ds
-// (Giannakopoulos 1989); units: forces.
+// Coulomb: |t| <= mu lambda. Unbounded in the pressure; units: forces.
 #include <deltaform/base/registry.h>
+#include <deltaform/base/text.h>
 #include <deltaform/contact/friction_law.h>
-
-#include <cmath>
 
 namespace deltaform
 {
@@ -17,26 +15,26 @@ namespace deltaform
                                       0.,
                                       Range::not_negative(),
                                       "1",
-                                      "Coulomb's coefficient of friction between this tool and the blank."))
+                                      "Coulomb's coefficient mu between this tool and the blank; 0 is smooth."))
       {
       }
 
-      FrictionResponse update(const double normal_force,
-                              const double committed,
-                              const double slip_increment,
-                              const double stiffness) const override
+      FrictionLimit limit(const FrictionInput &input) const override
       {
-        const double trial = committed + stiffness * slip_increment;
-        const double bound = limit(normal_force);
-        if (std::abs(trial) <= bound)
-          return {trial, stiffness, 0., true};
-        const double sign = trial > 0 ? 1. : -1.;
-        return {sign * bound, 0., sign * coefficient_, false};
+        return {coefficient_ * input.normal_force, coefficient_};
       }
 
-      double limit(const double normal_force) const override
+      bool acts() const override
       {
-        return coefficient_ * normal_force;
+        return coefficient_ > 0.;
+      }
+
+      std::string doubt() const override
+      {
+        if (coefficient_ <= 1.)
+          return "";
+        return "Friction coefficient = " + text::rounded(coefficient_) +
+               ": metals on tools have .02 to .5, and no more than .58 of the flow stress is ever carried.";
       }
 
     private:

@@ -28,7 +28,7 @@ namespace deltaform
 
       double correct(const PenaltyInput &input) const override
       {
-        return input.previous_epsilon;
+        return input.previous_factor;
       }
 
       double floor(const PenaltyInput &) const override

@@ -1,13 +1,14 @@
 // Gap driven: the factor follows two successive penetrations p (now) and q (before), after Bussetta, Marceau, Ponthot,
 // The adapted augmented Lagrangian method, Comput. Mech. 49 (2012) 259, algorithm for the normal coefficient:
 //
-//     p <= delta                                    keep
-//     |p - q| > max(p/10, q, 5 delta)               2 eps                          (the pair has hardly been in
-//     contact) p within 1 % of q, or falling, p < 10 delta   eps (sqrt(p/delta - 1) + 1)^2 p > 1.01 q 2 eps q/p
-//     otherwise                                     eps (sqrt(p/delta - 1) + 1)
+//     p <= delta: keep
+//     |p - q| > max(p/10, q, 5 delta), the point has hardly been in contact: 2 eps
+//     p within 1 % of q, or falling, p < 10 delta: eps (sqrt(p/delta - 1) + 1)^2
+//     p > 1.01 q: 2 eps q/p
+//     otherwise: eps (sqrt(p/delta - 1) + 1)
 //
-// Their first branch, for a gap that changes its sign, is that of separating pairs: those have no correction here. With
-// a tolerance, as for 'proportional'; promises nothing.
+// Their first branch, for a gap that changes its sign, is that of separating points: those have no correction here.
+// With a tolerance, as for 'proportional'; promises nothing.
 #include <deltaform/base/registry.h>
 #include <deltaform/contact/penalty_rule.h>
 
@@ -32,12 +33,12 @@ namespace deltaform
 
       double predict(const PenaltyInput &input) const override
       {
-        return input.previous_epsilon > 0 ? input.previous_epsilon : start_ * input.stiffness;
+        return input.previous_factor > 0 ? input.previous_factor : start_ * input.stiffness;
       }
 
       double correct(const PenaltyInput &input) const override
       {
-        const double p = input.penetration, q = input.previous_penetration, epsilon = input.previous_epsilon;
+        const double p = input.penetration, q = input.previous_penetration, epsilon = input.previous_factor;
         if (p <= input.delta)
           return epsilon;
         const double root = std::sqrt(p / input.delta - 1.) + 1.;

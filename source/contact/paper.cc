@@ -38,11 +38,11 @@ namespace deltaform
 
       double predict(const PenaltyInput &input) const override
       {
-        if (input.previous_epsilon == 0)
+        if (input.previous_factor == 0)
           return input.stiffness;
         double epsilon = (input.force + input.coupling) / input.delta;
         if (clamp_ && epsilon <= 0)
-          epsilon = input.previous_epsilon;
+          epsilon = input.previous_factor;
         if (floor_ > 0)
           epsilon = std::max(epsilon, floor_ * input.stiffness);
         if (cap_ > 0)
@@ -52,7 +52,7 @@ namespace deltaform
 
       double correct(const PenaltyInput &input) const override
       {
-        return input.previous_epsilon;
+        return input.previous_factor;
       }
 
       double floor(const PenaltyInput &input) const override

@@ -13,12 +13,12 @@ namespace deltaform
       {
       }
 
-      NormalResponse respond(const PairState &state, const double gap, const double multiplier) const override
+      NormalResponse respond(const ContactPointState &state, const double gap, const double multiplier) const override
       {
         // gap = 0 counts as touching: a blank that just rests on a tool is held by it.
         if (multiplier > 0 ? multiplier < weight(state) * gap : gap > 0)
           return {};
-        return {true, -state.epsilon * gap, -state.epsilon, false};
+        return {true, -state.penalty_factor * gap, -state.penalty_factor, false};
       }
 
       bool has_multiplier() const override

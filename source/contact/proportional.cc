@@ -1,5 +1,5 @@
 // Proportional: eps := eps max(1, p / delta) after convergence, as Code_Aster adapts its penalty coefficient to a
-// largest penetration (keyword PENE_MAXI; document R5.03.50). A stiffer pair takes more load, so p approaches delta
+// largest penetration (keyword PENE_MAXI; document R5.03.50). A stiffer point takes more load, so p approaches delta
 // from above and never arrives: a tolerance ends the corrections, and p <= delta is not promised. The factor never
 // falls.
 #include <deltaform/base/registry.h>
@@ -30,13 +30,13 @@ namespace deltaform
 
       double predict(const PenaltyInput &input) const override
       {
-        return input.previous_epsilon > 0 ? input.previous_epsilon : start_ * input.stiffness;
+        return input.previous_factor > 0 ? input.previous_factor : start_ * input.stiffness;
       }
 
       double correct(const PenaltyInput &input) const override
       {
         const double ratio = input.penetration / input.delta;
-        return ratio > 1. + tolerance_ ? input.previous_epsilon * ratio : input.previous_epsilon;
+        return ratio > 1. + tolerance_ ? input.previous_factor * ratio : input.previous_factor;
       }
 
       double floor(const PenaltyInput &) const override

@@ -1,4 +1,5 @@
 // What the committed state adds up to.
+#include <deltaform/contact/contact_measures.h>
 #include <deltaform/model/forming_problem.h>
 
 #include <algorithm>
@@ -37,19 +38,19 @@ namespace deltaform
     {
       for (unsigned int i = 0; i < pair->n_nodes(); ++i)
       {
-        const PairState &state = pair->committed()[i];
+        const ContactPointState &state = pair->committed()[i];
         if (!state.touching)
           continue;
         ++account.n_touching;
         account.max_penetration = std::max(account.max_penetration, state.penetration());
         account.max_penetration_over_delta =
           std::max(account.max_penetration_over_delta, state.penetration() / state.delta);
-        account.min_epsilon = std::min(account.min_epsilon, state.epsilon);
-        account.max_epsilon = std::max(account.max_epsilon, state.epsilon);
+        account.min_epsilon = std::min(account.min_epsilon, state.penalty_factor);
+        account.max_epsilon = std::max(account.max_epsilon, state.penalty_factor);
         n_at_bound += pair->governed_by_floor(i);
       }
       account.max_penetration_between_nodes =
-        std::max(account.max_penetration_between_nodes, pair->penetration_between_nodes(state_.unknowns));
+        std::max(account.max_penetration_between_nodes, penetration_between_nodes(*pair, state_.unknowns));
     }
     if (account.n_touching == 0)
       account.min_epsilon = 0.;

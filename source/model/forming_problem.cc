@@ -214,7 +214,7 @@ namespace deltaform
   bool FormingProblem::changed() const
   {
     return std::any_of(
-      active_pairs_.begin(), active_pairs_.end(), [](const ContactPair *pair) { return pair->status_changed(); });
+      active_pairs_.begin(), active_pairs_.end(), [](const ContactInterface *pair) { return pair->status_changed(); });
   }
 
 
@@ -233,7 +233,7 @@ namespace deltaform
   {
     return std::all_of(active_pairs_.begin(),
                        active_pairs_.end(),
-                       [&](const ContactPair *pair) { return pair->consistent(allowed_tension); });
+                       [&](const ContactInterface *pair) { return pair->consistent(allowed_tension); });
   }
 
 
@@ -311,12 +311,12 @@ namespace deltaform
       const auto [i, ratio] = pair->broken_promise();
       if (i == invalid_index)
         continue;
-      const PairState &state = pair->trial()[i];
+      const ContactPointState &state = pair->trial()[i];
       const ContactNode node = pair->node(state_.unknowns, i);
       std::string text = "the promise p <= delta cannot be kept: tool '" + pair->tool().name() + "', node " +
                          std::to_string(i) + " (R0 = " + text::format(node.reference_coordinate) + ") penetrates " +
                          text::format(state.penetration()) + ", " + text::format(ratio) + " times the allowed " +
-                         text::format(state.delta) + ", with penalty factor " + text::format(state.epsilon);
+                         text::format(state.delta) + ", with penalty factor " + text::format(state.penalty_factor);
       for (const auto *other : active_pairs_)
         if (other->tool().side() != pair->tool().side() && i < other->n_nodes() && other->trial()[i].touching &&
             other->node(state_.unknowns, i).node == node.node)

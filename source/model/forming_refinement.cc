@@ -2,6 +2,7 @@
 #include "collector.h"
 
 #include <deltaform/blanks/refinement.h>
+#include <deltaform/contact/contact_measures.h>
 #include <deltaform/model/forming_problem.h>
 
 #include <array>
@@ -15,7 +16,8 @@ namespace deltaform
       return false;
     std::array<std::vector<double>, 2> longest;
     for (const auto *pair : active_pairs_)
-      pair->shorten_edges(settings->edge_share, settings->rim, longest[static_cast<unsigned int>(pair->tool().side())]);
+      shorten_edges(
+        *pair, settings->edge_share, settings->rim, longest[static_cast<unsigned int>(pair->tool().side())]);
     return actors_.blank->mark(longest);
   }
 
@@ -50,7 +52,7 @@ namespace deltaform
       auto &pair = *actors_.pairs[p];
       if (pair.tool().force_driven())
         state_.unknowns[pair.travel_dof()] = travels[p];
-      pair.inherit(state_.unknowns, actors_.blank->heritage(pair.tool().side()));
+      pair.transfer(state_.unknowns, actors_.blank->heritage(pair.tool().side()));
       pair.start_multipliers(state_.unknowns);
     }
     // Forces of loads, of which the next commit takes the work; the supports do not move until then.

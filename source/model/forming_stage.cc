@@ -1,6 +1,7 @@
 // What happens between the increments: stages begin, what has ended fades out, states are accepted.
 #include "collector.h"
 
+#include <deltaform/contact/contact_measures.h>
 #include <deltaform/model/forming_problem.h>
 #include <deltaform/model/tool_placement.h>
 
@@ -45,13 +46,13 @@ namespace deltaform
   }
 
 
-  void FormingProblem::bring_into_contact(const ContactPair &pair)
+  void FormingProblem::bring_into_contact(const ContactInterface &pair)
   {
     // A force without resistance has no equilibrium. The distance is Lipschitz: going by the gap never goes too far.
     const double reach = 1e3 * (1. + size_[0]);
     for (unsigned int step = 0; step < 1000; ++step)
     {
-      const double gap = pair.closest(state_.unknowns, state_.unknowns[pair.travel_dof()]).second;
+      const double gap = pair.projector().closest(state_.unknowns, state_.unknowns[pair.travel_dof()]).second;
       if (!(gap < reach) || gap <= 1e-12 * size_[0])
         return;
       state_.unknowns[pair.travel_dof()] += gap;
@@ -202,7 +203,7 @@ namespace deltaform
     for (auto *pair : active_pairs_)
     {
       pair->refresh(q);
-      const auto own = pair->pressure(q);
+      const auto own = contact_pressure(*pair, q);
       auto &side = pressure[static_cast<unsigned int>(pair->tool().side())];
       if (side.empty())
         side = own;

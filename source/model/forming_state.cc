@@ -19,7 +19,7 @@ namespace deltaform
       ByteStream bytes;
       {
         boost::archive::binary_oarchive archive(bytes.stream());
-        archive << static_cast<const ContactPair &>(*pair);
+        archive << static_cast<const ContactInterface &>(*pair);
       }
       result.interfaces.push_back(bytes.take());
     }

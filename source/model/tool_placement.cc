@@ -57,7 +57,7 @@ namespace deltaform
 
 
   std::optional<Misplacement> find_misplacement(const Blank &blank,
-                                                const ContactPair &pair,
+                                                const ContactInterface &pair,
                                                 const Vector &q,
                                                 const double travel,
                                                 const double tolerance)
@@ -74,7 +74,7 @@ namespace deltaform
                               "). Give the points, and their fillet radii, in the opposite order: walk it with the "
                               "blank to its left"};
 
-    const auto [node, gap] = pair.closest(q, travel);
+    const auto [node, gap] = pair.projector().closest(q, travel);
     if (!(gap < -tolerance))
       return std::nullopt;
     return Misplacement{"Position z",

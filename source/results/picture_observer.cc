@@ -1,5 +1,6 @@
 // blank_*.vtu, tools_*.vtu and scene.pvd: what stands in the pictures.
 #include <deltaform/base/command_line.h>
+#include <deltaform/contact/contact_measures.h>
 #include <deltaform/model/accepted_increment.h>
 #include <deltaform/results/observers.h>
 #include <deltaform/results/picture_series.h>
@@ -27,14 +28,14 @@ namespace deltaform
                                      {"contact_status", "0 free 1 slip 2 stick", true, 1, none}};
       for (const auto *pair : problem.active_pairs())
       {
-        const auto pressure = pair->pressure(problem.committed());
+        const auto pressure = contact_pressure(*pair, problem.committed());
         for (unsigned int i = 0; i < pair->n_nodes(); ++i)
         {
-          const PairState &state = pair->committed()[i];
+          const ContactPointState &state = pair->committed()[i];
           if (!state.touching)
             continue;
           const unsigned int k = pair->node(problem.committed(), i).node;
-          fields[0].values[k] = std::max(fields[0].values[k], state.epsilon);
+          fields[0].values[k] = std::max(fields[0].values[k], state.penalty_factor);
           fields[1].values[k] = std::max(fields[1].values[k], state.penetration() / state.delta);
           fields[2].values[k] = std::max(fields[2].values[k], pressure[i]);
           fields[3].values[k] = std::max(fields[3].values[k], state.sticking ? 2. : 1.);

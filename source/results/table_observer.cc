@@ -38,7 +38,7 @@ namespace deltaform
       for (const auto *pair : problem.active_pairs())
         for (unsigned int i = 0; i < pair->n_nodes(); ++i)
         {
-          const PairState &state = pair->committed()[i];
+          const ContactPointState &state = pair->committed()[i];
           if (!state.touching)
             continue;
           const ContactNode node = pair->node(problem.committed(), i);
@@ -46,12 +46,12 @@ namespace deltaform
                           node.reference_coordinate,
                           state.penetration(),
                           state.delta,
-                          state.epsilon,
+                          state.penalty_factor,
                           state.force,
                           node.area > 0 ? state.force / node.area : 0.,
                           state.slip,
                           state.tangential_force,
-                          std::string(pair->tool().friction_coefficient() == 0 ? "frictionless"
+                          std::string(pair->friction() == nullptr ? "frictionless"
                                       : state.sticking                         ? "stick"
                                                                                : "slip"),
                           node.arc_coordinate});

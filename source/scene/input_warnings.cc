@@ -67,14 +67,14 @@ namespace deltaform
           "; of metals it is 200 to 1000 times. Elastic strains are taken to be small: look at the units.");
     }
 
-    void large_friction(const Actors &actors, Texts &result)
+    void doubtful_friction(const Actors &actors, Texts &result)
     {
-      for (const auto &tool : actors.tools)
-        if (tool->friction_coefficient() > 1.)
-          result.push_back(
-            "Tools/" + tool->name() + "/Friction coefficient = " + text::rounded(tool->friction_coefficient()) +
-            ": metals on tools have .02 to .5, and no more than .58 of the flow stress is ever carried.");
+      for (const auto &pair : actors.pairs)
+        if (pair->friction() && !pair->friction()->doubt().empty())
+          result.push_back("Tools/" + pair->tool().name() + "/" + pair->friction()->doubt());
     }
+
+
     void gripped_solid(const Actors &actors, Texts &result)
     {
       if (actors.blank->is_sheet())
@@ -103,7 +103,7 @@ namespace deltaform
     rigid_motions(scene.actors, result);
     short_elements(*scene.actors.blank, result);
     soft_material(*scene.actors.blank, result);
-    large_friction(scene.actors, result);
+    doubtful_friction(scene.actors, result);
     gripped_solid(scene.actors, result);
     for (auto &text : overlapping_tools(scene.actors))
       result.push_back(std::move(text));

@@ -105,7 +105,7 @@ namespace deltaform
     };
 
     /// Nodes that lie on the tool at the start of the stage, or the one that is nearest to it.
-    void add_contact(const ContactPair &pair,
+    void add_contact(const ContactInterface &pair,
                      const double time,
                      const unsigned int travel,
                      const Vector &zero,
@@ -113,7 +113,7 @@ namespace deltaform
     {
       const Tool &tool = pair.tool();
       const double way = tool.force_driven() ? 0. : tool.travel(time);
-      const double nearest = pair.closest(zero, way).second;
+      const double nearest = pair.projector().closest(zero, way).second;
       for (unsigned int i = 0; i < pair.n_nodes(); ++i)
       {
         const ContactNode node = pair.node(zero, i);

@@ -69,7 +69,8 @@ namespace deltaform
       Section own = section.sub(name);
       actors.tools.push_back(
         std::make_unique<Tool>(name, own, constants, contact_constants, actors.blank->axisymmetric()));
-      actors.pairs.push_back(std::make_unique<ContactPair>(*actors.blank, *actors.tools.back(), *actors.contact, own));
+      actors.pairs.push_back(
+        std::make_unique<ContactInterface>(*actors.blank, *actors.tools.back(), *actors.contact, own));
     }
   }
 } // namespace deltaform

@@ -20,6 +20,23 @@ namespace deltaform
     check_linear_solver(root);
     if (!actors.tools.empty())
       check_delta(root);
+    check_friction(root);
+  }
+
+
+  void Scene::check_friction(Section root) const
+  {
+    FrictionInput at_elastic_surface;
+    at_elastic_surface.normal_force = at_elastic_surface.area = 1.;
+    if (std::isfinite(actors.blank->initial_flow_stress()))
+      return;
+    for (const auto &pair : actors.pairs)
+      if (pair->friction() && !std::isfinite(pair->friction()->limit(at_elastic_surface).value))
+        root.sub("Tools")
+          .sub(pair->tool().name())
+          .fail("Friction law",
+                "is bounded by the flow stress of the blank alone, and an elastic material has none: take coulomb, or "
+                "Material/Model = elastoplastic");
   }
 
 

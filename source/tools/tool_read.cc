@@ -106,8 +106,6 @@ namespace deltaform
     if (force_driven() && section.given("Motion"))
       section.fail("Force", "A tool has either a motion or a force, not both.");
 
-    friction_coefficient_ = section.number(
-      "Friction coefficient", Default<double>(0.), Range::not_negative(), "1", "Coulomb's coefficient; 0 is smooth.");
     auto with_auto = penetration_constants;
     with_auto["auto"] = -1.; // see ContactSettings
     allowed_penetration_ =

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(in_contact_with_friction)
             for (unsigned int k = 1; k <= 30; ++k)
             {
               const NewtonResult result = problem.increment(.01 * k, 0.);
-              for (const auto &state : problem.fixture->pair.committed())
+              for (const auto &state : problem.fixture->contact.committed())
                 sliding += state.touching && !state.sticking;
               if (k < 10 || result.rounds > 0)
                 continue; // first touches, and a start so good that there is nothing to measure
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(in_contact_with_friction)
             }
             BOOST_TEST(sliding > 0u);
             BOOST_TEST(problem.blank->energy().plastic > 0.);
-            BOOST_TEST(problem.fixture->pair.n_touching() >= 3u);
+            BOOST_TEST(problem.fixture->contact.n_touching() >= 3u);
             BOOST_TEST(assessed >= 5u);
             // All but increments whose last steps still change a status
             BOOST_TEST(good >= .8 * assessed, good << " of " << assessed);
@@ -112,11 +112,11 @@ BOOST_AUTO_TEST_CASE(driven_by_a_force)
                    {
                      const NewtonResult result = problem.increment(.1 * k, 0.);
                      BOOST_TEST_MESSAGE(k << ":" << listed_residuals(result.residuals));
-                     BOOST_TEST(std::abs(problem.fixture->pair.tool_force()[1] + .2 * k) < 1e-9 * k);
+                     BOOST_TEST(std::abs(problem.fixture->contact.tool_force()[1] + .2 * k) < 1e-9 * k);
                      if (k > 4 && result.rounds == 0)
                        check_order(result);
                    }
-                   BOOST_TEST(problem.fixture->pair.travel(problem.committed) > .01);
+                   BOOST_TEST(problem.fixture->contact.travel(problem.committed) > .01);
                  });
 }
 

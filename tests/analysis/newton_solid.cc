@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(in_contact_with_friction)
           BOOST_TEST_MESSAGE(k << " order " << order << ":" << listed_residuals(result.residuals));
         }
         BOOST_TEST(problem.blank->energy().plastic > 0.);
-        BOOST_TEST(problem.fixture->pair.n_touching() >= 3u);
+        BOOST_TEST(problem.fixture->contact.n_touching() >= 3u);
         BOOST_TEST(assessed >= 5u);
         // All but increments whose last steps still change a status
         BOOST_TEST(good >= .8 * assessed, good << " of " << assessed);

@@ -11,7 +11,7 @@ namespace deltaform
     class ShellProblem : public Equations, public ActiveSet
     {
     public:
-      /// A flat disc or strip of radius 1, clamped at its edge. @p contact and @p tool: see PairFixture; none: no
+      /// A flat disc or strip of radius 1, clamped at its edge. @p contact and @p tool: see InterfaceFixture; none: no
       /// contact
       ShellProblem(const Entries &blank_entries,
                    const Entries &contact,
@@ -28,7 +28,7 @@ namespace deltaform
         n = blank->n_dofs();
         if (!tool.empty())
         {
-          fixture = std::make_unique<PairFixture>(*blank, contact, tool);
+          fixture = std::make_unique<InterfaceFixture>(*blank, contact, tool);
           n = fixture->n;
         }
         const unsigned int n_border = fixture ? fixture->tool.force_driven() : 0;
@@ -37,9 +37,9 @@ namespace deltaform
         for (unsigned int i = 0; i < n - n_border; ++i)
           pattern.add(i, i);
         if (fixture && fixture->settings.enforcement->has_multiplier())
-          for (unsigned int i = 0; i < fixture->pair.n_nodes(); ++i)
+          for (unsigned int i = 0; i < fixture->contact.n_nodes(); ++i)
           {
-            const ContactNode node = fixture->pair.node(Vector(n), i);
+            const ContactNode node = fixture->contact.node(Vector(n), i);
             for (unsigned int k = 0; k < node.n_dofs; ++k)
             {
               pattern.add(node.dofs[k], blank->n_dofs() + i);
@@ -66,7 +66,7 @@ namespace deltaform
           scale[i] = 1. / blank->stiffness_scale();
         committed.reinit(n);
         if (fixture)
-          fixture->pair.begin_stage(committed, 0.);
+          fixture->contact.begin_stage(committed, 0.);
       }
 
       double typical_length() const override
@@ -82,13 +82,13 @@ namespace deltaform
           return status;
         if (fixture && factors_due)
         {
-          fixture->pair.read_stiffness(q, *system);
-          fixture->pair.predict_factors(q, nullptr);
+          fixture->contact.read_stiffness(q, *system);
+          fixture->contact.predict_factors(q, nullptr);
           factors_due = false;
         }
         blank->assemble_pressure(q, blank->faces().front(), pressure, true, *system);
         if (fixture)
-          fixture->pair.assemble(q, *system);
+          fixture->contact.assemble(q, *system);
         return status;
       }
 
@@ -105,18 +105,18 @@ namespace deltaform
       void prepare_step(const Vector &d) override
       {
         if (fixture)
-          fixture->pair.prepare_step(d);
+          fixture->contact.prepare_step(d);
       }
 
       void advance(const double factor) override
       {
         if (fixture)
-          fixture->pair.advance(factor);
+          fixture->contact.advance(factor);
       }
 
       bool changed() const override
       {
-        return fixture && fixture->pair.status_changed();
+        return fixture && fixture->contact.status_changed();
       }
 
       unsigned int patience() const override
@@ -130,12 +130,12 @@ namespace deltaform
 
       bool consistent(const double allowed_tension) const override
       {
-        return !fixture || fixture->pair.consistent(allowed_tension);
+        return !fixture || fixture->contact.consistent(allowed_tension);
       }
 
       unsigned int correct() override
       {
-        return fixture ? fixture->pair.correct_factors() : 0;
+        return fixture ? fixture->contact.correct_factors() : 0;
       }
 
       /**
@@ -158,8 +158,8 @@ namespace deltaform
           factors_due = true;
           if (fixture)
           {
-            fixture->pair.begin_increment(time);
-            fixture->pair.soften(share);
+            fixture->contact.begin_increment(time);
+            fixture->contact.soften(share);
           }
           q = committed;
           result = newton.solve(q, committed, prescribed, committed, 0.);
@@ -174,10 +174,10 @@ namespace deltaform
           return increment(time, new_pressure, depth + 1);
         }
         if (fixture)
-          fixture->pair.commit(q);
+          fixture->contact.commit(q);
         blank->commit(q);
         if (fixture)
-          fixture->pair.refresh(q);
+          fixture->contact.refresh(q);
         committed = q;
         last_time = time;
         return result;
@@ -185,7 +185,7 @@ namespace deltaform
 
       unsigned int n;
       std::unique_ptr<Blank> blank;
-      std::unique_ptr<PairFixture> fixture;
+      std::unique_ptr<InterfaceFixture> fixture;
       std::unique_ptr<System> system;
       std::vector<bool> prescribed;
       std::vector<double> scale, size;

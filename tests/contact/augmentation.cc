@@ -28,7 +28,7 @@ namespace
                             {"Shape=plate", "Side=bottom", "Motion=0", "Position z=0"}),
         q(2), augmentation(depth, 100000)
     {
-      fixture.pair.begin_stage(q, 0.);
+      fixture.contact.begin_stage(q, 0.);
     }
 
     /// Equilibrium spring z + force = lambda at the current shift, by Newton.
@@ -40,12 +40,12 @@ namespace
         const double residual = spring * q[1] + force + contact.residual[1];
         Vector d(2);
         d[1] = -residual / (spring + contact.matrix(1, 1));
-        fixture.pair.prepare_step(d);
-        fixture.pair.advance(1.);
+        fixture.contact.prepare_step(d);
+        fixture.contact.advance(1.);
         q += d;
       }
       fixture.assemble(q);
-      return fixture.pair.trial()[0].force;
+      return fixture.contact.trial()[0].force;
     }
 
     void begin(const double time)
@@ -55,7 +55,7 @@ namespace
     }
 
     FakeSurface surface;
-    PairFixture fixture;
+    InterfaceFixture fixture;
     Vector q;
     Augmentation augmentation;
   };
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(uzawa_converges_at_its_rate)
   {
     error *= spring / (spring + factor);
     BOOST_TEST(node.solve(force) == force - error, boost::test_tools::tolerance(1e-11));
-    BOOST_TEST(node.augmentation.update({&node.fixture.pair}) == 1u);
+    BOOST_TEST(node.augmentation.update({&node.fixture.contact}) == 1u);
   }
 }
 
@@ -86,11 +86,11 @@ BOOST_AUTO_TEST_CASE(acceleration_finds_the_same_point_sooner)
   for (; round < 30; ++round)
   {
     node.solve(5.);
-    if (node.augmentation.update({&node.fixture.pair}) == 0)
+    if (node.augmentation.update({&node.fixture.contact}) == 0)
       break;
   }
   BOOST_TEST(round <= 4u);
-  BOOST_TEST(node.fixture.pair.trial()[0].force == 5., boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(node.fixture.contact.trial()[0].force == 5., boost::test_tools::tolerance(1e-10));
 }
 
 BOOST_AUTO_TEST_CASE(the_shifted_start_continues_uzawa)
@@ -100,23 +100,23 @@ BOOST_AUTO_TEST_CASE(the_shifted_start_continues_uzawa)
   node.begin(.1);
   double force = .2; // = eps delta
   for (unsigned int round = 0; round < 400 && node.solve(force) >= 0.; ++round)
-    if (node.augmentation.update({&node.fixture.pair}) == 0)
+    if (node.augmentation.update({&node.fixture.contact}) == 0)
       break;
-  BOOST_TEST(node.fixture.pair.trial()[0].force == force, boost::test_tools::tolerance(1e-9));
-  node.fixture.pair.commit(node.q);
+  BOOST_TEST(node.fixture.contact.trial()[0].force == force, boost::test_tools::tolerance(1e-9));
+  node.fixture.contact.commit(node.q);
 
   node.begin(.2);
-  BOOST_TEST(node.fixture.pair.trial()[0].shift == force, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(node.fixture.contact.trial()[0].shift == force, boost::test_tools::tolerance(1e-9));
   // At the same load nothing is left to do; at a larger one the error falls at Uzawa's rate.
   BOOST_TEST(node.solve(force) == force, boost::test_tools::tolerance(1e-9));
-  BOOST_TEST(std::abs(node.fixture.pair.trial()[0].gap) < 1e-9);
+  BOOST_TEST(std::abs(node.fixture.contact.trial()[0].gap) < 1e-9);
   const double larger = .25;
   double error = larger - force;
   for (unsigned int round = 0; round < 10; ++round)
   {
     error *= spring / (spring + factor);
     BOOST_TEST(node.solve(larger) == larger - error, boost::test_tools::tolerance(1e-8));
-    node.augmentation.update({&node.fixture.pair});
+    node.augmentation.update({&node.fixture.contact});
   }
 }
 
@@ -127,20 +127,20 @@ BOOST_AUTO_TEST_CASE(a_pair_that_is_pulled_off_is_free)
   for (unsigned int round = 0; round < 50; ++round)
   {
     node.solve(.2);
-    if (node.augmentation.update({&node.fixture.pair}) == 0)
+    if (node.augmentation.update({&node.fixture.contact}) == 0)
       break;
   }
-  node.fixture.pair.commit(node.q);
+  node.fixture.contact.commit(node.q);
   node.begin(.2);
   unsigned int round = 0;
   for (; round < 50; ++round)
   {
     node.solve(-1.);
-    if (node.augmentation.update({&node.fixture.pair}) == 0)
+    if (node.augmentation.update({&node.fixture.contact}) == 0)
       break;
   }
   BOOST_TEST(round < 5u);
-  BOOST_TEST(node.fixture.pair.trial()[0].force == 0.);
+  BOOST_TEST(node.fixture.contact.trial()[0].force == 0.);
   BOOST_TEST(node.q[1] == .1, boost::test_tools::tolerance(1e-12)); // spring alone
 }
 

@@ -1,6 +1,8 @@
 // The state of a contact pair from increment to increment: rollback, promise, corrections, energies, results.
 #include "fake_surface.h"
 
+#include <deltaform/contact/contact_measures.h>
+
 #include <deltaform/base/registry.h>
 
 using namespace deltaform;
@@ -10,11 +12,11 @@ namespace
 {
   constexpr double stiffness = 1e3;
 
-  bool same(const PairState &a, const PairState &b)
+  bool same(const ContactPointState &a, const ContactPointState &b)
   {
     return a.touching == b.touching && a.sticking == b.sticking && a.gap == b.gap && a.force == b.force &&
-           a.epsilon == b.epsilon && a.stiffness == b.stiffness && a.arc_length == b.arc_length &&
-           a.tangential_force == b.tangential_force && a.epsilon_tangential == b.epsilon_tangential && a.slip == b.slip;
+           a.penalty_factor == b.penalty_factor && a.stiffness == b.stiffness && a.arc_length == b.arc_length &&
+           a.tangential_force == b.tangential_force && a.tangential_factor == b.tangential_factor && a.slip == b.slip;
   }
 
   /// Nodes side by side above a plate whose face is at z = 0.
@@ -27,10 +29,10 @@ namespace
   }
 
   /// All nodes at a height, moved sideways.
-  Vector place(const PairFixture &fixture, const double x, const double z)
+  Vector place(const InterfaceFixture &fixture, const double x, const double z)
   {
     Vector q(fixture.n);
-    for (unsigned int i = 0; i < fixture.pair.n_nodes(); ++i)
+    for (unsigned int i = 0; i < fixture.contact.n_nodes(); ++i)
     {
       q[2 * i] = x;
       q[2 * i + 1] = z;
@@ -39,13 +41,13 @@ namespace
   }
 
   /// An accepted increment from @p q to @p next, with the elastic slip as small as it may be.
-  void go(PairFixture &fixture, Vector &q, const Vector &next, const double time)
+  void go(InterfaceFixture &fixture, Vector &q, const Vector &next, const double time)
   {
     fixture.begin_increment(q, time, stiffness);
     fixture.settle(next);
-    for (unsigned int round = 0; round < 9 && fixture.pair.correct_factors() > 0; ++round)
+    for (unsigned int round = 0; round < 9 && fixture.contact.correct_factors() > 0; ++round)
       fixture.settle(next);
-    fixture.pair.commit(q = next);
+    fixture.contact.commit(q = next);
   }
 
   const Entries constant{"Enforcement=penalty", "Penalty rule=constant", "Penalty factor=50", "Continuation=false"};
@@ -56,27 +58,27 @@ BOOST_AUTO_TEST_SUITE(contact_state)
 BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
 {
   const FakeSurface surface = row(3);
-  PairFixture fixture(surface, {"Enforcement=penalty"}, flat + Entries{"Friction coefficient=.2"});
-  fixture.pair.begin_stage(place(fixture, 0., .1), 0.);
+  InterfaceFixture fixture(surface, {"Enforcement=penalty"}, flat + Entries{"Friction coefficient=.2"});
+  fixture.contact.begin_stage(place(fixture, 0., .1), 0.);
   fixture.begin_increment(place(fixture, 0., .1), 1., stiffness);
   const Vector q = place(fixture, .01, -.01);
   fixture.settle(q);
-  fixture.pair.commit(q);
-  const auto committed = fixture.pair.committed();
-  const auto energy = fixture.pair.energy();
-  BOOST_TEST(fixture.pair.n_touching() == 3u);
+  fixture.contact.commit(q);
+  const auto committed = fixture.contact.committed();
+  const auto energy = fixture.contact.energy();
+  BOOST_TEST(fixture.contact.n_touching() == 3u);
 
   fixture.begin_increment(q, 2., stiffness);
   fixture.settle(place(fixture, .3, -.5));
-  fixture.pair.correct_factors();
+  fixture.contact.correct_factors();
   fixture.settle(place(fixture, .3, .5));
   for (unsigned int i = 0; i < 3; ++i)
-    BOOST_TEST(same(fixture.pair.committed()[i], committed[i]));
-  fixture.pair.begin_increment(1.5);
+    BOOST_TEST(same(fixture.contact.committed()[i], committed[i]));
+  fixture.contact.begin_increment(1.5);
   for (unsigned int i = 0; i < 3; ++i)
-    BOOST_TEST(same(fixture.pair.trial()[i], committed[i]));
-  BOOST_TEST(fixture.pair.energy().epsilon == energy.epsilon);
-  BOOST_TEST(fixture.pair.energy().friction == energy.friction);
+    BOOST_TEST(same(fixture.contact.trial()[i], committed[i]));
+  BOOST_TEST(fixture.contact.energy().epsilon == energy.epsilon);
+  BOOST_TEST(fixture.contact.energy().friction == energy.friction);
 }
 
 BOOST_AUTO_TEST_CASE(what_happened_before_does_not_matter)
@@ -86,23 +88,23 @@ BOOST_AUTO_TEST_CASE(what_happened_before_does_not_matter)
   FakeSurface surface(4, 0., .05);
   for (unsigned int i = 0; i < 4; ++i)
     surface.X[i] = Point2(.1 + .25 * i, 0.);
-  PairFixture walker(surface, constant, hemisphere);
+  InterfaceFixture walker(surface, constant, hemisphere);
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> uniform(-1., 1.);
   Vector q(walker.n);
-  walker.pair.begin_stage(q, 0.);
+  walker.contact.begin_stage(q, 0.);
   walker.begin_increment(q, .3, stiffness);
   unsigned int touching = 0;
   for (unsigned int k = 0; k < 500; ++k)
   {
     for (auto &value : q)
       value = .9 * value + (k % 20 == 0 ? .5 : .03) * uniform(generator);
-    PairFixture fresh(surface, constant, hemisphere);
-    fresh.pair.begin_stage(q, 0.);
+    InterfaceFixture fresh(surface, constant, hemisphere);
+    fresh.contact.begin_stage(q, 0.);
     fresh.begin_increment(q, .3, stiffness);
     const auto a = walker.assemble(q), b = fresh.assemble(q);
     BOOST_TEST((a.residual - b.residual).norm() <= 1e-12);
-    touching += fresh.pair.n_touching();
+    touching += fresh.contact.n_touching();
   }
   BOOST_TEST((touching > 100u && touching < 1900u));
 }
@@ -110,13 +112,13 @@ BOOST_AUTO_TEST_CASE(what_happened_before_does_not_matter)
 BOOST_AUTO_TEST_CASE(the_promise)
 {
   const FakeSurface surface = row(3);
-  PairFixture fixture(
+  InterfaceFixture fixture(
     surface,
     {"Enforcement=penalty", "Penalty rule=adaptive", "Allowed penetration=1e-3", "Aim=.8", "Largest change=10"},
     flat);
   const double delta = 1e-3;
   Vector q = place(fixture, 0., 0.);
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   const auto push = [&](const double p0, const double p1, const double p2) {
     q[1] = -p0;
@@ -126,21 +128,21 @@ BOOST_AUTO_TEST_CASE(the_promise)
   };
   push(.5 * delta, 2. * delta, 100. * delta);
   std::vector<double> before;
-  for (const auto &state : fixture.pair.trial())
-    before.push_back(state.epsilon);
-  BOOST_TEST(fixture.pair.broken_promise().first == 2u);
-  BOOST_TEST(fixture.pair.correct_factors() == 2u);
-  BOOST_TEST(fixture.pair.trial()[0].epsilon == before[0]);
-  BOOST_TEST(std::abs(fixture.pair.trial()[1].epsilon / before[1] - 2.5) < 1e-12); // p / (.8 delta)
-  BOOST_TEST(std::abs(fixture.pair.trial()[2].epsilon / before[2] - 10.) < 1e-12);
+  for (const auto &state : fixture.contact.trial())
+    before.push_back(state.penalty_factor);
+  BOOST_TEST(fixture.contact.broken_promise().first == 2u);
+  BOOST_TEST(fixture.contact.correct_factors() == 2u);
+  BOOST_TEST(fixture.contact.trial()[0].penalty_factor == before[0]);
+  BOOST_TEST(std::abs(fixture.contact.trial()[1].penalty_factor / before[1] - 2.5) < 1e-12); // p / (.8 delta)
+  BOOST_TEST(std::abs(fixture.contact.trial()[2].penalty_factor / before[2] - 10.) < 1e-12);
 
   // At delta and a trace above: kept. Clearly above: broken.
   push(delta, delta * (1. + .9e-6), .3 * delta);
-  BOOST_TEST(fixture.pair.broken_promise().first == invalid_index);
-  BOOST_TEST(fixture.pair.correct_factors() == 0u);
+  BOOST_TEST(fixture.contact.broken_promise().first == invalid_index);
+  BOOST_TEST(fixture.contact.correct_factors() == 0u);
   push(delta * (1. + 1.1e-6), .1 * delta, -delta);
-  BOOST_TEST(fixture.pair.broken_promise().first == 0u);
-  BOOST_TEST(fixture.pair.correct_factors() == 1u);
+  BOOST_TEST(fixture.contact.broken_promise().first == 0u);
+  BOOST_TEST(fixture.contact.correct_factors() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(free_travel_is_the_gap_of_the_closest_node)
@@ -148,63 +150,63 @@ BOOST_AUTO_TEST_CASE(free_travel_is_the_gap_of_the_closest_node)
   // The node on the axis has no area and no pair: it says nothing of how far the tool is away.
   FakeSurface surface = row(3);
   surface.axis_node = 0;
-  PairFixture fixture(surface, {"Enforcement=penalty", "Allowed penetration=1e-3"}, flat);
+  InterfaceFixture fixture(surface, {"Enforcement=penalty", "Allowed penetration=1e-3"}, flat);
   Vector q = place(fixture, 0., .1);
   q[5] = .07;
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(q);
-  BOOST_TEST(std::abs(fixture.pair.free_travel() - .0705) < 1e-14);
+  BOOST_TEST(std::abs(fixture.contact.free_travel() - .0705) < 1e-14);
   q[5] = -1e-4;
   fixture.settle(q);
-  BOOST_TEST(fixture.pair.free_travel() == 0.);
+  BOOST_TEST(fixture.contact.free_travel() == 0.);
 }
 
 BOOST_AUTO_TEST_CASE(round_off_breaks_no_promise)
 {
   // delta = 1e-14 at coordinates of size 1: what the coordinates cannot resolve is not counted.
   const FakeSurface surface = row(1);
-  PairFixture fixture(surface, {"Enforcement=penalty", "Allowed penetration=1e-14"}, flat);
+  InterfaceFixture fixture(surface, {"Enforcement=penalty", "Allowed penetration=1e-14"}, flat);
   Vector q = place(fixture, 1., 0.);
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(place(fixture, 1., -1.1e-14));
-  BOOST_TEST(fixture.pair.broken_promise().first == invalid_index);
+  BOOST_TEST(fixture.contact.broken_promise().first == invalid_index);
   fixture.settle(place(fixture, 1., -1.4e-14));
-  BOOST_TEST(fixture.pair.broken_promise().first == 0u);
+  BOOST_TEST(fixture.contact.broken_promise().first == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(the_next_factor_comes_from_the_reaction)
 {
   const FakeSurface surface = row(2);
-  PairFixture fixture(surface, {"Enforcement=penalty", "Penalty rule=adaptive", "Allowed penetration=1e-3"}, flat);
+  InterfaceFixture fixture(surface, {"Enforcement=penalty", "Penalty rule=adaptive", "Allowed penetration=1e-3"}, flat);
   Vector q = place(fixture, 0., 0.);
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   q = place(fixture, 0., -5e-4);
   fixture.settle(q);
-  BOOST_TEST(std::abs(fixture.pair.trial()[0].epsilon - .01 * stiffness) < 1e-12); // the floor
-  fixture.pair.commit(q);
-  BOOST_TEST(fixture.pair.governed_by_floor(0));
-  const double force = fixture.pair.committed()[0].force;
+  BOOST_TEST(std::abs(fixture.contact.trial()[0].penalty_factor - .01 * stiffness) < 1e-12); // the floor
+  fixture.contact.commit(q);
+  BOOST_TEST(fixture.contact.governed_by_floor(0));
+  const double force = fixture.contact.committed()[0].force;
   fixture.begin_increment(q, 2., 10.); // a softer blank: the floor is far below
   // From nothing to this force in the last increment: in one as long it is expected to grow as much again.
-  BOOST_TEST(std::abs(fixture.pair.trial()[0].epsilon - 2 * force / .8e-3) < 1e-12);
+  BOOST_TEST(std::abs(fixture.contact.trial()[0].penalty_factor - 2 * force / .8e-3) < 1e-12);
   fixture.settle(q);
-  fixture.pair.commit(q);
-  BOOST_TEST(!fixture.pair.governed_by_floor(0));
+  fixture.contact.commit(q);
+  BOOST_TEST(!fixture.contact.governed_by_floor(0));
   // A node that lets go forgets its factor; one that comes takes the larger of its
   // neighbour's and the tool's median.
   fixture.begin_increment(q, 3., 10.);
   q[1] = .1;
   fixture.settle(q);
-  fixture.pair.commit(q);
-  BOOST_TEST(fixture.pair.committed()[0].epsilon == 0.);
+  fixture.contact.commit(q);
+  BOOST_TEST(fixture.contact.committed()[0].penalty_factor == 0.);
   fixture.begin_increment(q, 4., 10.);
   q[1] = -1e-4;
   fixture.assemble(q);
-  BOOST_TEST(fixture.pair.trial()[0].epsilon ==
-             std::max(fixture.pair.trial()[1].epsilon, fixture.pair.committed()[1].epsilon));
+  BOOST_TEST(fixture.contact.trial()[0].penalty_factor ==
+             std::max(fixture.contact.trial()[1].penalty_factor, fixture.contact.committed()[1].penalty_factor));
 }
 
 BOOST_AUTO_TEST_CASE(who_touched_is_held_at_the_start)
@@ -216,25 +218,25 @@ BOOST_AUTO_TEST_CASE(who_touched_is_held_at_the_start)
   {
     const bool is_multiplier = enforcement == "active set";
     const FakeSurface surface = row(2);
-    PairFixture fixture(surface, {"Enforcement=" + enforcement, "Allowed penetration=1e-3"}, flat);
+    InterfaceFixture fixture(surface, {"Enforcement=" + enforcement, "Allowed penetration=1e-3"}, flat);
     Vector q = place(fixture, 0., is_multiplier ? 0. : -1e-4);
     if (is_multiplier)
       for (unsigned int i = 0; i < 2; ++i)
         q[fixture.n_blank + i] = .1;
-    fixture.pair.begin_stage(q, 0.);
+    fixture.contact.begin_stage(q, 0.);
     fixture.begin_increment(q, 1., stiffness);
     fixture.settle(q);
-    fixture.pair.commit(q);
-    BOOST_TEST(fixture.pair.committed()[0].force > 0.);
-    fixture.pair.begin_increment(2.);
+    fixture.contact.commit(q);
+    BOOST_TEST(fixture.contact.committed()[0].force > 0.);
+    fixture.contact.begin_increment(2.);
     q[1] = .1;
     fixture.assemble(q);
-    BOOST_TEST(fixture.pair.trial()[0].touching);
-    BOOST_TEST((is_multiplier || fixture.pair.trial()[0].force < 0.));
-    fixture.pair.prepare_step(Vector(fixture.n));
+    BOOST_TEST(fixture.contact.trial()[0].touching);
+    BOOST_TEST((is_multiplier || fixture.contact.trial()[0].force < 0.));
+    fixture.contact.prepare_step(Vector(fixture.n));
     fixture.assemble(q);
-    BOOST_TEST(!fixture.pair.trial()[0].touching);
-    BOOST_TEST(fixture.pair.trial()[1].touching);
+    BOOST_TEST(!fixture.contact.trial()[0].touching);
+    BOOST_TEST(fixture.contact.trial()[1].touching);
   }
 }
 
@@ -242,58 +244,58 @@ BOOST_AUTO_TEST_CASE(the_estimate_of_the_force)
 {
   // On a plane the linear solve knows the force after the step; a part of the step leads to a part of the change.
   const FakeSurface surface = row(2);
-  PairFixture fixture(surface, constant, flat + Entries{"Force=1"});
+  InterfaceFixture fixture(surface, constant, flat + Entries{"Force=1"});
   Vector q = place(fixture, 0., -.02), d(fixture.n);
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(q);
-  BOOST_TEST(std::abs(fixture.pair.trial()[0].multiplier - 1.) < 1e-13);
+  BOOST_TEST(std::abs(fixture.contact.trial()[0].multiplier - 1.) < 1e-13);
   d[1] = -.03;
   d[3] = .05;
   d[fixture.n - 1] = .01; // the tool comes up
-  fixture.pair.prepare_step(d);
-  fixture.pair.advance(.5);
-  BOOST_TEST(std::abs(fixture.pair.trial()[0].multiplier - (1. + .5 * 50. * .04)) < 1e-12);
-  fixture.pair.advance(1.);
+  fixture.contact.prepare_step(d);
+  fixture.contact.advance(.5);
+  BOOST_TEST(std::abs(fixture.contact.trial()[0].multiplier - (1. + .5 * 50. * .04)) < 1e-12);
+  fixture.contact.advance(1.);
   q += d;
   fixture.assemble(q);
-  BOOST_TEST(std::abs(fixture.pair.trial()[0].multiplier - fixture.pair.trial()[0].force) < 1e-12);
+  BOOST_TEST(std::abs(fixture.contact.trial()[0].multiplier - fixture.contact.trial()[0].force) < 1e-12);
   // The second node is pulled off: tension is no contact.
-  BOOST_TEST(!fixture.pair.trial()[1].touching);
-  BOOST_TEST(fixture.pair.consistent(0.));
+  BOOST_TEST(!fixture.contact.trial()[1].touching);
+  BOOST_TEST(fixture.contact.consistent(0.));
 }
 
 BOOST_AUTO_TEST_CASE(tension_is_no_solution)
 {
   // The estimate says compression, but the node is above the tool: iterate with a tensile force, not a solution.
   const FakeSurface surface = row(1);
-  PairFixture fixture(surface, constant, flat);
+  InterfaceFixture fixture(surface, constant, flat);
   Vector q = place(fixture, 0., -.02);
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(q);
   fixture.assemble(place(fixture, 0., .01));
-  BOOST_TEST(fixture.pair.trial()[0].touching);
-  BOOST_TEST(fixture.pair.trial()[0].force < 0.);
-  BOOST_TEST(!fixture.pair.consistent(0.));
+  BOOST_TEST(fixture.contact.trial()[0].touching);
+  BOOST_TEST(fixture.contact.trial()[0].force < 0.);
+  BOOST_TEST(!fixture.contact.consistent(0.));
 }
 
 BOOST_AUTO_TEST_CASE(continuation_of_a_first_touch)
 {
   const FakeSurface surface = row(1);
-  PairFixture fixture(surface, constant, flat);
+  InterfaceFixture fixture(surface, constant, flat);
   const Vector q = place(fixture, 0., -.02);
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  fixture.pair.soften(1e-3);
+  fixture.contact.soften(1e-3);
   unsigned int rounds = 0;
   double last = 0.;
   do
   {
     fixture.settle(q);
-    BOOST_TEST(fixture.pair.trial()[0].force > 5. * last);
-    last = fixture.pair.trial()[0].force;
-  } while (fixture.pair.correct_factors() > 0 && ++rounds < 20);
+    BOOST_TEST(fixture.contact.trial()[0].force > 5. * last);
+    last = fixture.contact.trial()[0].force;
+  } while (fixture.contact.correct_factors() > 0 && ++rounds < 20);
   BOOST_TEST(std::abs(last - 50. * .02) < 1e-13);
   BOOST_TEST((rounds > 1u && rounds < 10u));
 }
@@ -304,12 +306,12 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
   // digit, because everything is linear between the states. Factors change at the starts of increments and in
   // corrections; only their values at the ends of the increment count, and the accepted force.
   const FakeSurface surface = row(2);
-  PairFixture fixture(
+  InterfaceFixture fixture(
     surface,
     {"Enforcement=penalty", "Allowed penetration=1e-3 + if(t > 5, 2e-3, 0)", "Allowed elastic slip=1e-3"},
     flat + Entries{"Friction coefficient=.2"});
   Vector q = place(fixture, 0., 0.);
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   Eigen::VectorXd committed = Eigen::VectorXd::Zero(fixture.n);
   double work = 0.;
   unsigned int k = 0, corrected = 0, sliding = 0;
@@ -318,7 +320,7 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
     fixture.begin_increment(q, ++k, stiffness);
     fixture.settle(q);
     fixture.settle(next);
-    for (unsigned int round = 0; round < 3 && fixture.pair.correct_factors() > 0; ++round)
+    for (unsigned int round = 0; round < 3 && fixture.contact.correct_factors() > 0; ++round)
     {
       fixture.settle(next);
       ++corrected;
@@ -328,9 +330,9 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
       work += .5 * (now[i] + committed[i]) * (next[i] - q[i]);
     committed = now;
     q = next;
-    fixture.pair.commit(q);
-    sliding += fixture.pair.committed()[0].touching && !fixture.pair.committed()[0].sticking;
-    const auto energy = fixture.pair.energy();
+    fixture.contact.commit(q);
+    sliding += fixture.contact.committed()[0].touching && !fixture.contact.committed()[0].sticking;
+    const auto energy = fixture.contact.energy();
     // The work done on the nodes, and by changing the factors, is in the springs or lost.
     BOOST_TEST(std::abs(work + energy.epsilon - energy.stored - energy.friction) <
                1e-14 * (10. + std::abs(work) + std::abs(energy.epsilon)));
@@ -347,7 +349,7 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
   go(-.02, .1);
   BOOST_TEST(corrected > 0u);
   BOOST_TEST(sliding > 10u);
-  const auto energy = fixture.pair.energy();
+  const auto energy = fixture.contact.energy();
   BOOST_TEST_MESSAGE("work " << work << ", friction " << energy.friction << ", factors " << energy.epsilon);
   BOOST_TEST(energy.stored == 0.);
   BOOST_TEST(energy.friction > 0.);
@@ -367,17 +369,17 @@ BOOST_AUTO_TEST_CASE(friction_work_does_not_depend_on_the_increments)
       {
         const double step = length / n_increments;
         const FakeSurface surface = row(1);
-        PairFixture fixture(
+        InterfaceFixture fixture(
           surface, constant + Entries{"Allowed elastic slip=1e-3"}, tool + Entries{"Friction coefficient=.2"});
         const auto at = [&](const double x) { return place(fixture, x, x < 0. || x > length ? .1 : -height); };
         Vector q = at(-1.5 * step);
-        fixture.pair.begin_stage(q, 0.);
+        fixture.contact.begin_stage(q, 0.);
         for (unsigned int k = 0; k < n_increments + 3; ++k)
           go(fixture, q, at((k - .5) * step), k + 1.);
-        BOOST_TEST(fixture.pair.n_touching() == 0u);
-        BOOST_TEST(std::abs(fixture.pair.energy().friction - limit * length) < 1e-12);
+        BOOST_TEST(fixture.contact.n_touching() == 0u);
+        BOOST_TEST(std::abs(fixture.contact.energy().friction - limit * length) < 1e-12);
         // Once the force came within the increment, once it went: each puts an error evenly between +-limit step/2.
-        BOOST_TEST(std::abs(fixture.pair.energy().friction_error() - limit * step / std::sqrt(6.)) < 1e-12);
+        BOOST_TEST(std::abs(fixture.contact.energy().friction_error() - limit * step / std::sqrt(6.)) < 1e-12);
       }
 }
 
@@ -385,7 +387,7 @@ BOOST_AUTO_TEST_CASE(friction_that_passes_from_node_to_node_is_certain)
 {
   // The friction force of the tool is the same all the time: it does not matter when which node takes it over.
   const FakeSurface surface = row(2);
-  PairFixture fixture(
+  InterfaceFixture fixture(
     surface, constant + Entries{"Allowed elastic slip=1e-3"}, flat + Entries{"Friction coefficient=.2"});
   const auto at = [&](const double x, const bool first) {
     Vector q = place(fixture, x, .1);
@@ -393,53 +395,53 @@ BOOST_AUTO_TEST_CASE(friction_that_passes_from_node_to_node_is_certain)
     return q;
   };
   Vector q = at(0., true);
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   go(fixture, q, at(.1, true), 1.);
-  const ContactEnergy start = fixture.pair.energy();
+  const ContactEnergy start = fixture.contact.energy();
   for (unsigned int k = 2; k < 10; ++k)
     go(fixture, q, at(.1 * k, k % 2 == 1), k);
-  BOOST_TEST(fixture.pair.committed()[0].touching);
+  BOOST_TEST(fixture.contact.committed()[0].touching);
   BOOST_TEST(start.friction_error() > 0.);
-  BOOST_TEST(std::abs(fixture.pair.energy().friction_error() - start.friction_error()) < 1e-12);
-  BOOST_TEST(std::abs(fixture.pair.energy().friction - start.friction - .8 * .2) < 1e-12);
+  BOOST_TEST(std::abs(fixture.contact.energy().friction_error() - start.friction_error()) < 1e-12);
+  BOOST_TEST(std::abs(fixture.contact.energy().friction - start.friction - .8 * .2) < 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(sticking_creeps_less_than_allowed)
 {
   const FakeSurface surface = row(1);
-  PairFixture fixture(
+  InterfaceFixture fixture(
     surface, constant + Entries{"Allowed elastic slip=1e-4"}, flat + Entries{"Friction coefficient=.2"});
   Vector q = place(fixture, 0., -.1); // lambda = 5, limit 1
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(q);
-  fixture.pair.commit(q);
+  fixture.contact.commit(q);
   fixture.begin_increment(q, 2., stiffness);
-  BOOST_TEST(std::abs(fixture.pair.trial()[0].epsilon_tangential - 1. / 1e-4) < 1e-8);
+  BOOST_TEST(std::abs(fixture.contact.trial()[0].tangential_factor - 1. / 1e-4) < 1e-8);
   fixture.settle(place(fixture, .99e-4, -.1));
-  BOOST_TEST(fixture.pair.trial()[0].sticking);
-  BOOST_TEST(fixture.pair.correct_factors() == 0u);
+  BOOST_TEST(fixture.contact.trial()[0].sticking);
+  BOOST_TEST(fixture.contact.correct_factors() == 0u);
   // With more normal force it would stick and creep further: the factor is raised.
   fixture.settle(place(fixture, 3e-4, -.4));
-  BOOST_TEST(fixture.pair.trial()[0].sticking);
-  const double before = fixture.pair.trial()[0].epsilon_tangential;
-  BOOST_TEST(fixture.pair.correct_factors() == 1u);
-  BOOST_TEST(std::abs(fixture.pair.trial()[0].epsilon_tangential / before - 3. / .8) < 1e-8);
+  BOOST_TEST(fixture.contact.trial()[0].sticking);
+  const double before = fixture.contact.trial()[0].tangential_factor;
+  BOOST_TEST(fixture.contact.correct_factors() == 1u);
+  BOOST_TEST(std::abs(fixture.contact.trial()[0].tangential_factor / before - 3. / .8) < 1e-8);
 }
 
 BOOST_AUTO_TEST_CASE(a_thicker_blank_pushes)
 {
   FakeSurface surface(1, 0., .05);
-  PairFixture fixture(surface, constant, flat);
+  InterfaceFixture fixture(surface, constant, flat);
   const Vector q = place(fixture, 0., .04);
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(q);
-  fixture.pair.commit(q);
+  fixture.contact.commit(q);
   surface.offset += 1e-4;
-  fixture.pair.refresh(q);
-  BOOST_TEST(std::abs(fixture.pair.energy().thickness - 50. * .01 * 1e-4) < 1e-15);
-  BOOST_TEST(std::abs(fixture.pair.committed()[0].force - .5) < 1e-14);
+  fixture.contact.refresh(q);
+  BOOST_TEST(std::abs(fixture.contact.energy().thickness - 50. * .01 * 1e-4) < 1e-15);
+  BOOST_TEST(std::abs(fixture.contact.committed()[0].force - .5) < 1e-14);
 }
 
 BOOST_AUTO_TEST_CASE(the_deepest_point_of_an_edge_over_an_arc)
@@ -455,35 +457,35 @@ BOOST_AUTO_TEST_CASE(the_deepest_point_of_an_edge_over_an_arc)
           {
             FakeSurface surface(2);
             surface.area = 4.;
-            surface.squeeze = 8e-3;
+            surface.compliance = 8e-3;
             const auto at = [&](const double angle, const double p) {
               const double rho = concave == "true" ? 1. + p : 1. - p;
               return Point2(side * rho * std::sin(angle), (concave == "true" ? -1. : 1.) * rho * std::cos(angle));
             };
             surface.X = {at(.1, 1e-3), at(.3, depth)};
-            PairFixture fixture(
+            InterfaceFixture fixture(
               surface,
               constant,
               {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0", "Concave=" + concave, "Squeeze=" + squeeze});
             const Vector q(fixture.n);
-            fixture.pair.begin_stage(q, 0.);
+            fixture.contact.begin_stage(q, 0.);
             fixture.begin_increment(q, 1., stiffness);
             fixture.settle(q);
-            fixture.pair.commit(q);
-            BOOST_TEST(fixture.pair.n_touching() == 2u);
+            fixture.contact.commit(q);
+            BOOST_TEST(fixture.contact.n_touching() == 2u);
 
             double deepest = 0.;
             for (unsigned int k = 0; k <= 20000; ++k)
             {
               const double xi = k / 20000.;
               const Point2 x = surface.X[0] + xi * (surface.X[1] - surface.X[0]);
-              const double face = squeeze == "off" ? 0.
-                                                   : -surface.squeeze * ((1. - xi) * fixture.pair.committed()[0].force +
-                                                                         xi * fixture.pair.committed()[1].force);
-              deepest = std::max(deepest, face - fixture.pair.tool().project(x, 0., 0).distance);
+              const auto &points = fixture.contact.committed();
+              const double force = (1. - xi) * points[0].force + xi * points[1].force;
+              const double face = squeeze == "off" ? 0. : -surface.compliance * force;
+              deepest = std::max(deepest, face - fixture.contact.tool().project(x, 0., 0).distance);
             }
             BOOST_TEST(deepest > 0.);
-            BOOST_TEST(std::abs(fixture.pair.penetration_between_nodes(q) - deepest) < 1e-10);
+            BOOST_TEST(std::abs(penetration_between_nodes(fixture.contact, q) - deepest) < 1e-10);
           }
 }
 
@@ -495,21 +497,21 @@ BOOST_AUTO_TEST_CASE(results_of_a_pair)
   const double a = .2;
   const double p = 1e-3;
   surface.X = {(1. - p) * Point2(std::sin(-a), std::cos(a)), (1. - p) * Point2(std::sin(a), std::cos(a))};
-  PairFixture fixture(surface, constant, {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"});
+  InterfaceFixture fixture(surface, constant, {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"});
   const Vector q(fixture.n);
-  BOOST_TEST(std::abs(fixture.pair.closest(q, fixture.pair.tool().travel(0.)).second + p) < 1e-14);
-  fixture.pair.begin_stage(q, 0.);
+  BOOST_TEST(std::abs(fixture.contact.projector().closest(q, fixture.contact.tool().travel(0.)).second + p) < 1e-14);
+  fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(q);
-  fixture.pair.commit(q);
-  BOOST_TEST(std::abs(fixture.pair.penetration_between_nodes(q) - (1. - (1. - p) * std::cos(a))) < 1e-9);
-  for (const double pressure : fixture.pair.pressure(q))
+  fixture.contact.commit(q);
+  BOOST_TEST(std::abs(penetration_between_nodes(fixture.contact, q) - (1. - (1. - p) * std::cos(a))) < 1e-9);
+  for (const double pressure : contact_pressure(fixture.contact, q))
     BOOST_TEST(std::abs(pressure - 50. * p / 4.) < 1e-13);
   DenseTarget released(fixture.n, false);
-  fixture.pair.release(q, released);
-  BOOST_TEST(fixture.pair.n_touching() == 0u);
-  BOOST_TEST(fixture.pair.energy().stored == 0.);
-  for (const double pressure : fixture.pair.pressure(q))
+  fixture.contact.release(q, released);
+  BOOST_TEST(fixture.contact.n_touching() == 0u);
+  BOOST_TEST(fixture.contact.energy().stored == 0.);
+  for (const double pressure : contact_pressure(fixture.contact, q))
     BOOST_TEST(pressure == 0.);
 }
 
@@ -521,34 +523,38 @@ BOOST_AUTO_TEST_CASE(a_tool_leaves_with_the_forces_of_the_last_equilibrium)
       BOOST_TEST_CONTEXT(enforcement << ", " << rule)
       {
         FakeSurface surface(3, 0., .05);
-        surface.squeeze = 1e-5;
+        surface.compliance = 1e-5;
         for (unsigned int i = 0; i < 3; ++i)
           surface.X[i] = Point2(-.2 + .2 * i, -.055);
-        PairFixture fixture(surface,
-                            {"Enforcement=" + enforcement, "Penalty rule=" + rule},
-                            {"Shape=circle", "Radius=1", "Side=bottom", "Position z=-1.1", "Friction coefficient=.2"});
+        InterfaceFixture fixture(surface,
+                                 {"Enforcement=" + enforcement, "Penalty rule=" + rule},
+                                 {"Shape=circle",
+                                  "Radius=1",
+                                  "Side=bottom",
+                                  "Position z=-1.1",
+                                  "Friction coefficient=.2"});
         Vector q(fixture.n);
         for (unsigned int i = 6; i < 9 && i < fixture.n; ++i)
           q[i] = 3.; // multipliers
-        fixture.pair.begin_stage(q, 0.);
+        fixture.contact.begin_stage(q, 0.);
         fixture.begin_increment(q, 1., stiffness);
         q[0] = .01;
         q[2] = .02;
         const DenseTarget balanced = fixture.settle(q);
-        BOOST_TEST_REQUIRE(fixture.pair.n_touching() > 0u);
-        fixture.pair.commit(q);
+        BOOST_TEST_REQUIRE(fixture.contact.n_touching() > 0u);
+        fixture.contact.commit(q);
 
         surface.offset = .06;
         DenseTarget again(fixture.n, false);
-        fixture.pair.begin_increment(1.);
-        fixture.pair.assemble(q, again);
+        fixture.contact.begin_increment(1.);
+        fixture.contact.assemble(q, again);
         if (enforcement == "penalty")
           BOOST_TEST((again.residual - balanced.residual).norm() > 1e-3);
         DenseTarget released(fixture.n, false);
-        fixture.pair.release(q, released);
+        fixture.contact.release(q, released);
         for (unsigned int i = 0; i < 6; ++i)
           BOOST_TEST(released.residual[i] == balanced.residual[i]);
-        BOOST_TEST(fixture.pair.n_touching() == 0u);
+        BOOST_TEST(fixture.contact.n_touching() == 0u);
       }
 }
 
@@ -564,12 +570,12 @@ BOOST_AUTO_TEST_CASE(a_blank_that_rests_on_a_tool_touches_it)
         surface.X[0] = Point2(0., height);
         std::ostringstream position;
         position << "Position z=" << std::setprecision(17) << height - .0175;
-        PairFixture fixture(
+        InterfaceFixture fixture(
           surface, constant, {"Shape=hemispherical punch", "Side=bottom", "Radius=" + radius, position.str()});
-        fixture.pair.begin_stage(Vector(fixture.n), 0.);
+        fixture.contact.begin_stage(Vector(fixture.n), 0.);
         fixture.begin_increment(Vector(fixture.n), 1., stiffness);
         fixture.assemble(Vector(fixture.n));
-        BOOST_TEST(fixture.pair.n_touching() == 1u);
+        BOOST_TEST(fixture.contact.n_touching() == 1u);
       }
 }
 
@@ -577,11 +583,11 @@ BOOST_AUTO_TEST_CASE(nodes_without_area_have_no_pair)
 {
   FakeSurface surface = row(1);
   surface.area = 0.;
-  PairFixture fixture(surface, constant, flat);
-  fixture.pair.begin_stage(Vector(fixture.n), 0.);
+  InterfaceFixture fixture(surface, constant, flat);
+  fixture.contact.begin_stage(Vector(fixture.n), 0.);
   fixture.begin_increment(Vector(fixture.n), 1., stiffness);
   BOOST_TEST(fixture.settle(place(fixture, 0., -.1)).residual.norm() == 0.);
-  BOOST_TEST(fixture.pair.n_touching() == 0u);
+  BOOST_TEST(fixture.contact.n_touching() == 0u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

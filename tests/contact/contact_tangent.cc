@@ -81,6 +81,7 @@ namespace
     std::string drive; // entry of the tool
     std::string enforcement; // registered
     bool second; // in the second increment of contact, from a state with friction
+    std::string law = "coulomb"; // of friction, registered
   };
 
   using Branch = std::tuple<bool, bool, unsigned int, double>;
@@ -92,14 +93,15 @@ namespace
       : surface(where.size(), what.arm, what.arm > 0. ? 0. : offset), fixture(surface, contact, entries), q(fixture.n),
         before(fixture.n)
     {
+      surface.yield = .3;
       for (unsigned int i = 0; i < where.size(); ++i)
         put(i, where[i], what);
-      fixture.pair.begin_stage(before, 0.);
+      fixture.contact.begin_stage(before, 0.);
       if (what.second)
       {
         fixture.begin_increment(before, .5, stiffness);
         fixture.settle(before);
-        fixture.pair.commit(before);
+        fixture.contact.commit(before);
       }
       fixture.begin_increment(before, 1., stiffness);
       fixture.settle(q);
@@ -134,13 +136,13 @@ namespace
     std::vector<Branch> branches(const Vector &state)
     {
       fixture.assemble(state, false);
-      const Tensor1 shift = fixture.pair.travel(state) * fixture.tool.direction();
+      const Tensor1 shift = fixture.contact.travel(state) * fixture.tool.direction();
       const Shape &shape = fixture.tool.shape();
       std::vector<Branch> result;
-      for (unsigned int i = 0; i < fixture.pair.n_nodes(); ++i)
+      for (unsigned int i = 0; i < fixture.contact.n_nodes(); ++i)
       {
-        const PairState &pair = fixture.pair.trial()[i];
-        const auto foot = fixture.tool.project(fixture.pair.node(state, i).x - shift, 0.);
+        const ContactPointState &pair = fixture.contact.trial()[i];
+        const auto foot = fixture.tool.project(fixture.contact.node(state, i).x - shift, 0.);
         result.emplace_back(pair.touching,
                             pair.sticking,
                             foot.segment,
@@ -167,7 +169,7 @@ namespace
     }
 
     FakeSurface surface;
-    PairFixture fixture;
+    InterfaceFixture fixture;
     Vector q, before;
   };
 
@@ -176,16 +178,21 @@ namespace
   void check(const std::string &shape, const std::string &side, const Variant &what)
   {
     constexpr double step = 1e-5;
-    // Entries of the shape's documentation
+    // Entries of the documentation of shape and law
     Entries entries = documented_entries(
       [&](ParameterTree &tree) {
         Section section = tree.root();
         Registry<Shape>::make(shape, section);
+        Registry<FrictionLaw>::make(what.law, section);
       });
-    entries =
-      entries + Entries{"Shape=" + shape, "Side=" + side, "Position z=0", "Friction coefficient=.3", what.drive};
+    entries = entries + Entries{"Shape=" + shape,
+                                "Side=" + side,
+                                "Position z=0",
+                                "Friction law=" + what.law,
+                                "Friction coefficient=.3",
+                                what.drive};
     const Entries contact{"Enforcement=" + what.enforcement, "Tangential factor=20"};
-    const auto all = places(PairFixture(FakeSurface(1), contact, entries).tool);
+    const auto all = places(InterfaceFixture(FakeSurface(1), contact, entries).tool);
     BOOST_TEST_REQUIRE(all.size() > 0u);
 
     std::vector<Place> where;
@@ -196,18 +203,18 @@ namespace
     BOOST_TEST_REQUIRE(4 * where.size() >= 3 * all.size());
 
     Placed placed(where, what, contact, entries);
-    PairFixture &fixture = placed.fixture;
+    InterfaceFixture &fixture = placed.fixture;
     unsigned int touching = 0, sliding = 0;
-    for (const auto &state : fixture.pair.trial())
+    for (const auto &state : fixture.contact.trial())
     {
       touching += state.touching;
       sliding += state.touching && !state.sticking;
     }
     BOOST_TEST(touching > 0u);
-    BOOST_TEST((what.slip < 1e-2 || sliding > 0u));
+    BOOST_TEST((what.slip < 1e-2 || sliding > 0u || !fixture.contact.friction()));
     BOOST_TEST((what.slip > 1e-2 || sliding < touching));
     const Assembly assembly = [&](const Vector &state, AssemblyTarget &target) {
-      fixture.pair.assemble(state, target);
+      fixture.contact.assemble(state, target);
     };
     BOOST_TEST(tangent_error(assembly, placed.q, std::vector<double>(fixture.n, 1.), step) < 1e-7);
   }
@@ -234,6 +241,15 @@ BOOST_AUTO_TEST_CASE(moved_tools)
         for_all_shapes({arm, slip, "Motion=0", enforcement, second});
 }
 
+BOOST_AUTO_TEST_CASE(laws_of_friction)
+{
+  for (const auto &law : Registry<FrictionLaw>::names())
+    for (const std::string enforcement : {"penalty", "active set"})
+      BOOST_TEST_CONTEXT("friction law '" << law << "', enforcement '" << enforcement << "'")
+  for (const double slip : {5e-4, .03})
+    for_all_shapes({.05, slip, "Motion=0", enforcement, true, law});
+}
+
 BOOST_AUTO_TEST_CASE(force_driven_tools)
 {
   for (const auto &enforcement : Registry<Enforcement>::names())
@@ -249,16 +265,16 @@ BOOST_AUTO_TEST_CASE(first_touches_in_continuation)
     {
       FakeSurface surface(3, 0., offset);
       surface.X = {{-.4, offset - .01}, {.1, offset - .02}, {.7, offset - .01}};
-      PairFixture fixture(surface, {"Enforcement=" + enforcement}, flat + Entries{"Friction coefficient=.1"});
+      InterfaceFixture fixture(surface, {"Enforcement=" + enforcement}, flat + Entries{"Friction coefficient=.1"});
       Vector q(fixture.n);
       for (unsigned int i = fixture.n_blank; i < fixture.n; ++i)
         q[i] = .5;
-      fixture.pair.begin_stage(q, 0.);
+      fixture.contact.begin_stage(q, 0.);
       fixture.begin_increment(q, 1., stiffness);
-      fixture.pair.soften(1e-2);
+      fixture.contact.soften(1e-2);
       fixture.settle(q);
       const Assembly assembly = [&](const Vector &state, AssemblyTarget &target) {
-        fixture.pair.assemble(state, target);
+        fixture.contact.assemble(state, target);
       };
       BOOST_TEST(tangent_error(assembly, q, std::vector<double>(fixture.n, 1.), 1e-5) < 1e-7);
     }
@@ -268,19 +284,20 @@ BOOST_AUTO_TEST_CASE(frictionless_forces_have_a_potential)
 {
   FakeSurface surface(2, .05);
   surface.X = {{.1, 1.}, {.8, .6}};
-  PairFixture fixture(surface, {"Enforcement=penalty"}, {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"});
+  InterfaceFixture fixture(
+    surface, {"Enforcement=penalty"}, {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"});
   Vector q(fixture.n);
   q[2] = .1;
   q[5] = -.5;
-  fixture.pair.begin_stage(q, 0.);
+  fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   const auto target = fixture.settle(q);
   BOOST_TEST((target.matrix - target.matrix.transpose()).norm() < 1e-13 * target.matrix.norm());
   const auto potential = [&](const Vector &state) {
     fixture.assemble(state);
     double sum = 0.;
-    for (const auto &pair : fixture.pair.trial())
-      sum += .5 * pair.epsilon * pair.gap * pair.gap;
+    for (const auto &pair : fixture.contact.trial())
+      sum += .5 * pair.penalty_factor * pair.gap * pair.gap;
     return sum;
   };
   constexpr double h = 1e-5;
@@ -301,17 +318,17 @@ BOOST_AUTO_TEST_CASE(the_tool_feels_the_opposite_force)
   surface.X = {{.1, 1.}, {.8, .6}};
   const Entries circle{
     "Shape=circle", "Radius=1", "Side=bottom", "Position z=0", "Friction coefficient=.2", "Force=2", "Direction=3 4"};
-  PairFixture fixture(surface, {"Enforcement=penalty"}, circle);
+  InterfaceFixture fixture(surface, {"Enforcement=penalty"}, circle);
   Vector q(fixture.n), before = q;
   before[0] = .01;
-  fixture.pair.begin_stage(before, 0.);
+  fixture.contact.begin_stage(before, 0.);
   fixture.begin_increment(before, 1., stiffness);
   const auto target = fixture.settle(q);
-  BOOST_TEST(fixture.pair.n_touching() == 2u);
+  BOOST_TEST(fixture.contact.n_touching() == 2u);
   const Tensor1 on_nodes({-target.residual[0] - target.residual[3], -target.residual[1] - target.residual[4]});
-  BOOST_TEST((fixture.pair.tool_force() + on_nodes).norm() < 1e-13);
+  BOOST_TEST((fixture.contact.tool_force() + on_nodes).norm() < 1e-13);
   // The travel's row: the blank pushes back along the direction what the force pushes forward.
-  const double pushed_back = -(fixture.pair.tool_force() * fixture.tool.direction());
+  const double pushed_back = -(fixture.contact.tool_force() * fixture.tool.direction());
   BOOST_TEST(std::abs(target.residual[fixture.n - 1] - (pushed_back - 2.)) < 1e-13);
 }
 

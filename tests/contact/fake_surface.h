@@ -3,7 +3,7 @@
 #include "../blanks/dense_target.h"
 #include "../materials/material_point.h"
 
-#include <deltaform/contact/contact_pair.h>
+#include <deltaform/contact/contact_interface.h>
 
 namespace deltaform
 {
@@ -43,6 +43,11 @@ namespace deltaform
         return 1e3;
       }
 
+      std::vector<double> flow_stress(Side) const override
+      {
+        return std::vector<double>(X.size(), yield);
+      }
+
       void contact_node(const Vector &q,
                         const Side side,
                         const unsigned int i,
@@ -56,7 +61,7 @@ namespace deltaform
         node.offset = offset;
         node.reference_coordinate = X[i][0];
         node.thickness = 2. * (arm + offset);
-        node.squeeze = squeeze;
+        node.compliance = compliance;
         for (unsigned int k = 0; k < node.n_dofs; ++k)
           node.dofs[k] = i * node.n_dofs + k;
         node.x = X[i] + Tensor1({q[node.dofs[0]], q[node.dofs[1]]});
@@ -77,31 +82,31 @@ namespace deltaform
       }
 
       std::vector<Point2> X;
-      double arm, offset, area = 1., squeeze = 0.;
+      double arm, offset, area = 1., compliance = 0., yield = std::numeric_limits<double>::infinity();
       unsigned int axis_node = invalid_index; ///< a node without area
       std::vector<std::array<unsigned int, 3>> edges;
     };
 
-    /// One pair of a fake surface with a tool: entries of the sections Contact and Tools/tool.
-    struct PairFixture
+    /// One interface of a fake surface with a tool: entries of the sections Contact and Tools/tool.
+    struct InterfaceFixture
     {
-      PairFixture(const ContactSurface &surface, const Entries &contact, const Entries &tool_entries)
-        : tree(ParameterTree::parse("", "test", all(contact, tool_entries))),
+      InterfaceFixture(const ContactSurface &surface, const Entries &contact_entries, const Entries &tool_entries)
+        : tree(ParameterTree::parse("", "test", all(contact_entries, tool_entries))),
           contact_section(tree.root().sub("Contact")), settings(contact_section, {{"thickness", 1.}}),
           tool("tool", tree.root().sub("Tools").sub("tool"), {{"thickness", 1.}}, {{"thickness", 1.}}),
-          pair(surface, tool, settings, tree.root().sub("Tools").sub("tool")), n_blank(surface.n_contact_dofs()),
+          contact(surface, tool, settings, tree.root().sub("Tools").sub("tool")), n_blank(surface.n_contact_dofs()),
           n(n_blank)
       {
         const bool own_unknowns = settings.enforcement->has_multiplier();
-        n += own_unknowns ? pair.n_nodes() : 0;
-        pair.set_dofs(n, n_blank);
+        n += own_unknowns ? contact.n_nodes() : 0;
+        contact.set_dofs(n, n_blank);
         n += tool.force_driven();
       }
 
-      static Entries all(const Entries &contact, const Entries &tool_entries)
+      static Entries all(const Entries &contact_entries, const Entries &tool_entries)
       {
         Entries result;
-        for (const auto &entry : contact)
+        for (const auto &entry : contact_entries)
           result.push_back("Contact/" + entry);
         for (const auto &entry : tool_entries)
           result.push_back("Tools/tool/" + entry);
@@ -114,21 +119,21 @@ namespace deltaform
         DenseTarget springs(n);
         springs.matrix.setIdentity();
         springs.matrix *= k;
-        pair.read_stiffness(q, springs);
+        contact.read_stiffness(q, springs);
       }
 
       /// An increment from @p before (where a stage begins if it is the first) begins.
       void begin_increment(const Vector &before, const double time, const double k)
       {
-        pair.begin_increment(time);
+        contact.begin_increment(time);
         read_stiffness(before, k);
-        pair.predict_factors(before, nullptr);
+        contact.predict_factors(before, nullptr);
       }
 
       DenseTarget assemble(const Vector &q, const bool tangent = true)
       {
         DenseTarget target(n, tangent);
-        pair.assemble(q, target);
+        contact.assemble(q, target);
         return target;
       }
 
@@ -138,8 +143,8 @@ namespace deltaform
         for (unsigned int k = 0; k < 2; ++k)
         {
           assemble(q);
-          pair.prepare_step(Vector(n));
-          pair.advance(1.);
+          contact.prepare_step(Vector(n));
+          contact.advance(1.);
         }
         return assemble(q);
       }
@@ -148,7 +153,7 @@ namespace deltaform
       Section contact_section;
       ContactSettings settings;
       Tool tool;
-      ContactPair pair;
+      ContactInterface contact;
       unsigned int n_blank, n;
     };
 

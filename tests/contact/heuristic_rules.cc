@@ -22,7 +22,7 @@ namespace
   {
     PenaltyInput input;
     input.stiffness = 7.;
-    input.previous_epsilon = 3.;
+    input.previous_factor = 3.;
     input.penetration = p;
     input.previous_penetration = q;
     input.delta = delta;
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(proportional)
   BOOST_TEST(law->correct(touching(.109, 0., .1)) == 3.);
   BOOST_TEST(law->predict(touching(0., 0., .1)) == 3.);
   PenaltyInput first = touching(0., 0., .1);
-  first.previous_epsilon = 0.;
+  first.previous_factor = 0.;
   BOOST_TEST(law->predict(first) == 14.);
 }
 

@@ -56,11 +56,11 @@ namespace
     }
   };
 
-  PairState random_pair(Random &random)
+  ContactPointState random_pair(Random &random)
   {
-    PairState state;
+    ContactPointState state;
     state.stiffness = random.positive(1., 1e6);
-    state.epsilon = random.positive(1e-3, 1e3) * state.stiffness;
+    state.penalty_factor = random.positive(1e-3, 1e3) * state.stiffness;
     return state;
   }
 
@@ -70,14 +70,27 @@ namespace
     input.stiffness = random.positive(1e-2, 1e7);
     input.delta = random.positive(1e-9, 1e-2);
     input.area = random.positive(1e-6, 10.);
-    input.previous_epsilon = random.positive(1e-3, 1e6) * input.stiffness;
+    input.previous_factor = random.positive(1e-3, 1e6) * input.stiffness;
     input.penetration = random.uniform(0., 1.) < .2 ? 0. : random.positive(1e-3, 1e3) * input.delta;
-    input.force = input.previous_epsilon * input.penetration;
+    input.force = input.previous_factor * input.penetration;
     input.thickness = random.positive(1e-3, 10.);
     input.modulus = random.positive(1., 1e6);
     input.previous_penetration = random.uniform(0., 1.) < .3 ? 0. : random.positive(.1, 10.) * input.penetration;
     input.coupling = random.uniform(-3., 3.) * input.stiffness * input.delta;
     input.neighbour = random.uniform(0., 1.) < .5 ? 0. : random.positive(1e-3, 1e6) * input.stiffness;
+    return input;
+  }
+
+  /// Coulomb's coefficient is zero unless it is given.
+  const std::vector<std::string> rough = {"Friction coefficient=.3"};
+
+  FrictionInput random_friction(Random &random)
+  {
+    FrictionInput input;
+    input.normal_force = random.positive(.1, 10.);
+    input.stiffness = random.positive(1., 1e4);
+    input.area = random.positive(.1, 10.);
+    input.flow_stress = random.positive(.1, 10.);
     return input;
   }
 } // namespace
@@ -92,7 +105,7 @@ BOOST_AUTO_TEST_CASE(enforcement_complementarity)
       Random random;
       for (unsigned int k = 0; k < 1000; ++k)
       {
-        const PairState state = random_pair(random);
+        const ContactPointState state = random_pair(random);
         const double g = random.positive(1e-9, 1e-1);
         // Apart, and no force: no contact, whatever the distance.
         const NormalResponse apart = enforcement.respond(state, g, 0.);
@@ -123,14 +136,14 @@ BOOST_AUTO_TEST_CASE(enforcement_derivative)
                          Random random;
                          for (unsigned int k = 0; k < 1000; ++k)
                          {
-                           const PairState state = random_pair(random);
+                           const ContactPointState state = random_pair(random);
                            const double gap = random.uniform(-1e-2, 1e-2), h = 1e-7;
                            const double lambda = random.uniform(-1., 1.) * state.stiffness;
                            const auto at = [&](const double g) { return enforcement.respond(state, g, lambda); };
                            BOOST_TEST(at(gap).derivative <= 0.);
                            if (at(gap - h).touching == at(gap + h).touching)
                              BOOST_TEST(std::abs((at(gap + h).force - at(gap - h).force) / (2. * h) -
-                                                 at(gap).derivative) <= 1e-6 * state.epsilon);
+                                                 at(gap).derivative) <= 1e-6 * state.penalty_factor);
                            BOOST_TEST((at(gap).touching || at(gap).force == 0.));
                          }
                        });
@@ -149,7 +162,7 @@ BOOST_AUTO_TEST_CASE(penalty_factors_are_positive_and_finite)
                            BOOST_TEST(usable(rule.correct(input)));
                            PenaltyInput first = input;
                            first.force = 0.;
-                           first.previous_epsilon = 0.;
+                           first.previous_factor = 0.;
                            first.penetration = 0.;
                            first.coupling = 0.;
                            BOOST_TEST(usable(rule.predict(first)));
@@ -178,22 +191,22 @@ BOOST_AUTO_TEST_CASE(a_promise_is_kept_by_corrections)
                            input.delta = random.positive(1e-6, 2.) * way;
                            input.force = input.penetration = input.previous_penetration = input.coupling = 0.;
                            input.neighbour = 0.;
-                           input.previous_epsilon = 0.; // a first touch
-                           input.previous_epsilon = rule.predict(input);
+                           input.previous_factor = 0.; // a first touch
+                           input.previous_factor = rule.predict(input);
                            unsigned int round = 0;
                            for (; round < 40; ++round)
                            {
-                             input.penetration = spring * way / (spring + input.previous_epsilon);
-                             input.force = input.previous_epsilon * input.penetration;
+                             input.penetration = spring * way / (spring + input.previous_factor);
+                             input.force = input.previous_factor * input.penetration;
                              const double factor = rule.correct(input);
-                             BOOST_TEST(factor >= input.previous_epsilon);
+                             BOOST_TEST(factor >= input.previous_factor);
                              if (input.penetration <= input.delta)
                              {
-                               BOOST_TEST(factor == input.previous_epsilon);
+                               BOOST_TEST(factor == input.previous_factor);
                                break;
                              }
-                             BOOST_TEST(factor > input.previous_epsilon);
-                             input.previous_epsilon = factor;
+                             BOOST_TEST(factor > input.previous_factor);
+                             input.previous_factor = factor;
                              input.previous_penetration = input.penetration;
                            }
                            BOOST_TEST(round < 30u);
@@ -217,14 +230,14 @@ BOOST_AUTO_TEST_CASE(predictions_keep_a_promise_at_constant_reaction)
                            double change = 1.;
                            for (unsigned int round = 0; round < 40 && change > 1e-12; ++round)
                            {
-                             input.penetration = input.force / input.previous_epsilon;
+                             input.penetration = input.force / input.previous_factor;
                              const double factor = rule.predict(input);
-                             change = std::abs(factor / input.previous_epsilon - 1.);
+                             change = std::abs(factor / input.previous_factor - 1.);
                              input.previous_penetration = input.penetration;
-                             input.previous_epsilon = factor;
+                             input.previous_factor = factor;
                            }
                            BOOST_TEST(change <= 1e-12);
-                           BOOST_TEST(input.force / input.previous_epsilon <= input.delta * (1. + 1e-12));
+                           BOOST_TEST(input.force / input.previous_factor <= input.delta * (1. + 1e-12));
                          }
                        });
 }
@@ -242,16 +255,16 @@ BOOST_AUTO_TEST_CASE(the_adaptive_rule_settles_at_its_aim)
       PenaltyInput input = random_input(random);
       input.force = random.positive(1e-3, 1e3);
       const double goal = input.force / (aim * input.delta);
-      double last = std::abs(std::log(input.previous_epsilon / goal));
+      double last = std::abs(std::log(input.previous_factor / goal));
       for (unsigned int round = 0; round < 30 && last > 1e-12; ++round)
       {
-        input.penetration = input.force / input.previous_epsilon;
-        input.previous_epsilon = rule->predict(input);
-        const double now = std::abs(std::log(input.previous_epsilon / goal));
+        input.penetration = input.force / input.previous_factor;
+        input.previous_factor = rule->predict(input);
+        const double now = std::abs(std::log(input.previous_factor / goal));
         BOOST_TEST(now < last);
         last = now;
       }
-      BOOST_TEST(std::abs(input.previous_epsilon * aim * input.delta / input.force - 1.) < 1e-11);
+      BOOST_TEST(std::abs(input.previous_factor * aim * input.delta / input.force - 1.) < 1e-11);
     }
   }
 }
@@ -264,7 +277,7 @@ BOOST_AUTO_TEST_CASE(floors_bound_the_factor)
                          for (unsigned int k = 0; k < 1000; ++k)
                          {
                            PenaltyInput input = random_input(random);
-                           input.previous_epsilon = std::max(input.previous_epsilon, rule.floor(input));
+                           input.previous_factor = std::max(input.previous_factor, rule.floor(input));
                            BOOST_TEST(rule.predict(input) >= rule.floor(input) * (1. - 1e-14));
                          }
                        });
@@ -286,17 +299,17 @@ BOOST_AUTO_TEST_CASE(rules_without_a_promise_end_their_corrections)
                              PenaltyInput input = random_input(random);
                              input.stiffness = random.positive(.1, 10.) * spring;
                              input.delta = random.positive(1e-6, 2.) * way;
-                             input.force = input.previous_epsilon = input.previous_penetration = 0.;
-                             input.previous_epsilon = rule.predict(input);
+                             input.force = input.previous_factor = input.previous_penetration = 0.;
+                             input.previous_factor = rule.predict(input);
                              unsigned int round = 0;
                              for (; round < 60; ++round)
                              {
-                               input.penetration = spring * way / (spring + input.previous_epsilon);
+                               input.penetration = spring * way / (spring + input.previous_factor);
                                const double factor = rule.correct(input);
-                               if (factor == input.previous_epsilon)
+                               if (factor == input.previous_factor)
                                  break;
-                               BOOST_TEST(factor > input.previous_epsilon);
-                               input.previous_epsilon = factor;
+                               BOOST_TEST(factor > input.previous_factor);
+                               input.previous_factor = factor;
                                input.previous_penetration = input.penetration;
                              }
                              BOOST_TEST(round < 20u);
@@ -333,87 +346,131 @@ BOOST_AUTO_TEST_CASE(the_printed_rule)
     negative += exact < 0.;
     if (exact < 0.)
       BOOST_TEST(guarded->predict(input) ==
-                 std::clamp(input.previous_epsilon, 1e-2 * input.stiffness, 1e6 * input.stiffness));
+                 std::clamp(input.previous_factor, 1e-2 * input.stiffness, 1e6 * input.stiffness));
   }
   BOOST_TEST(negative > 10u);
   BOOST_TEST(printed->needs_coupling());
 }
 
-BOOST_AUTO_TEST_CASE(friction_within_its_cone)
+BOOST_AUTO_TEST_CASE(limits_of_friction)
 {
-  for_all<FrictionLaw>(
-    {"Friction coefficient=.3"},
-    [](const FrictionLaw &law) {
-      Random random;
-      for (unsigned int path = 0; path < 50; ++path)
+  for_all<FrictionLaw>(rough, [](const FrictionLaw &law) {
+    Random random;
+    bool any = false;
+    for (unsigned int k = 0; k < 1000; ++k)
+    {
+      const FrictionInput input = random_friction(random);
+      const FrictionLimit limit = law.limit(input);
+      any |= limit.value > 0.;
+      BOOST_TEST((limit.value >= 0. && limit.rate >= 0. && std::isfinite(limit.value)));
+      // The limit's rate, where both sides are on the same branch.
+      FrictionInput less = input, more = input;
+      const double h = 1e-6 * input.normal_force;
+      less.normal_force -= h;
+      more.normal_force += h;
+      const FrictionLimit a = law.limit(less), b = law.limit(more);
+      if (a.rate == b.rate)
+        BOOST_TEST(std::abs((b.value - a.value) / (2. * h) - limit.rate) < 1e-6);
+      // The limit does not change with the path, nor with what the law does not ask for.
+      FrictionInput other = random_friction(random);
+      other.normal_force = input.normal_force;
+      if (law.needs_flow_stress())
       {
-        double t = 0., dissipated = 0.;
-        const double stiffness = random.positive(1., 1e4);
-        for (unsigned int k = 0; k < 200; ++k)
-        {
-          const double lambda = random.uniform(0., 1.) < .1 ? 0. : random.positive(1e-3, 10.);
-          const double slip = random.uniform(-2., 2.) * lambda / stiffness;
-          const FrictionResponse now = law.update(lambda, t, slip, stiffness);
-          BOOST_TEST(std::abs(now.force) <= law.limit(lambda) * (1. + 1e-14));
-          BOOST_TEST((lambda > 0. || now.force == 0.));
-          // What does not go into the spring is dissipated, never gained (backward Euler: force at the end).
-          const double irreversible = slip - (now.force - t) / stiffness;
-          BOOST_TEST(now.force * irreversible >= -1e-14 * std::abs(now.force) * std::abs(slip));
-          BOOST_TEST((!now.sticking || std::abs(irreversible) <= 1e-12 * (std::abs(slip) + std::abs(t) / stiffness)));
-          dissipated += now.force * irreversible;
-          t = now.force;
-        }
-        BOOST_TEST(dissipated > 0.);
+        other.area = input.area;
+        other.flow_stress = input.flow_stress;
       }
-      BOOST_TEST(law.limit(0.) == 0.);
-      BOOST_TEST(law.limit(2.) > law.limit(1.));
-    });
+      else
+        other.flow_stress = std::numeric_limits<double>::infinity();
+      BOOST_TEST(law.limit(other).value == limit.value);
+      // A law that knows no stress of the blank has nothing but the pressure to slide against.
+      other.normal_force = 0.;
+      BOOST_TEST((law.needs_flow_stress() || law.limit(other).value == 0.));
+    }
+    BOOST_TEST(law.acts() == any);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(friction_within_its_limit)
+{
+  for_all<FrictionLaw>(rough, [](const FrictionLaw &law) {
+    Random random;
+    for (unsigned int path = 0; path < 50; ++path)
+    {
+      FrictionInput input = random_friction(random);
+      input.committed = 0.;
+      double dissipated = 0.;
+      for (unsigned int k = 0; k < 200; ++k)
+      {
+        input.normal_force = random.uniform(0., 1.) < .1 ? 0. : random.positive(1e-3, 10.);
+        input.slip_increment = random.uniform(-2., 2.) * input.normal_force / input.stiffness;
+        const FrictionResponse now = law.update(input);
+        const double limit = law.limit(input).value, t = input.committed, slip = input.slip_increment;
+        BOOST_TEST(std::abs(now.force) <= limit * (1. + 1e-14));
+        BOOST_TEST((now.sticking || std::abs(now.force) >= limit * (1. - 1e-14)));
+        // What does not go into the spring is dissipated, never gained (backward Euler: force at the end).
+        const double size = std::abs(slip) + std::abs(t) / input.stiffness; // whose round-off the difference has
+        const double irreversible = slip - (now.force - t) / input.stiffness;
+        BOOST_TEST(now.force * irreversible >= -1e-14 * std::abs(now.force) * size);
+        BOOST_TEST((!now.sticking || std::abs(irreversible) <= 1e-12 * size));
+        dissipated += now.force * irreversible;
+        input.committed = now.force;
+      }
+      BOOST_TEST((law.acts() ? dissipated > 0. : dissipated == 0.));
+    }
+  });
 }
 
 BOOST_AUTO_TEST_CASE(friction_derivatives)
 {
-  for_all<FrictionLaw>({"Friction coefficient=.3"},
-                       [](const FrictionLaw &law) {
-                         Random random;
-                         unsigned int sliding = 0, sticking = 0;
-                         for (unsigned int k = 0; k < 2000; ++k)
-                         {
-                           const double lambda = random.uniform(.1, 10.), stiffness = random.positive(1., 1e4);
-                           const double t = random.uniform(-1., 1.) * law.limit(lambda),
-                                        slip = random.uniform(-1., 1.) * lambda / stiffness;
-                           const double h_slip = 1e-6 * lambda / stiffness, h_lambda = 1e-6 * lambda;
-                           const auto at = [&](const double l, const double s) {
-                             return law.update(l, t, s, stiffness);
-                           };
-                           const auto a = at(lambda, slip - h_slip), b = at(lambda, slip + h_slip);
-                           const auto c = at(lambda - h_lambda, slip), d = at(lambda + h_lambda, slip),
-                                      now = at(lambda, slip);
-                           if (a.sticking != b.sticking || c.sticking != d.sticking)
-                             continue;
-                           (now.sticking ? sticking : sliding)++;
-                           BOOST_TEST(std::abs((b.force - a.force) / (2. * h_slip) - now.slip_rate) < 1e-6 * stiffness);
-                           BOOST_TEST(std::abs((d.force - c.force) / (2. * h_lambda) - now.force_rate) < 1e-6);
-                         }
-                         BOOST_TEST((sliding > 100u && sticking > 100u));
-                       });
+  for_all<FrictionLaw>(rough, [](const FrictionLaw &law) {
+    Random random;
+    unsigned int sliding = 0, sticking = 0;
+    for (unsigned int k = 0; k < 2000; ++k)
+    {
+      FrictionInput input = random_friction(random);
+      const double limit = law.limit(input).value, lambda = input.normal_force, stiffness = input.stiffness;
+      input.committed = random.uniform(-1., 1.) * limit;
+      input.slip_increment = random.uniform(-2., 2.) * limit / stiffness;
+      const double h_slip = 1e-6 * lambda / stiffness, h_lambda = 1e-6 * lambda;
+      const auto at = [&](const double l, const double s) {
+        FrictionInput near = input;
+        near.normal_force = l;
+        near.slip_increment = s;
+        return law.update(near);
+      };
+      const double slip = input.slip_increment;
+      const auto a = at(lambda, slip - h_slip), b = at(lambda, slip + h_slip);
+      const auto c = at(lambda - h_lambda, slip), d = at(lambda + h_lambda, slip), now = at(lambda, slip);
+      // No derivative where it starts to slide, or where another limit takes over.
+      if (a.sticking != now.sticking || b.sticking != now.sticking || c.sticking != d.sticking ||
+          c.force_rate != d.force_rate)
+        continue;
+      (now.sticking ? sticking : sliding)++;
+      BOOST_TEST(std::abs((b.force - a.force) / (2. * h_slip) - now.slip_rate) < 1e-6 * stiffness);
+      BOOST_TEST(std::abs((d.force - c.force) / (2. * h_lambda) - now.force_rate) < 1e-6);
+    }
+    BOOST_TEST((!law.acts() || (sliding > 100u && sticking > 100u)));
+  });
 }
 
 BOOST_AUTO_TEST_CASE(friction_knows_no_preferred_direction)
 {
-  for_all<FrictionLaw>({"Friction coefficient=.3"},
-                       [](const FrictionLaw &law) {
-                         Random random;
-                         for (unsigned int k = 0; k < 500; ++k)
-                         {
-                           const double lambda = random.uniform(.1, 10.), t = random.uniform(-1., 1.),
-                                        slip = random.uniform(-.1, .1);
-                           const auto one = law.update(lambda, t, slip, 50.),
-                                      other = law.update(lambda, -t, -slip, 50.);
-                           BOOST_TEST(one.force == -other.force);
-                           BOOST_TEST(one.slip_rate == other.slip_rate);
-                           BOOST_TEST(one.force_rate == -other.force_rate);
-                         }
-                       });
+  for_all<FrictionLaw>(rough, [](const FrictionLaw &law) {
+    Random random;
+    for (unsigned int k = 0; k < 500; ++k)
+    {
+      FrictionInput input = random_friction(random);
+      input.committed = random.uniform(-1., 1.);
+      input.slip_increment = random.uniform(-5., 5.) / input.stiffness;
+      FrictionInput turned = input;
+      turned.committed *= -1.;
+      turned.slip_increment *= -1.;
+      const auto one = law.update(input), other = law.update(turned);
+      BOOST_TEST(one.force == -other.force);
+      BOOST_TEST(one.slip_rate == other.slip_rate);
+      BOOST_TEST(one.force_rate == -other.force_rate);
+    }
+  });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

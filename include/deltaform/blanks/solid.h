@@ -56,6 +56,7 @@ namespace deltaform
     std::string describe_dof(DofIndex dof) const override;
     double stiffness_scale() const override;
     double initial_flow_stress() const override;
+    std::vector<double> flow_stress(Side side) const override;
     double modulus() const override;
     bool constant_stiffness() const override;
     bool axisymmetric() const override;

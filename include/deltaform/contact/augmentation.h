@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/contact/contact_pair.h>
+#include <deltaform/contact/contact_interface.h>
 
 #include <deque>
 #include <vector>
@@ -8,10 +8,10 @@
 namespace deltaform
 {
   /**
-   * The outer loop of the augmented forms: s := lambda (Uzawa) on all pairs together. That is a fixed-point iteration
-   * whose rate is K_c/(K_c + eps), K_c = (C^T K^-1 C)^-1: slow where eps is soft. Anderson acceleration (Walker, Ni,
-   * SIAM J. Numer. Anal. 49 (2011) 1715), which for a fixed set and a linear blank is GMRES, makes the number of rounds
-   * nearly independent of eps; the fixed point, gap = 0, stays the same.
+   * The outer loop of the augmented forms: s := lambda (Uzawa) on all interfaces together. That is a fixed-point
+   * iteration whose rate is K_c/(K_c + eps), K_c = (C^T K^-1 C)^-1: slow where eps is soft. Anderson acceleration
+   * (Walker, Ni, SIAM J. Numer. Anal. 49 (2011) 1715), which for a fixed set and a linear blank is GMRES, makes the
+   * number of rounds nearly independent of eps; the fixed point, gap = 0, stays the same.
    */
   class Augmentation
   {
@@ -26,8 +26,8 @@ namespace deltaform
     /// An increment begins: forget the earlier rounds.
     void restart();
 
-    /// New shifts for all pairs. @return how many pairs had to change; 0: all gaps are small enough
-    unsigned int update(const std::vector<ContactPair *> &pairs);
+    /// New shifts for all points. @return how many points had to change; 0: all gaps are small enough
+    unsigned int update(const std::vector<ContactInterface *> &interfaces);
 
   private:
     using Values = std::vector<double>;

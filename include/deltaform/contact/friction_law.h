@@ -1,32 +1,73 @@
 #pragma once
 
+#include <limits>
+#include <memory>
+#include <string>
+
 namespace deltaform
 {
-  /// Tangential force of a pair and its derivatives.
+  class Section;
+
+  /// Tangential force of a contact point and its derivatives.
   struct FrictionResponse
   {
-    double force = 0; ///< t
+    double force = 0; ///< t (force)
     double slip_rate = 0; ///< dt/d slip
     double force_rate = 0; ///< dt/d lambda
     bool sticking = true;
   };
 
-  /// Tangential force from the normal force and the slip of an increment.
+  /// What a law may know of a contact point. Area and flow stress are those of the last accepted increment: constants
+  /// of the tangent.
+  struct FrictionInput
+  {
+    double normal_force = 0; ///< lambda (force)
+    double committed = 0; ///< t at the last accepted increment (force)
+    double slip_increment = 0; ///< change of the foot point's arc length since then
+    double stiffness = 0; ///< eps_t > 0 (force/length)
+    double area = 0; ///< tributary area
+    double flow_stress = std::numeric_limits<double>::infinity(); ///< of the blank's surface; finite for a plastic
+      ///< blank whose law asks for it
+  };
+
+  /// The largest |t|.
+  struct FrictionLimit
+  {
+    double value = 0; ///< not negative (force)
+    double rate = 0; ///< d value / d lambda
+  };
+
+  /**
+   * Tangential force from the slip of an increment. A law is what its limit is: below it a contact point sticks by an
+   * elastic spring, at it the point slips against the force.
+   */
   class FrictionLaw
   {
   public:
     virtual ~FrictionLaw() = default;
 
-    /**
-     * @param normal_force   lambda >= 0
-     * @param committed      t at the last accepted increment
-     * @param slip_increment change of the foot point's arc length since then
-     * @param stiffness      eps_t > 0
-     */
-    virtual FrictionResponse
-    update(double normal_force, double committed, double slip_increment, double stiffness) const = 0;
+    virtual FrictionLimit limit(const FrictionInput &input) const = 0;
 
-    /// Largest |t| at a normal force.
-    virtual double limit(double normal_force) const = 0;
+    /// Return mapping of the trial force t_n + eps_t ds to the limit (Giannakopoulos, Comput. Struct. 32 (1989) 157).
+    virtual FrictionResponse update(const FrictionInput &input) const;
+
+    /// Can the law, with its coefficients, exert a force at all?
+    virtual bool acts() const = 0;
+
+    /// Does it want FrictionInput::flow_stress?
+    virtual bool needs_flow_stress() const
+    {
+      return false;
+    }
+
+    /// What is doubtful about its coefficients, beginning with an entry's name; empty: nothing.
+    virtual std::string doubt() const
+    {
+      return "";
+    }
   };
+
+  /// The law that the section of a tool names; null if it cannot exert a force: then contact has no friction to deal
+  /// with.
+  std::unique_ptr<FrictionLaw> make_friction_law(Section &tool_section);
 } // namespace deltaform

@@ -2,33 +2,33 @@
 
 namespace deltaform
 {
-  /// What a rule may know of a pair; all of it is in the rows of contact_*.csv or can be derived from them.
+  /// What a rule may know of a contact point; all of it is in the rows of contact_*.csv or can be derived from them.
   struct PenaltyInput
   {
-    double force = 0; ///< lambda: reaction of the pair (last increment, or converged iterate)
+    double force = 0; ///< lambda: reaction of the point (last increment, or converged iterate)
     double penetration = 0; ///< p
     double previous_penetration = 0; ///< p when the rule was asked before; 0 at a first touch
-    double previous_epsilon = 0; ///< 0 if the pair had none
+    double previous_factor = 0; ///< 0 if the point had none
     double stiffness = 0; ///< K_nn = n^T K n of the blank without contact
     double coupling = 0; ///< [C^T K C (p - delta)]_i, if the rule needs it
     double area = 0; ///< tributary area
     double thickness = 0; ///< of the blank at the node
     double modulus = 0; ///< Young's modulus of the blank
     double delta = 0; ///< allowed penetration
-    double neighbour = 0; ///< larger of the neighbouring pairs' and the tool's median factor; for a first touch
+    double neighbour = 0; ///< larger of the neighbouring points' and the tool's median factor; for a first touch
   };
 
-  /// The penalty factor of a pair: a pure function of its input.
+  /// The penalty factor of a contact point: a pure function of its input.
   class PenaltyRule
   {
   public:
     virtual ~PenaltyRule() = default;
 
-    /// Factor at the start of an increment, or (force and previous_epsilon zero) when the pair touches for the first
+    /// Factor at the start of an increment, or (force and previous_factor zero) when the point touches for the first
     /// time.
     virtual double predict(const PenaltyInput &input) const = 0;
 
-    /// Factor after a converged solve. Returning previous_epsilon accepts the pair as it is.
+    /// Factor after a converged solve. Returning previous_factor accepts the point as it is.
     virtual double correct(const PenaltyInput &input) const = 0;
 
     /// Lower bound of the factor that does not come from delta (for the reported share of the floor); 0: none.

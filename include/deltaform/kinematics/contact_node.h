@@ -30,8 +30,10 @@ namespace deltaform
     std::array<Tensor1, max_dofs> second{}; ///< d2x/dq_k2 (mixed derivatives vanish); zero but for rotations
     double offset = 0; ///< the tool's surface must stay this far from x: half thickness, or 0
     double area = 0; ///< tributary area: full circumference, or per unit width
-    double squeeze = 0; ///< d(half thickness)/d(normal force) that no unknown describes; solids: 0
-    double relief = 0; ///< how far the face would rise if the transverse stress of the last increment were taken off
+    double compliance = 0; ///< through-thickness compliance: d(half thickness)/d(normal force) that no unknown
+      ///< describes; solids: 0
+    double recovery = 0; ///< elastic recovery of the face: how far it would rise if the transverse stress of the last
+      ///< increment were taken off
     double reference_coordinate = 0; ///< R0, for output and messages
     double thickness = 0; ///< current, for output and messages
     double arc_coordinate = 0; ///< S0, arc length along the undeformed blank from its start, for output

@@ -22,6 +22,10 @@ namespace deltaform
     /// Young's modulus of the body behind the surface (stress).
     virtual double modulus() const = 0;
 
+    /// Accepted flow stress of the material at every node of one side (stress); infinite where it is elastic. To be
+    /// asked by all processes together.
+    virtual std::vector<double> flow_stress(Side side) const = 0;
+
     /// Describe node @p node of one side at @p q.
     virtual void contact_node(const Vector &q,
                               Side side,

@@ -3,7 +3,7 @@
 #include <deltaform/base/timers.h>
 #include <deltaform/blanks/blank.h>
 #include <deltaform/contact/augmentation.h>
-#include <deltaform/contact/contact_pair.h>
+#include <deltaform/contact/contact_interface.h>
 #include <deltaform/model/accounts.h>
 #include <deltaform/model/boundary_conditions.h>
 #include <deltaform/model/increment_problem.h>
@@ -24,7 +24,7 @@ namespace deltaform
     std::unique_ptr<Blank> blank;
     std::vector<std::unique_ptr<Tool>> tools;
     std::unique_ptr<ContactSettings> contact;
-    std::vector<std::unique_ptr<ContactPair>> pairs; ///< one per tool, in the order of the tools
+    std::vector<std::unique_ptr<ContactInterface>> pairs; ///< one per tool, in the order of the tools
     std::vector<Support> supports;
     std::vector<Load> loads;
     std::vector<Stage> stages;
@@ -153,7 +153,7 @@ namespace deltaform
     }
 
     /// Contact pairs that exist in the current stage.
-    const std::vector<ContactPair *> &active_pairs() const
+    const std::vector<ContactInterface *> &active_pairs() const
     {
       return active_pairs_;
     }
@@ -234,7 +234,7 @@ namespace deltaform
     void assemble_loads(const Vector &q, AssemblyTarget &target) const;
 
     /// Move a force-driven tool that touches nothing along its direction until it does.
-    void bring_into_contact(const ContactPair &pair);
+    void bring_into_contact(const ContactInterface &pair);
 
     /// Forces on the unknowns of the blank from what ends with the last stage.
     void collect_released(const std::string &next_stage);
@@ -256,7 +256,7 @@ namespace deltaform
     std::vector<std::size_t> visited_; ///< sets of active constraints met in this solve
     bool cycling_ = false;
     bool factors_due_ = false; ///< the rule has to predict in the next assembly
-    std::vector<ContactPair *> active_pairs_;
+    std::vector<ContactInterface *> active_pairs_;
     std::function<void(const System &)> before_contact_; ///< mostly empty
     Augmentation augmentation_;
   };

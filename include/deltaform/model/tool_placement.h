@@ -1,7 +1,7 @@
 #pragma once
 
 #include <deltaform/blanks/blank.h>
-#include <deltaform/contact/contact_pair.h>
+#include <deltaform/contact/contact_interface.h>
 
 #include <optional>
 #include <string>
@@ -22,5 +22,5 @@ namespace deltaform
    * @param tolerance overlap (length) that contact copes with by itself
    */
   std::optional<Misplacement>
-  find_misplacement(const Blank &blank, const ContactPair &pair, const Vector &q, double travel, double tolerance);
+  find_misplacement(const Blank &blank, const ContactInterface &pair, const Vector &q, double travel, double tolerance);
 } // namespace deltaform

@@ -43,6 +43,7 @@ namespace deltaform
     void check_linear_solver(Section root) const;
     void check_stages(Section root) const;
     void check_delta(Section root) const;
+    void check_friction(Section root) const;
   };
 
   /// Make every registered object once, so that the tree knows all parameters there are.

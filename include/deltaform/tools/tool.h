@@ -51,11 +51,6 @@ namespace deltaform
       return *shape_;
     }
 
-    double friction_coefficient() const
-    {
-      return friction_coefficient_;
-    }
-
     /// Where the origin of the shape is at travel 0.
     const Point2 &position() const
     {
@@ -128,7 +123,6 @@ namespace deltaform
     TimeFunction motion_;
     std::optional<TimeFunction> force_;
     double travel_ = 0;
-    double friction_coefficient_;
     std::optional<TimeFunction> allowed_penetration_;
     std::vector<std::string> stages_;
   };

@@ -1,6 +1,8 @@
 // Where contact wants the edges of a solid to be shorter.
 #include "fake_surface.h"
 
+#include <deltaform/contact/contact_measures.h>
+
 #include <limits>
 
 using namespace deltaform;
@@ -26,16 +28,16 @@ namespace
   {
     FakeSurface surface(2);
     surface.X = {A, B};
-    PairFixture fixture(surface, {"Enforcement=penalty"}, tool);
+    InterfaceFixture fixture(surface, {"Enforcement=penalty"}, tool);
     Vector q(fixture.n);
     for (unsigned int i = 0; i < 4; ++i)
       q[i] = u[i];
-    fixture.pair.begin_stage(q, 0.);
+    fixture.contact.begin_stage(q, 0.);
     fixture.begin_increment(q, 1., 1e3);
     fixture.settle(q);
-    fixture.pair.commit(q);
+    fixture.contact.commit(q);
     std::vector<double> result;
-    fixture.pair.shorten_edges(.1, false, result);
+    shorten_edges(fixture.contact, .1, false, result);
     BOOST_TEST_REQUIRE(result.size() == 1u);
     return result.front();
   }
@@ -43,7 +45,7 @@ namespace
   const auto near = boost::test_tools::tolerance(1e-3); // the nodes penetrate
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(contact_inheritance)
+BOOST_AUTO_TEST_SUITE(contact_edges)
 
 BOOST_AUTO_TEST_CASE(an_arc_at_the_ends)
 {

@@ -12,32 +12,34 @@ namespace
   {
     FakeSurface surface(1);
     surface.X[0] = Point2(.3, 0.);
-    surface.squeeze = give;
+    surface.compliance = give;
     return surface;
   }
 
   const Entries constant = {"Penalty rule=constant", "Penalty factor=200", "Continuation=false"};
 
-  Vector sunk(const PairFixture &fixture, const double depth)
+  Vector sunk(const InterfaceFixture &fixture, const double depth)
   {
     Vector q(fixture.n);
     q[1] = -depth;
     return q;
   }
 
-  /// A pair of the node with a plate, at the start of its first increment.
-  struct SqueezedPair : PairFixture
+  /// The node with a plate, at the start of its first increment.
+  struct CompliantContact : InterfaceFixture
   {
-    SqueezedPair(const FakeSurface &surface, const Entries &contact, const std::string &squeeze = "Squeeze=on")
-      : PairFixture(surface, contact, flat + Entries{squeeze})
+    CompliantContact(const FakeSurface &surface,
+                     const Entries &contact_entries,
+                     const std::string &squeeze = "Squeeze=on")
+      : InterfaceFixture(surface, contact_entries, flat + Entries{squeeze})
     {
-      pair.begin_stage(sunk(*this, 0.), 0.);
+      contact.begin_stage(sunk(*this, 0.), 0.);
       begin_increment(sunk(*this, 0.), 1., stiffness);
     }
   };
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(squeeze)
+BOOST_AUTO_TEST_SUITE(compliance)
 
 BOOST_AUTO_TEST_CASE(two_springs_in_series)
 {
@@ -45,41 +47,41 @@ BOOST_AUTO_TEST_CASE(two_springs_in_series)
   for (const double share : {0., 1.})
   {
     const std::string entry = share > 0. ? "Squeeze=on" : "Squeeze=off";
-    SqueezedPair fixture(surface, constant + Entries{"Enforcement=penalty"}, entry);
+    CompliantContact fixture(surface, constant + Entries{"Enforcement=penalty"}, entry);
     const DenseTarget target = fixture.settle(sunk(fixture, .1));
     const double stiff = 1. / (1. / factor + share * give);
-    const PairState &state = fixture.pair.trial()[0];
+    const ContactPointState &state = fixture.contact.trial()[0];
     BOOST_TEST(std::abs(state.force - .1 * stiff) < 1e-13);
     BOOST_TEST(std::abs(state.penetration() - .1 * stiff / factor) < 1e-15);
     BOOST_TEST(std::abs(target.matrix(1, 1) - stiff) < 1e-11);
-    fixture.pair.commit(sunk(fixture, .1));
-    BOOST_TEST(std::abs(fixture.pair.energy().stored - .5 * .1 * .1 * stiff) < 1e-13);
+    fixture.contact.commit(sunk(fixture, .1));
+    BOOST_TEST(std::abs(fixture.contact.energy().stored - .5 * .1 * .1 * stiff) < 1e-13);
   }
 }
 
 BOOST_AUTO_TEST_CASE(an_estimate_along_a_step_is_the_force_at_its_end)
 {
   const FakeSurface surface = squeezed_node();
-  SqueezedPair fixture(surface, constant + Entries{"Enforcement=penalty"});
+  CompliantContact fixture(surface, constant + Entries{"Enforcement=penalty"});
   fixture.settle(sunk(fixture, .1));
   Vector d(fixture.n);
   d[1] = -.05;
-  fixture.pair.prepare_step(d);
-  fixture.pair.advance(1.);
+  fixture.contact.prepare_step(d);
+  fixture.contact.advance(1.);
   fixture.assemble(sunk(fixture, .15));
-  const PairState &state = fixture.pair.trial()[0];
+  const ContactPointState &state = fixture.contact.trial()[0];
   BOOST_TEST(std::abs(state.multiplier - state.force) < 1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(an_exact_constraint_holds_at_the_squeezed_face)
 {
   const FakeSurface surface = squeezed_node();
-  SqueezedPair fixture(surface, {"Enforcement=active set"});
+  CompliantContact fixture(surface, {"Enforcement=active set"});
   Vector q = sunk(fixture, .1);
   q[2] = .1 / give;
   DenseTarget target = fixture.assemble(q);
   BOOST_TEST(std::abs(target.residual[2]) < 1e-15);
-  BOOST_TEST(std::abs(fixture.pair.trial()[0].gap) < 1e-15);
+  BOOST_TEST(std::abs(fixture.contact.trial()[0].gap) < 1e-15);
   BOOST_TEST(std::abs(target.matrix(2, 2) + give) < 1e-15);
   q[2] += .3;
   target = fixture.assemble(q);
@@ -90,13 +92,13 @@ BOOST_AUTO_TEST_CASE(augmentation_leaves_the_squeeze)
 {
   // A shift that is the force of the squeezed sheet: no penetration is left.
   const FakeSurface surface = squeezed_node();
-  SqueezedPair fixture(surface, constant + Entries{"Enforcement=augmented Lagrangian"});
+  CompliantContact fixture(surface, constant + Entries{"Enforcement=augmented Lagrangian"});
   fixture.settle(sunk(fixture, .1));
   const double force = .1 / give;
-  fixture.pair.shift(&force);
+  fixture.contact.shift(&force);
   fixture.settle(sunk(fixture, .1));
-  BOOST_TEST(std::abs(fixture.pair.trial()[0].force - force) < 1e-13);
-  BOOST_TEST(std::abs(fixture.pair.trial()[0].gap) < 1e-15);
+  BOOST_TEST(std::abs(fixture.contact.trial()[0].force - force) < 1e-13);
+  BOOST_TEST(std::abs(fixture.contact.trial()[0].gap) < 1e-15);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

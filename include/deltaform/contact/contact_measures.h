@@ -1,0 +1,28 @@
+#pragma once
+
+#include <deltaform/contact/contact_interface.h>
+
+#include <vector>
+
+namespace deltaform
+{
+  /// Contact pressure of every node: accepted force over the tributary area at @p q (stress).
+  std::vector<double> contact_pressure(const ContactInterface &contact, const Vector &q);
+
+  /// Largest penetration of the accepted contact anywhere along the edges, not only at the nodes (length).
+  double penetration_between_nodes(const ContactInterface &contact, const Vector &q);
+
+  /// Estimate of the discretisation error in the contact surface, as an allowed penetration (doc/theory/contact.md).
+  double automatic_delta(const ContactInterface &contact);
+
+  /// How far the face of the blank is from the contact point, with the thickness compressed by its force (length).
+  inline double face(const ContactNode &node, const ContactPointState &state)
+  {
+    return node.offset - (state.touching ? node.compliance * state.force : 0.);
+  }
+
+  /// Lower the longest allowed undeformed length of each edge of the side where it touches, or is about to touch, a
+  /// round part of the tool, so that its present length is @p share of the radius at most (0: nowhere). To 0 where no
+  /// node has noticed the tool yet, and, if @p rim, where contact ends inside the edge.
+  void shorten_edges(const ContactInterface &contact, double share, bool rim, std::vector<double> &longest);
+} // namespace deltaform

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <deltaform/base/types.h>
+#include <deltaform/kinematics/contact_node.h>
+
+#include <array>
+
+namespace deltaform
+{
+  /// State of one contact point: one node of the blank and one tool.
+  struct ContactPointState
+  {
+    bool touching = false; ///< lambda may be positive
+    bool sticking = false;
+    double gap = 0; ///< signed: distance of the contact point minus the offset
+    double force = 0; ///< lambda; not negative once converged
+    double previous_force = 0; ///< lambda one increment earlier
+    double multiplier = 0; ///< estimate of lambda by the last linear solve: decides about the status
+    double penalty_factor = 0; ///< eps (force/length); 0: not set yet
+    double shift = 0; ///< force at zero gap: lambda = shift - eps gap (augmented forms)
+    double last_penetration = 0; ///< p when the rule was asked the last time
+    double delta = 0; ///< allowed penetration
+    double stiffness = 0; ///< K_nn of the blank when the penalty factor was set
+    double compliance = 0; ///< through the thickness, of a touching point (ContactNode::compliance)
+    double arc_length = 0; ///< of the foot point
+    double tangential_force = 0; ///< along growing arc length of the tool, on the tool
+    double tangential_factor = 0; ///< eps_t (force/length)
+    double slip_start = 0; ///< arc length where the slip of a first touch starts
+    double slip = 0; ///< path of sliding so far (irreversible)
+    double area = 0, thickness = 0; ///< tributary area and thickness of the blank there
+    double noise = 0; ///< round-off of the gap, which is a difference of large numbers
+    Point2 position; ///< of the contact point relative to the tool
+    std::array<double, ContactNode::max_dofs> residual{}; ///< what the point adds to the rows of its node's unknowns
+
+    double penetration() const
+    {
+      return gap < 0 ? -gap : 0.;
+    }
+
+    /// By how much a penetration may exceed delta before the promise is broken: 1e-6 delta or round-off.
+    double tolerance() const
+    {
+      return 1e-6 * delta > noise ? 1e-6 * delta : noise;
+    }
+
+    /// Of a change of the distance between tool and mid-surface, the share that the penalty spring takes; the sheet, a
+    /// spring in series with it, takes the rest.
+    double spring_share(const double through_thickness) const
+    {
+      return 1. / (1. + penalty_factor * through_thickness);
+    }
+
+    /// The tool has left: the point stays where it is, without contact.
+    void release()
+    {
+      ContactPointState free;
+      free.area = area;
+      free.thickness = thickness;
+      free.position = position;
+      *this = free;
+    }
+  };
+} // namespace deltaform

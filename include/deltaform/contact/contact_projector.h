@@ -1,0 +1,107 @@
+#pragma once
+
+#include <deltaform/base/archive.h>
+#include <deltaform/base/section.h>
+#include <deltaform/kinematics/contact_surface.h>
+#include <deltaform/tools/tool.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * Where the contact points of one side of the blank are over a tool: the nodes as this tool meets them, and their
+   * projections on its profile. The last projection of every node is remembered: it starts the next search, and tells
+   * which nodes are certainly clear of the tool, as a distance changes at most as fast as the point moves.
+   */
+  class ContactProjector
+  {
+  public:
+    /// @param tool_section entries on the thickness that keeps the tool from the mid-surface
+    ContactProjector(const ContactSurface &surface, const Tool &tool, Section &tool_section);
+
+    const ContactSurface &surface() const
+    {
+      return surface_;
+    }
+
+    const Tool &tool() const
+    {
+      return tool_;
+    }
+
+    unsigned int n_nodes() const
+    {
+      return surface_.n_contact_nodes(tool_.side());
+    }
+
+    const std::vector<std::array<unsigned int, 3>> &edges() const
+    {
+      return surface_.contact_edges(tool_.side());
+    }
+
+    /// The node as this tool meets it: the thickness that gives way at once is not yet taken off.
+    void describe(const Vector &q, unsigned int i, ContactNode &node) const;
+
+    ContactNode node(const Vector &q, const unsigned int i) const
+    {
+      ContactNode result;
+      describe(q, i, result);
+      return result;
+    }
+
+    /// Project node @p i at @p x relative to the tool, and remember it.
+    Projection project(unsigned int i, const Point2 &x);
+
+    /// Project a point near node @p i, and remember nothing.
+    Projection look(const unsigned int i, const Point2 &x) const
+    {
+      return tool_.project(x, 0., last_[i].segment);
+    }
+
+    /// Is node @p i at @p x certainly more than @p offset away?
+    bool certainly_clear(const unsigned int i, const Point2 &x, const double offset) const
+    {
+      const double clearance = last_[i].distance - offset;
+      return clearance > 0 && (x - last_[i].place).norm_square() < clearance * clearance;
+    }
+
+    /// Distance at the last projection; -1: none known.
+    double last_distance(const unsigned int i) const
+    {
+      return last_[i].distance;
+    }
+
+    /// Node with the smallest gap at @p q when the tool has travelled @p travel, and that gap.
+    std::pair<unsigned int, double> closest(const Vector &q, double travel) const;
+
+    /// Distances are no longer known: the tool has moved otherwise, or the nodes have.
+    void forget_distances();
+
+    /// The nodes are others: each starts from the segment of the old node that @p parents names; none: from nothing.
+    void renumber(const std::vector<unsigned int> &parents);
+    void reset();
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int)
+    {
+      archive_plain(archive, last_);
+    }
+
+  private:
+    struct Last
+    {
+      Point2 place; ///< relative to the tool
+      double distance = -1;
+      unsigned int segment = invalid_index;
+    };
+
+    const ContactSurface &surface_;
+    const Tool &tool_;
+    ContactThickness thickness_;
+    bool gives_way_; ///< the sheet's half thickness on this side is a spring in series with the contact
+    std::vector<Last> last_;
+  };
+} // namespace deltaform

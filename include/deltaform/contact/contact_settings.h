@@ -1,0 +1,32 @@
+#pragma once
+
+#include <deltaform/base/section.h>
+#include <deltaform/base/time_function.h>
+#include <deltaform/contact/enforcement.h>
+#include <deltaform/contact/penalty_rule.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace deltaform
+{
+  /// Entries of the Contact section, which all interfaces share.
+  struct ContactSettings
+  {
+    explicit ContactSettings(Section &section, const std::map<std::string, double> &constants);
+
+    /// Are contact points springs that keep their penetration? Augmented ones end without, like exact constraints.
+    bool stores_energy() const
+    {
+      return enforcement->augmentation_tolerance() == 0;
+    }
+
+    std::unique_ptr<Enforcement> enforcement;
+    std::unique_ptr<PenaltyRule> rule;
+    TimeFunction allowed_penetration;
+    TimeFunction allowed_slip;
+    double tangential_factor;
+    double tangential_floor;
+  };
+} // namespace deltaform

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <deltaform/base/stiffness_view.h>
+#include <deltaform/contact/contact_settings.h>
+#include <deltaform/contact/interface_friction.h>
+#include <deltaform/contact/interface_state.h>
+#include <deltaform/tools/shape.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * The factors of the springs between blank and tool: the normal ones by the penalty rule, the tangential ones by the
+   * allowed elastic slip. They are predicted when an increment begins and when a point touches for the first time,
+   * frozen in a Newton solve, and corrected after it until the promise p <= delta is kept. Where a solve does not
+   * converge those of first touches are softened for a while.
+   */
+  class FactorControl
+  {
+  public:
+    using Points = std::vector<ContactPointState>;
+
+    /// @param friction null: none
+    FactorControl(const ContactSettings &settings, const InterfaceFriction *friction, double modulus);
+
+    /// The increment that ends at @p time starts from @p committed, whose last step says how fast forces grow.
+    void begin_increment(double time, const InterfaceState &committed);
+
+    /// Store the block of the blank's stiffness that belongs to node @p i.
+    void read_block(unsigned int i, const ContactNode &node, const StiffnessView &stiffness);
+
+    /// First touch of point @p i within this increment.
+    void touch(unsigned int i,
+               const ContactNode &node,
+               const Projection &projection,
+               const Points &committed,
+               Points &trial) const;
+
+    /// Factors and shift of the touching point @p i. @param coupling [C^T K C (p - delta)]_i, or 0
+    void predict(unsigned int i,
+                 const ContactNode &node,
+                 const Projection &projection,
+                 double coupling,
+                 const Points &committed,
+                 Points &trial) const;
+
+    /// After a converged solve. @return how many points have other factors than before
+    unsigned int correct(Points &trial);
+
+    /// Continuation: first touches begin with this share of their factor (active set: of their nodal stiffness) and
+    /// are stiffened to the full after each converged solve.
+    void soften(const double share)
+    {
+      softening_ = share;
+    }
+
+    bool softened() const
+    {
+      return softening_ < 1;
+    }
+
+    /// Share of the factor of a point that counts now. @param before its accepted state
+    double share(const ContactPointState &before) const
+    {
+      return softening_ < 1 && !before.touching ? softening_ : 1.;
+    }
+
+    /// Is the floor larger than what delta asks for at point @p i?
+    bool governed_by_floor(unsigned int i, const Points &points) const;
+
+    /// The point that breaks the promise most, beyond round-off, and its p/delta; invalid_index: none does.
+    static std::pair<unsigned int, double> broken_promise(const Points &points);
+
+  private:
+    /// K_nn (or K_tt) = (J^T n)^T K (J^T n) with the nodal block of the blank's tangent.
+    double nodal_stiffness(unsigned int i, const ContactNode &node, const Tensor1 &direction) const;
+
+    PenaltyInput input(unsigned int i, const Points &points, double coupling) const;
+
+    /// By how much the reaction is expected to grow in this increment: as in the last one, at most to twice itself. A
+    /// factor for the force of the last increment alone is too soft for a growing one and costs a correction.
+    double expected_growth(const ContactPointState &before) const;
+
+    double tangential_factor(unsigned int i,
+                             const ContactPointState &before,
+                             const ContactPointState &now,
+                             double stiffness) const;
+
+    /// Of a sticking point that creeps too far. @return has its factor changed?
+    bool correct_tangential(ContactPointState &state) const;
+
+    const ContactSettings &settings_;
+    const InterfaceFriction *friction_;
+    double modulus_;
+    std::vector<std::array<double, 9>> blocks_; ///< of the blank's tangent at the start of the increment
+    double median_ = 0; ///< of the accepted factors
+    double step_ = 0, last_step_ = 0; ///< lengths of this increment and the last one; 0: there is none
+    double softening_ = 1; ///< share of the factor of first touches
+    double slip_limit_ = 0; ///< allowed elastic slip at the end of the increment
+  };
+} // namespace deltaform

@@ -1,0 +1,88 @@
+#include <deltaform/contact/contact_projector.h>
+
+#include <cmath>
+#include <limits>
+
+namespace deltaform
+{
+  ContactProjector::ContactProjector(const ContactSurface &surface, const Tool &tool, Section &tool_section)
+    : surface_(surface), tool_(tool)
+  {
+    const std::string thickness =
+      tool_section.choice("Contact thickness",
+                          "current",
+                          {"current", "initial", "none"},
+                          "Thickness that keeps the tool from the mid-surface of a shell: as last "
+                          "accepted, initial (a tool with a fixed gap to another), or none.");
+    thickness_ = thickness == "current"   ? ContactThickness::current
+                 : thickness == "initial" ? ContactThickness::initial
+                                          : ContactThickness::none;
+    const std::string squeeze = tool_section.choice(
+      "Squeeze",
+      "on",
+      {"on", "off"},
+      "Does the half of a shell's thickness on this side give way at once, by pressure over Young's "
+      "modulus, or only when the increment is accepted?");
+    gives_way_ = squeeze == "on";
+    reset();
+  }
+
+
+  void ContactProjector::describe(const Vector &q, const unsigned int i, ContactNode &node) const
+  {
+    surface_.contact_node(q, tool_.side(), i, thickness_, node);
+    if (gives_way_)
+      node.offset += node.recovery;
+    else
+      node.compliance = 0.;
+  }
+
+
+  Projection ContactProjector::project(const unsigned int i, const Point2 &x)
+  {
+    Last &last = last_[i];
+    const Projection projection = tool_.project(x, 0., last.segment);
+    last.segment = projection.segment;
+    last.place = x;
+    last.distance = std::isfinite(projection.distance) ? projection.distance : -1.;
+    return projection;
+  }
+
+
+  std::pair<unsigned int, double> ContactProjector::closest(const Vector &q, const double travel) const
+  {
+    std::pair<unsigned int, double> result(invalid_index, std::numeric_limits<double>::infinity());
+    for (unsigned int i = 0; i < last_.size(); ++i)
+    {
+      const ContactNode description = node(q, i);
+      if (!(description.area > 0))
+        continue;
+      const double gap = tool_.project(description.x, travel).distance - description.offset;
+      if (gap < result.second)
+        result = {i, gap};
+    }
+    return result;
+  }
+
+
+  void ContactProjector::forget_distances()
+  {
+    for (auto &last : last_)
+      last.distance = -1.;
+  }
+
+
+  void ContactProjector::renumber(const std::vector<unsigned int> &parents)
+  {
+    std::vector<Last> renumbered(parents.size());
+    for (unsigned int i = 0; i < parents.size(); ++i)
+      renumbered[i].segment = last_[parents[i]].segment;
+    last_ = renumbered;
+  }
+
+
+  void ContactProjector::reset()
+  {
+    last_.assign(n_nodes(), Last());
+  }
+} // namespace deltaform

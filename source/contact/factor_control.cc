@@ -1,0 +1,198 @@
+#include <deltaform/contact/factor_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace deltaform
+{
+  FactorControl::FactorControl(const ContactSettings &settings, const InterfaceFriction *friction, const double modulus)
+    : settings_(settings), friction_(friction), modulus_(modulus)
+  {
+  }
+
+
+  void FactorControl::begin_increment(const double time, const InterfaceState &committed)
+  {
+    softening_ = 1.;
+    slip_limit_ = settings_.allowed_slip(time);
+    step_ = time - committed.time;
+    last_step_ = committed.step;
+    blocks_.resize(committed.points.size());
+    std::vector<double> factors;
+    for (const auto &state : committed.points)
+      if (state.touching && state.penalty_factor > 0)
+        factors.push_back(state.penalty_factor);
+    median_ = 0.;
+    if (factors.empty())
+      return;
+    const auto middle = factors.begin() + factors.size() / 2;
+    std::nth_element(factors.begin(), middle, factors.end());
+    median_ = *middle;
+  }
+
+
+  void FactorControl::read_block(const unsigned int i, const ContactNode &node, const StiffnessView &stiffness)
+  {
+    stiffness.block(node.dofs.data(), node.n_dofs, blocks_[i].data());
+  }
+
+
+  double FactorControl::nodal_stiffness(const unsigned int i, const ContactNode &node, const Tensor1 &direction) const
+  {
+    double sum = 0.;
+    for (unsigned int k = 0; k < node.n_dofs; ++k)
+      for (unsigned int l = 0; l < node.n_dofs; ++l)
+        sum += (node.jacobian[k] * direction) * blocks_[i][k * node.n_dofs + l] * (node.jacobian[l] * direction);
+    return std::max(sum, std::numeric_limits<double>::min());
+  }
+
+
+  PenaltyInput FactorControl::input(const unsigned int i, const Points &points, const double coupling) const
+  {
+    const ContactPointState &state = points[i];
+    PenaltyInput result;
+    result.force = state.force;
+    result.penetration = state.penetration();
+    result.previous_penetration = state.last_penetration;
+    result.previous_factor = state.penalty_factor;
+    result.stiffness = state.stiffness;
+    result.coupling = coupling;
+    result.area = state.area;
+    result.thickness = state.thickness;
+    result.modulus = modulus_;
+    result.delta = state.delta;
+    result.neighbour = median_;
+    for (const unsigned int j : {i - 1, i + 1}) // i - 1 wraps around to a number that is too large
+      if (j < points.size() && points[j].touching)
+        result.neighbour = std::max(result.neighbour, points[j].penalty_factor);
+    return result;
+  }
+
+
+  double FactorControl::expected_growth(const ContactPointState &before) const
+  {
+    if (!(last_step_ > 0))
+      return 0.;
+    return std::clamp((before.force - before.previous_force) * step_ / last_step_, 0., before.force);
+  }
+
+
+  double FactorControl::tangential_factor(const unsigned int i,
+                                          const ContactPointState &before,
+                                          const ContactPointState &now,
+                                          const double stiffness) const
+  {
+    if (settings_.tangential_factor > 0)
+      return settings_.tangential_factor;
+    const double limit = friction_->limit(i, before, now, now.force);
+    return std::max(settings_.tangential_floor * stiffness, limit / slip_limit_);
+  }
+
+
+  void FactorControl::touch(const unsigned int i,
+                            const ContactNode &node,
+                            const Projection &projection,
+                            const Points &committed,
+                            Points &trial) const
+  {
+    ContactPointState &state = trial[i];
+    state.stiffness = nodal_stiffness(i, node, projection.normal);
+    if (settings_.enforcement->uses_penalty() && state.penalty_factor == 0)
+      state.penalty_factor = settings_.rule->predict(input(i, trial, 0.));
+    if (friction_)
+      state.tangential_factor =
+        std::max(state.tangential_factor,
+                 tangential_factor(i, committed[i], state, nodal_stiffness(i, node, projection.tangent)));
+  }
+
+
+  void FactorControl::predict(const unsigned int i,
+                              const ContactNode &node,
+                              const Projection &projection,
+                              const double coupling,
+                              const Points &committed,
+                              Points &trial) const
+  {
+    ContactPointState &state = trial[i];
+    state.stiffness = nodal_stiffness(i, node, projection.normal);
+    if (settings_.enforcement->uses_penalty())
+    {
+      PenaltyInput what = input(i, trial, coupling);
+      what.force += expected_growth(committed[i]);
+      state.penalty_factor = settings_.rule->predict(what);
+    }
+    if (friction_)
+      state.tangential_factor =
+        tangential_factor(i, committed[i], state, nodal_stiffness(i, node, projection.tangent));
+    state.last_penetration = state.penetration();
+    state.shift = settings_.enforcement->start_shift(state);
+  }
+
+
+  bool FactorControl::correct_tangential(ContactPointState &state) const
+  {
+    if (!friction_ || settings_.tangential_factor != 0 || !state.sticking)
+      return false;
+    const double creep = std::abs(state.tangential_force) / state.tangential_factor;
+    if (!(creep > slip_limit_ * (1 + 1e-6)))
+      return false;
+    state.tangential_factor *= std::min(10., creep / (.8 * slip_limit_));
+    return true;
+  }
+
+
+  unsigned int FactorControl::correct(Points &trial)
+  {
+    if (softening_ < 1)
+    {
+      softening_ = softening_ < .05 ? 10. * softening_ : 1.;
+      return 1;
+    }
+    if (!settings_.enforcement->uses_penalty())
+      return 0;
+    unsigned int changed = 0;
+    for (unsigned int i = 0; i < trial.size(); ++i)
+    {
+      ContactPointState &state = trial[i];
+      if (!state.touching)
+        continue;
+      bool change = false;
+      // Augmentation takes the penetration away, and leaves the factor as soft as it is.
+      if (settings_.stores_energy())
+      {
+        PenaltyInput what = input(i, trial, 0.);
+        if (what.penetration <= state.delta + state.tolerance())
+          what.penetration = std::min(what.penetration, state.delta);
+        const double factor = settings_.rule->correct(what);
+        change = factor != state.penalty_factor;
+        state.penalty_factor = factor;
+        state.last_penetration = state.penetration();
+      }
+      change |= correct_tangential(state);
+      changed += change;
+    }
+    return changed;
+  }
+
+
+  bool FactorControl::governed_by_floor(const unsigned int i, const Points &points) const
+  {
+    const double floor = settings_.rule->floor(input(i, points, 0.));
+    return floor > 0 && points[i].penalty_factor <= floor * (1 + 1e-9);
+  }
+
+
+  std::pair<unsigned int, double> FactorControl::broken_promise(const Points &points)
+  {
+    std::pair<unsigned int, double> worst(invalid_index, 0.);
+    for (unsigned int i = 0; i < points.size(); ++i)
+    {
+      const ContactPointState &state = points[i];
+      const double p = state.penetration();
+      if (state.touching && p - state.delta - state.tolerance() > 0 && p / state.delta > worst.second)
+        worst = {i, p / state.delta};
+    }
+    return worst;
+  }
+} // namespace deltaform

@@ -1,0 +1,25 @@
+#include <deltaform/base/registry.h>
+#include <deltaform/contact/friction_law.h>
+
+#include <cmath>
+
+namespace deltaform
+{
+  FrictionResponse FrictionLaw::update(const FrictionInput &input) const
+  {
+    const double trial = input.committed + input.stiffness * input.slip_increment;
+    const FrictionLimit bound = limit(input);
+    if (std::abs(trial) <= bound.value)
+      return {trial, input.stiffness, 0., true};
+    const double sign = trial > 0 ? 1. : -1.;
+    return {sign * bound.value, 0., sign * bound.rate, false};
+  }
+
+
+  std::unique_ptr<FrictionLaw> make_friction_law(Section &tool_section)
+  {
+    auto law = Registry<FrictionLaw>::choose(
+      tool_section, "Friction law", "coulomb", "Tangential law; without a coefficient there is no friction.");
+    return law->acts() ? std::move(law) : nullptr;
+  }
+} // namespace deltaform

@@ -1,0 +1,29 @@
+// None: a smooth tool, t = 0.
+#include <deltaform/base/registry.h>
+#include <deltaform/contact/friction_law.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    class NoFriction : public FrictionLaw
+    {
+    public:
+      explicit NoFriction(Section &)
+      {
+      }
+
+      FrictionLimit limit(const FrictionInput &) const override
+      {
+        return {};
+      }
+
+      bool acts() const override
+      {
+        return false;
+      }
+    };
+
+    const Registry<FrictionLaw>::Entry entry("none", "t = 0: a smooth tool", &make_as<NoFriction, FrictionLaw>);
+  } // namespace
+} // namespace deltaform

@@ -1,0 +1,48 @@
+// Shear factor: |t| <= m k A, k = s/sqrt(3) the shear flow stress (von Mises) of the blank's surface with flow stress
+// s, A the tributary area. The law of bulk forming, where the pressure is far above the flow stress; it does not know
+// the pressure, so that a point carries its friction from the first touch on. m = 1: the blank shears before it slides.
+// (Altan, Oh, Gegel, Metal Forming, ASM 1983.)
+#include <deltaform/base/registry.h>
+#include <deltaform/contact/friction_law.h>
+
+#include <cmath>
+
+namespace deltaform
+{
+  namespace
+  {
+    class ShearFactor : public FrictionLaw
+    {
+    public:
+      explicit ShearFactor(Section &section)
+        : factor_(section.number("Shear factor",
+                                 required(.2),
+                                 Range::between(0., 1.),
+                                 "1",
+                                 "m: share of the shear flow stress of the blank's surface that friction reaches."))
+      {
+      }
+
+      FrictionLimit limit(const FrictionInput &input) const override
+      {
+        return {factor_ * std::sqrt(1. / 3.) * input.flow_stress * input.area, 0.};
+      }
+
+      bool acts() const override
+      {
+        return factor_ > 0.;
+      }
+
+      bool needs_flow_stress() const override
+      {
+        return true;
+      }
+
+    private:
+      double factor_;
+    };
+
+    const Registry<FrictionLaw>::Entry
+      entry("shear factor", "|t| <= m k A, k the shear flow stress of the surface", &make_as<ShearFactor, FrictionLaw>);
+  } // namespace
+} // namespace deltaform

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <deltaform/tools/shape.h>
+
+namespace deltaform
+{
+  /// Share of the friction force that a node receives, with its gradient, and d(slip)/d(displacement along the
+  /// tangent): the same but for the penetration.
+  struct SlipTransfer
+  {
+    double share = 0., along_normal = 0., along_tangent = 0., slip_rate = 0.;
+  };
+
+  /**
+   * 1/(1 + k distance) with the mean curvature k of the tool over the thickness. With the curvature at the foot point
+   * the force would jump where a line meets an arc, and a node that comes to rest there would have no equilibrium.
+   */
+  inline SlipTransfer slip_transfer(const Shape &shape, const double offset, const Projection &projection)
+  {
+    if (offset == 0. || projection.slip_rate == 0.)
+      return {projection.slip_rate, -projection.turning * projection.slip_rate, 0., projection.slip_rate};
+    const double k = shape.mean_curvature(projection.arc_length, offset);
+    const double s = 1. / (1. + k * projection.distance);
+    const double k_point = projection.turning / (1. - projection.turning * projection.distance);
+    return {s,
+            -s * s * k,
+            -s * s * projection.distance * projection.slip_rate *
+              shape.curvature_change(projection.arc_length, offset),
+            projection.slip_rate * (1. + k_point * offset) / (1. + k * offset)};
+  }
+} // namespace deltaform

@@ -1,0 +1,105 @@
+// Laws of friction by numbers, and what a contact pair makes of them.
+#include "fake_surface.h"
+
+#include <deltaform/contact/friction_law.h>
+
+#include <cmath>
+
+using namespace deltaform;
+using namespace deltaform::testing;
+
+namespace
+{
+  std::unique_ptr<FrictionLaw> law(const Entries &entries)
+  {
+    ParameterTree tree = ParameterTree::parse("", "test", entries);
+    Section section = tree.root();
+    return make_friction_law(section);
+  }
+
+  FrictionInput point(const double normal_force)
+  {
+    FrictionInput input;
+    input.normal_force = normal_force;
+    input.area = 2.;
+    input.flow_stress = std::sqrt(3.) * 5.; // k A = 10
+    input.stiffness = 100.;
+    return input;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(friction)
+
+BOOST_AUTO_TEST_CASE(a_law_without_effect_is_no_object)
+{
+  BOOST_TEST((law({}) == nullptr));
+  BOOST_TEST((law({"Friction coefficient=0"}) == nullptr));
+  BOOST_TEST((law({"Friction law=none"}) == nullptr));
+  BOOST_TEST((law({"Friction law=shear factor", "Shear factor=0"}) == nullptr));
+  BOOST_TEST((law({"Friction law=coulomb with limit", "Friction coefficient=0"}) == nullptr));
+  BOOST_TEST((law({"Friction coefficient=.1"}) != nullptr));
+}
+
+BOOST_AUTO_TEST_CASE(limits_by_hand)
+{
+  const auto shear = law({"Friction law=shear factor", "Shear factor=.3"});
+  for (const double lambda : {0., 1., 1e3})
+  {
+    BOOST_TEST(std::abs(shear->limit(point(lambda)).value - 3.) < 1e-14);
+    BOOST_TEST(shear->limit(point(lambda)).rate == 0.);
+  }
+  const auto both =
+    law({"Friction law=coulomb with limit", "Friction coefficient=.1", "Shear factor=.4"}); // equal at lambda = 40
+  BOOST_TEST(std::abs(both->limit(point(39.)).value - 3.9) < 1e-14);
+  BOOST_TEST(both->limit(point(39.)).rate == .1);
+  BOOST_TEST(std::abs(both->limit(point(41.)).value - 4.) < 1e-14);
+  BOOST_TEST(both->limit(point(41.)).rate == 0.);
+  // An elastic surface carries everything.
+  FrictionInput elastic = point(41.);
+  elastic.flow_stress = std::numeric_limits<double>::infinity();
+  BOOST_TEST(std::abs(both->limit(elastic).value - 4.1) < 1e-14);
+
+  FrictionInput moved = point(1.);
+  moved.slip_increment = -.029;
+  BOOST_TEST(std::abs(shear->update(moved).force + 2.9) < 1e-14);
+  BOOST_TEST(shear->update(moved).sticking);
+  moved.slip_increment = -.5;
+  BOOST_TEST(std::abs(shear->update(moved).force + 3.) < 1e-14);
+  BOOST_TEST(!shear->update(moved).sticking);
+}
+
+BOOST_AUTO_TEST_CASE(only_what_can_be_wrong_is_doubted)
+{
+  BOOST_TEST(law({"Friction coefficient=1"})->doubt().empty());
+  BOOST_TEST(law({"Friction coefficient=1.01"})->doubt().find("Friction coefficient = 1.01") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(the_flow_stress_of_the_surface_bounds_the_force)
+{
+  // Three nodes are pressed on a plate and dragged along, by whatever pressure: m k A each; the axis nothing.
+  for (const double depth : {1e-3, 1e-2})
+  {
+    FakeSurface surface(4);
+    for (unsigned int i = 0; i < 4; ++i)
+      surface.X[i] = Point2(.5 * i, 0.);
+    surface.area = .4;
+    surface.yield = 7.;
+    surface.axis_node = 0;
+    InterfaceFixture fixture(
+      surface, {"Enforcement=penalty"}, flat + Entries{"Friction law=shear factor", "Shear factor=.6"});
+    Vector before(fixture.n), q(fixture.n);
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      q[2 * i] = .2;
+      q[2 * i + 1] = -depth;
+    }
+    fixture.contact.begin_stage(before, 0.);
+    fixture.begin_increment(before, 1., 1e3);
+    fixture.settle(q);
+    BOOST_TEST(fixture.contact.n_touching() == 3u);
+    const double each = .6 * 7. / std::sqrt(3.) * .4;
+    BOOST_TEST(std::abs(std::abs(fixture.contact.tool_force()[0]) - 3. * each) < 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
