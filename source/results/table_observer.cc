@@ -52,8 +52,8 @@ namespace deltaform
                           state.slip,
                           state.tangential_force,
                           std::string(pair->friction() == nullptr ? "frictionless"
-                                      : state.sticking                         ? "stick"
-                                                                               : "slip"),
+                                      : state.sticking            ? "stick"
+                                                                  : "slip"),
                           node.arc_coordinate});
         }
       return rows;
