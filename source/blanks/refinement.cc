@@ -36,6 +36,12 @@ namespace deltaform
                      "1",
                      "Longest edge that touches, or is about to touch, a round part of a tool, in radii of the tool "
                      "there; 0: any length.");
+    growth = section.number("Contact growth",
+                            0.,
+                            Range::not_negative(),
+                            "1",
+                            "Cells near contact edges for which 'Contact edges' asks are no longer than those may be "
+                            "plus this times the distance (present lengths); 0: only the cells of the edges.");
     rim = section.flag("Contact rim", false, "Refine also where contact ends, up to the maximal level.");
   }
 } // namespace deltaform

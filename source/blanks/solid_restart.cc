@@ -28,6 +28,8 @@ namespace deltaform
       archive_plain(archive, committed_stress_);
       archive_plain(archive, committed_deformation_);
       archive_plain(archive, plastic_metric_);
+      archive << volume_offset_;
+      archive_plain(archive, committed_places_);
     }
     const std::vector<std::string> all = ranks::gather(own.take());
     boost::archive::binary_oarchive(stream) << all;
@@ -61,6 +63,8 @@ namespace deltaform
     archive_plain(archive, committed_stress_);
     archive_plain(archive, committed_deformation_);
     archive_plain(archive, plastic_metric_);
+    archive >> volume_offset_;
+    archive_plain(archive, committed_places_);
     stress_ = committed_stress_;
     deformation_ = committed_deformation_;
   }

@@ -236,12 +236,14 @@ namespace deltaform
     snap_rotation_ = 0.;
     Vector dq = q;
     dq -= problem_.committed();
+    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong.
+    if (time <= time_)
+      return "";
     const auto [strain, rotation] = scene_.actors.blank->increment_size(dq);
     if (strain > scene_.steps->largest_strain)
       return "the largest strain increment is " + text::rounded(strain) + ", allowed are " +
              text::rounded(scene_.steps->largest_strain) + " (Solver/Largest strain increment)";
-    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong.
-    if (time <= time_ || rotation <= scene_.steps->largest_rotation)
+    if (rotation <= scene_.steps->largest_rotation)
       return "";
     // Where the blank snaps through, a shorter increment does not make the way shorter.
     if (may_snap)

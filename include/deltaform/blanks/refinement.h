@@ -17,6 +17,7 @@ namespace deltaform
     unsigned passes = 1; ///< at the same time
     unsigned levels = 0; ///< cells are halved at most so many times
     double edge_share = 0; ///< longest edge in contact over the tool's radius; 0: any
+    double growth = 0; ///< of the length of cells with the distance from contact edges; 0: their own cells only
     bool rim = false; ///< refine at the rim of the contact zone
   };
 } // namespace deltaform
