@@ -93,13 +93,15 @@ namespace deltaform
                       std::string("the largest ") + what + " increment is " + text::rounded(value) + ", allowed are " +
                         text::rounded(allowed) + " (Solver/Largest " + what + " increment)"};
     };
+    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong.
+    if (length <= 0.)
+      return std::nullopt;
     Vector dq = result.q;
     dq -= problem_.committed();
     const auto [strain, rotation] = problem_.increment_size(dq);
     if (strain > settings_.largest_strain)
       return refused("strain", strain, settings_.largest_strain);
-    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong.
-    if (length <= 0. || rotation <= settings_.largest_rotation)
+    if (rotation <= settings_.largest_rotation)
       return std::nullopt;
     // Where the blank snaps through, a shorter increment does not make the way shorter.
     if (!may_snap)

@@ -79,6 +79,7 @@ namespace deltaform
       shortest_edge_ = mesh_.thickness();
     set_up_weightless();
     update_thickness(Vector(n_dofs()));
+    update_places(Vector(n_dofs()));
   }
 
 

@@ -131,7 +131,7 @@ namespace deltaform
         for (unsigned int k = 0; k < n_points; ++k)
           projected += project[p * n_points + k] * volumetric[k];
         for (unsigned int k = 0; k < 3; ++k)
-          strain_[first + p][k] += (projected - volumetric[p]) / 3.;
+          strain_[first + p][k] += (projected - volumetric[p] - volume_offset_[first + p]) / 3.;
       }
 
       MaterialBatch batch;

@@ -15,6 +15,9 @@ namespace deltaform
     /// All that a cell knows: places of its nodes, their values in every field, plastic state of its points.
     using CellData = std::vector<double>;
 
+    /// Numbers of a point behind its history: ln C_p^-1 / 2, elastic strain, volume offset.
+    constexpr std::size_t n_tensors = 9;
+
     /// A place of the unit cell of a child in its parent's.
     Point2 in_parent(const Point2 &xi, const unsigned int child)
     {
@@ -59,6 +62,9 @@ namespace deltaform
       const auto &cp = plastic_metric_[i];
       const Mandel metric = LogarithmicStrain::strain({cp[0], cp[1], cp[2], cp[3]});
       data.insert(data.end(), metric.begin(), metric.end());
+      const Mandel elastic = material_->elastic_strain(committed_stress_[i]);
+      data.insert(data.end(), elastic.begin(), elastic.end());
+      data.push_back(volume_offset_[i]);
     }
     return data;
   }
@@ -69,7 +75,7 @@ namespace deltaform
     // Displacements and places: exactly, since the parent's shape functions are among those of the children.
     const dealii::FE_Q<2> shapes(degree_);
     const std::size_t n = n_nodes_per_cell_, n_points = n_points_per_cell_, n_history = material_->history_size();
-    const std::size_t n_state = n_history + 4, n_vectors = (parent.size() - n_points * n_state) / (2 * n);
+    const std::size_t n_state = n_history + n_tensors, n_vectors = (parent.size() - n_points * n_state) / (2 * n);
     std::vector<std::vector<double>> weights(n, std::vector<double>(n));
     for (unsigned int b = 0; b < n; ++b)
       for (unsigned int a = 0; a < n; ++a)
@@ -125,6 +131,47 @@ namespace deltaform
   }
 
 
+  void Solid::keep_elastic_strain(const std::vector<Mandel> &wanted)
+  {
+    // At displacements that did not change, children strain otherwise than their parent's points did: the less, the
+    // less it was distorted. Where metal has flowed, that difference belongs to the flow and not to the elasticity,
+    // whose strains are a thousand times smaller; where it has not, it is what the finer mesh knows better.
+    const auto share = [&](const double plastic, const double flow_stress) {
+      return plastic / (flow_stress / material_->young_modulus() + plastic);
+    };
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+    {
+      double plastic = 0., flow_stress = 0.;
+      for (unsigned int i = c * n_points_per_cell_; i < (c + 1) * n_points_per_cell_; ++i)
+      {
+        plastic += material_->equivalent_plastic_strain(history_.committed(i)) / n_points_per_cell_;
+        flow_stress += material_->flow_stress(history_.committed(i)) / n_points_per_cell_;
+      }
+      const double volume_share = share(plastic, flow_stress);
+      for (unsigned int i = c * n_points_per_cell_; i < (c + 1) * n_points_per_cell_; ++i)
+      {
+        // The law got the sum of the elastic strain and the plastic one of its history.
+        Mandel trial = strain_[i];
+        const Mandel old = material_->plastic_strain(history_.committed(i));
+        for (unsigned int k = 0; k < 4; ++k)
+          trial[k] -= old[k];
+        const double mean = (trial[0] + trial[1] + trial[2]) / 3.;
+        const double wanted_mean = (wanted[i][0] + wanted[i][1] + wanted[i][2]) / 3.;
+        volume_offset_[i] += 3. * volume_share * (mean - wanted_mean);
+        // Small strains are as linear in the cell as what is interpolated.
+        if (!finite_)
+          continue;
+        const double own = share(material_->equivalent_plastic_strain(history_.committed(i)),
+                                 material_->flow_stress(history_.committed(i)));
+        Mandel kept;
+        for (unsigned int k = 0; k < 4; ++k)
+          kept[k] = (1. - own) * (trial[k] - (k < 3 ? mean : 0.)) + own * (wanted[i][k] - (k < 3 ? wanted_mean : 0.));
+        set_plastic_metric(i, kept);
+      }
+    }
+  }
+
+
   void Solid::unpack(const std::vector<std::vector<double>> &data, std::vector<Vector> &fields)
   {
     const std::size_t n = n_nodes_per_cell_, n_history = material_->history_size();
@@ -138,12 +185,16 @@ namespace deltaform
               fields[v][dof] = data[c][2 * ((v + 1) * n + a) + k];
       ranks::sum(fields[v].begin(), fields[v].size());
     }
+    const auto state_of = [&](const unsigned int point) {
+      return &data[point / n_points_per_cell_][2 * (fields.size() + 1) * n +
+                                               point % n_points_per_cell_ * (n_history + n_tensors)];
+    };
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
-      const double *state =
-        &data[i / n_points_per_cell_][2 * (fields.size() + 1) * n + i % n_points_per_cell_ * (n_history + 4)];
+      const double *state = state_of(i);
       std::copy_n(state, n_history, history_.trial(i));
       state += n_history;
+      volume_offset_[i] = state[8];
       const auto b = LogarithmicStrain::inverse({{state[0], state[1], state[2], state[3]}});
       plastic_metric_[i] = {{b.xx, b.yy, b.zz, b.xy}};
     }
@@ -154,6 +205,17 @@ namespace deltaform
     // Stresses of the law at the displacements as they came over, the scale of energies and the start of the next flow.
     Vector q = fields.empty() ? Vector(n_free_) : fields.front();
     update_stress(q);
+    if (n_history > 0 && !fields.empty())
+    {
+      std::vector<Mandel> elastic;
+      for (unsigned int i = 0; i < points_.size(); ++i)
+      {
+        const double *const state = state_of(i) + n_history + 4;
+        elastic.push_back({{state[0], state[1], state[2], state[3]}});
+      }
+      keep_elastic_strain(elastic);
+      update_stress(q);
+    }
     constant_matrices_.clear();
     committed_stress_ = stress_;
     committed_deformation_ = deformation_;
@@ -166,5 +228,6 @@ namespace deltaform
     }
     update_areas(q);
     update_thickness(q);
+    update_places(q);
   }
 } // namespace deltaform

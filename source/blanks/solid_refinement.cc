@@ -4,6 +4,7 @@
 
 #include <deal.II/distributed/cell_data_transfer.templates.h>
 #include <deal.II/distributed/tria.h>
+#include <deal.II/fe/fe_q.h>
 #include <deal.II/numerics/cell_data_transfer.templates.h>
 
 #include <algorithm>
@@ -53,16 +54,86 @@ namespace deltaform
         if (own != edge_cells_.end() && A.distance(B) > longest_edges[side][e])
           marked[own->second] = true;
       }
-    bool any = false;
     unsigned int c = 0;
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() && marked[c++] && cell->level() < highest_level)
+      if (cell->is_locally_owned())
       {
-        cell->set_refine_flag();
-        any = true;
+        marked[c] = marked[c] && cell->level() < highest_level;
+        ++c;
       }
-    triangulation.prepare_coarsening_and_refinement();
-    return ranks::max(any ? 1. : 0.) > 0.;
+    return flag_divisible(marked);
+  }
+
+
+  bool Solid::divisible(const unsigned int cell) const
+  {
+    // What the law is evaluated at in the children, in the parent's unit cell.
+    const dealii::FE_Q<2> shapes(degree_);
+    for (unsigned int child = 0; child < 4; ++child)
+      for (const auto &point : quadrature_)
+      {
+        const Point2 xi(.5 * (point[0] + child % 2), .5 * (point[1] + child / 2));
+        Tensor2 jacobian;
+        for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
+        {
+          const Point2 &x = committed_places_[cells_[cell][a]];
+          const Tensor1 gradient = shapes.shape_grad(a, xi);
+          for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int j = 0; j < 2; ++j)
+              jacobian[i][j] += x[i] * gradient[j];
+        }
+        if (!(dealii::determinant(jacobian) > 0.))
+          return false;
+      }
+    return true;
+  }
+
+
+  bool Solid::flag_divisible(std::vector<bool> &marked)
+  {
+    auto &triangulation = mesh_.triangulation();
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+      marked[c] = marked[c] && divisible(c);
+    for (bool again = true; again;)
+    {
+      again = false;
+      unsigned int c = 0;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned() && marked[c++])
+          cell->set_refine_flag();
+      triangulation.prepare_coarsening_and_refinement();
+      if (ranks::count() > 1)
+        break;
+      // Cells that would have to follow a finer neighbour, and cannot, keep it as it is.
+      std::vector<int> level(triangulation.n_vertices(), std::numeric_limits<int>::max());
+      for (bool spreads = true; spreads;)
+      {
+        spreads = false;
+        c = 0;
+        for (const auto &cell : triangulation.active_cell_iterators())
+        {
+          if (cell->refine_flag_set())
+          {
+            int limit = std::numeric_limits<int>::max();
+            for (const auto v : cell->vertex_indices())
+              limit = std::min(limit, level[cell->vertex_index(v)]);
+            if (cell->level() > limit || !divisible(c))
+            {
+              for (const auto v : cell->vertex_indices())
+                level[cell->vertex_index(v)] = std::min(level[cell->vertex_index(v)], cell->level());
+              marked[c] = false;
+              cell->clear_refine_flag();
+              again = spreads = true;
+            }
+          }
+          ++c;
+        }
+      }
+      if (again)
+        for (const auto &cell : triangulation.active_cell_iterators())
+          cell->clear_refine_flag();
+    }
+    return ranks::max(std::count(marked.begin(), marked.end(), true) > 0 ? 1. : 0.) > 0.;
   }
 
 

@@ -133,13 +133,12 @@ namespace deltaform
   }
 
 
-  void Solid::update_plastic_metric(const unsigned int point)
+  void Solid::set_plastic_metric(const unsigned int point, Mandel e)
   {
     // C_p^-1 = F^-1 exp(2 e) F^-T with the elastic strain e: its deviator is known from the stress; its trace is ln J,
     // as plastic flow preserves the volume, and not that of the stress, which the volume of the cell has a part in.
     const auto &f = deformation_[point].f;
     const double hoop = deformation_[point].hoop, in_j = f[0] * f[3] - f[1] * f[2];
-    Mandel e = material_->elastic_strain(stress_[point]);
     const double mean = (std::log(in_j * hoop) - e[0] - e[1] - e[2]) / 3.;
     for (unsigned int k = 0; k < 3; ++k)
       e[k] += mean;
@@ -180,7 +179,7 @@ namespace deltaform
           plastic += .5 * points_[i].weight * (stress_[i][k] + start[k]) * (after[k] - before[k]);
       }
       if (finite_)
-        update_plastic_metric(i);
+        set_plastic_metric(i, material_->elastic_strain(stress_[i]));
     }
     if (energy_)
     {
@@ -194,6 +193,14 @@ namespace deltaform
     committed_deformation_.swap(deformation_);
     update_areas(q);
     update_thickness(q);
+    update_places(q);
+  }
+
+
+  void Solid::update_places(const Vector &q)
+  {
+    if (refinement_.active)
+      committed_places_ = positions(q);
   }
 
 

@@ -139,6 +139,7 @@ namespace deltaform
     committed_stress_ = strain_;
     deformation_.assign(points_.size(), Deformation());
     committed_deformation_ = deformation_;
+    volume_offset_.assign(points_.size(), 0.);
     plastic_metric_.assign(points_.size(), {{1., 1., 1., 0.}});
 
     if (finite_ || material_->history_size() > 0)

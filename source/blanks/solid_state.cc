@@ -30,6 +30,8 @@ namespace deltaform
     state.put("stress", committed_stress_);
     state.put("deformation", committed_deformation_);
     state.put("plastic metric", plastic_metric_);
+    state.put("volumetric strain without stress", volume_offset_);
+    state.put("places of nodes", committed_places_);
     return state;
   }
 
@@ -65,6 +67,8 @@ namespace deltaform
     state.take("stress", committed_stress_);
     state.take("deformation", committed_deformation_);
     state.take("plastic metric", plastic_metric_);
+    state.take("volumetric strain without stress", volume_offset_);
+    state.take("places of nodes", committed_places_);
     stress_ = committed_stress_;
     deformation_ = committed_deformation_;
   }

@@ -220,8 +220,8 @@ namespace deltaform
 
 
     /**
-     * Cowper and Symonds with heat: s (1 + (rate/D)^(1/p)) (1 - c T), where the flow itself heats the metal, dT = b s dx:
-     * a factor that needs the duration and a scalar of its own.
+     * Cowper and Symonds with heat: s (1 + (rate/D)^(1/p)) (1 - c T), where the flow itself heats the metal, dT = b s
+     * dx: a factor that needs the duration and a scalar of its own.
      */
     class CowperSymondsWithHeat : public RateFactor
     {

@@ -165,6 +165,13 @@ namespace deltaform
     /// The part of set_up_dofs() that several processes do together; @p number: of the unknowns.
     void set_up_distributed_dofs(const std::vector<DofIndex> &number, const CellPlaces &places);
 
+    /// Are the points of the children of a cell, at the committed displacements, not turned inside out? The points of the
+    /// cell itself may all be right where a corner of it is folded.
+    bool divisible(unsigned int cell) const;
+
+    /// Flag the @p marked cells that can be divided, and with them what their neighbours need. @return whether any is
+    bool flag_divisible(std::vector<bool> &marked);
+
     /// Estimated squared errors of all processes' cells above which a cell is refined.
     double error_threshold(const std::vector<double> &squares) const;
     void set_up_points();
@@ -193,8 +200,12 @@ namespace deltaform
     Status assemble_constant(const Vector &q, AssemblyTarget &target);
     void update_stress(const Vector &q);
 
-    /// C_p^-1 of a point after the plastic flow of the increment that is about to be committed.
-    void update_plastic_metric(unsigned int point);
+    /// C_p^-1 of a point whose logarithmic elastic strain has the deviator of @p elastic.
+    void set_plastic_metric(unsigned int point, Mandel elastic);
+
+    /// Make the elastic strains of all points, at the displacements of the last pass, the @p wanted ones as far as metal
+    /// has flowed there: by the plastic strain and, for the volume, by volume_offset_.
+    void keep_elastic_strain(const std::vector<Mandel> &wanted);
 
     Point2 position(const Vector &q, unsigned int node) const;
 
@@ -235,6 +246,7 @@ namespace deltaform
     /// Distance of a point from the other side of the body.
     double distance(const Vector &q, const Point2 &x, Side side) const;
     void update_thickness(const Vector &q);
+    void update_places(const Vector &q);
 
     // As read
     unsigned int degree_;
@@ -279,6 +291,8 @@ namespace deltaform
     std::vector<Mandel> strain_, stress_, committed_stress_;
     std::vector<Deformation> deformation_, committed_deformation_;
     std::vector<std::array<double, 4>> plastic_metric_; ///< committed C_p^-1: rr, zz, hoop, rz
+    std::vector<double> volume_offset_; ///< volumetric strain without stress that a refinement left, in the projection
+    std::vector<Point2> committed_places_; ///< of the nodes, for marking
     double smallest_thickness_ = 0;
     std::optional<BlankEnergy> energy_ = BlankEnergy(); ///< none if nobody asks
   };
