@@ -126,7 +126,9 @@ namespace deltaform
             double &h = at.hessian[4 * i + j];
             h = -3. / at.value * at.gradient[i] * at.gradient[j];
             for (const YieldPoint &part : parts)
-              h += .5 * (3. * std::pow(part.value, 2) * part.gradient[i] * part.gradient[j] + std::pow(part.value, 3) * part.hessian[4 * i + j]) /
+              h += .5 *
+                   (3. * std::pow(part.value, 2) * part.gradient[i] * part.gradient[j] +
+                    std::pow(part.value, 3) * part.hessian[4 * i + j]) /
                    cube;
           }
         return at;

@@ -66,8 +66,8 @@ namespace deltaform
       std::string saved = layout_.to_string();
       archive &saved;
       if (saved != layout_.to_string())
-        throw SceneError("Cannot resume: the history of the material was saved as '" + saved + "', this material has '" +
-                         layout_.to_string() + "'.");
+        throw SceneError("Cannot resume: the history of the material was saved as '" + saved +
+                         "', this material has '" + layout_.to_string() + "'.");
       archive &committed_ &trial_;
     }
 
