@@ -9,9 +9,9 @@ namespace deltaform
       {{"Initial flow stress", &Voce::s0, Range::not_negative(), "stress", "Flow stress s0 at plastic strain 0.", 450.},
        {"Saturation stress", &Voce::ss, Range::positive(), "stress", "ss: the limit at large strain.", 715.},
        {"Saturation rate", &Voce::b, Range::positive(), "1", "Rate b.", 16.93},
-       {"Linear modulus", &Voce::H, Range::not_negative(), "stress", "Slope H of the linear term, 0: none.", 0., false}},
-      {{"Saturation stress",
-        "must not be less than the initial flow stress.",
+       {"Linear modulus", &Voce::H, Range::not_negative(), "stress", "Slope H of the linear term, 0: none.", 0.,
+        false}},
+      {{"Saturation stress", "must not be less than the initial flow stress.",
         [](const Voce &law) { return law.ss >= law.s0; }}}};
     return table;
   }

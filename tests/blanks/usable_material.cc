@@ -28,7 +28,8 @@ namespace
     return make_blank(kind, entries);
   }
 
-  void check_refused(const std::string &kind, const std::string &law, const std::string &name, const std::string &reason)
+  void check_refused(const std::string &kind, const std::string &law, const std::string &name,
+                     const std::string &reason)
   {
     BOOST_CHECK_EXCEPTION(make(kind, law, name), SceneError, [&](const SceneError &error) {
       BOOST_TEST_MESSAGE(error.what());

@@ -65,12 +65,13 @@ BOOST_AUTO_TEST_SUITE(general_return)
 
 BOOST_AUTO_TEST_CASE(mises_is_its_closed_form)
 {
-  for (const std::string law :
-       {"perfectly plastic", "linear", "swift", "ludwik", "voce", "hockett-sherby", "two-branch power", "table", "vertical"})
+  for (const std::string law : {"perfectly plastic", "linear", "swift", "ludwik", "voce", "hockett-sherby",
+                                "two-branch power", "table", "vertical"})
     for (const auto third : {ThirdDirection::strain_given, ThirdDirection::stress_given})
       for (const double size : {1e-4, 1e-3, 3e-2, .5})
         for (const bool two_steps : {false, true})
-          BOOST_TEST_CONTEXT(law << (third == ThirdDirection::strain_given ? ", solid" : ", shell") << ", strain " << size)
+          BOOST_TEST_CONTEXT(law << (third == ThirdDirection::strain_given ? ", solid" : ", shell") << ", strain "
+                                 << size)
   check_path(law, third, size, two_steps);
 }
 
@@ -82,13 +83,14 @@ BOOST_AUTO_TEST_CASE(hill)
   {
     const double biaxial = 100. * std::sqrt((1. + r) / 2.), plane = 100. * (1. + r) / std::sqrt(1. + 2. * r);
     require_close(stretched(normal_anisotropy(r), .3, .3), {{biaxial, biaxial, 0., 0.}}, 1e-11, "the bulge's stress");
-    require_close(stretched(normal_anisotropy(r), 1., 0.), {{plane, plane * r / (1. + r), 0., 0.}}, 1e-9, "plane strain");
+    require_close(stretched(normal_anisotropy(r), 1., 0.), {{plane, plane * r / (1. + r), 0., 0.}}, 1e-9,
+                  "plane strain");
   }
   require_close(stretched(std::make_unique<Hill48>(1.79, 1.51, 2.27), 1., 0.)[0], 134.2767, 1e-4, "plane strain");
 }
 
-// Legs of plastic strain in shear, where the law is that of a bar: exact values of the bar, and the recursion of backward
-// Euler to round-off. P.J. Armstrong, C.O. Frederick, CEGB report RD/B/N 731 (1966).
+// Legs of plastic strain in shear, where the law is that of a bar: exact values of the bar, and the recursion of
+// backward Euler to round-off. P.J. Armstrong, C.O. Frederick, CEGB report RD/B/N 731 (1966).
 BOOST_AUTO_TEST_CASE(armstrong_and_frederick)
 {
   constexpr double s = 200., C = 20000., gamma = 100., n_steps = 2000;

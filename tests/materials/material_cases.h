@@ -22,7 +22,8 @@ namespace deltaform
                                                   << ", which is more than " << tolerance << " away");
     }
 
-    inline void require_close(const Mandel &value, const Mandel &expected, const double tolerance, const std::string &what)
+    inline void require_close(const Mandel &value, const Mandel &expected, const double tolerance,
+                              const std::string &what)
     {
       const bool close = norm(difference(value, expected)) <= tolerance;
       const auto text = [](const Mandel &a) {

@@ -1,5 +1,5 @@
-// What every material has to fulfil as far as its traits say so: registered ones, with every registered law, and composed
-// ones that the program does not have. The first failure ends a test.
+// What every material has to fulfil as far as its traits say so: registered ones, with every registered law, and
+// composed ones that the program does not have. The first failure ends a test.
 #include "material_cases.h"
 
 #include <boost/math/tools/roots.hpp>

@@ -126,7 +126,9 @@ namespace deltaform
             double &h = at.hessian[4 * i + j];
             h = -3. / at.value * at.gradient[i] * at.gradient[j];
             for (const YieldPoint &part : parts)
-              h += .5 * (3. * std::pow(part.value, 2) * part.gradient[i] * part.gradient[j] + std::pow(part.value, 3) * part.hessian[4 * i + j]) /
+              h += .5 *
+                   (3. * std::pow(part.value, 2) * part.gradient[i] * part.gradient[j] +
+                    std::pow(part.value, 3) * part.hessian[4 * i + j]) /
                    cube;
           }
         return at;
@@ -151,8 +153,9 @@ namespace deltaform
 
 
     /**
-     * Armstrong and Frederick in Ziegler's form, several of them (Chaboche): d alpha_i = (C_i/q) xi dx - gamma_i alpha_i dx,
-     * by backward Euler alpha_i = (alpha_i,n + C_i x/q xi)/(1 + gamma_i x). J.L. Chaboche, Int. J. Plasticity 2 (1986) 149.
+     * Armstrong and Frederick in Ziegler's form, several of them (Chaboche): d alpha_i = (C_i/q) xi dx - gamma_i
+     * alpha_i dx, by backward Euler alpha_i = (alpha_i,n + C_i x/q xi)/(1 + gamma_i x). J.L. Chaboche, Int. J. Plasticity
+     * 2 (1986) 149.
      */
     class Chaboche : public BackStress
     {
