@@ -75,8 +75,8 @@ BOOST_AUTO_TEST_CASE(mises_is_its_closed_form)
   check_path(law, third, size, two_steps);
 }
 
-// Equibiaxial s sqrt((1+r)/2), plane strain s (1+r)/sqrt(1+2r), with planar anisotropy in plane strain along the rolling
-// direction s [(G+H) - H^2/(F+H)]^(-1/2).
+// Equibiaxial s sqrt((1+r)/2), plane strain s (1+r)/sqrt(1+2r), with planar anisotropy in plane strain along the
+// rolling direction s [(G+H) - H^2/(F+H)]^(-1/2).
 BOOST_AUTO_TEST_CASE(hill)
 {
   for (const double r : {.6, 1., 2.3})

@@ -154,8 +154,8 @@ namespace deltaform
 
     /**
      * Armstrong and Frederick in Ziegler's form, several of them (Chaboche): d alpha_i = (C_i/q) xi dx - gamma_i
-     * alpha_i dx, by backward Euler alpha_i = (alpha_i,n + C_i x/q xi)/(1 + gamma_i x). J.L. Chaboche, Int. J. Plasticity
-     * 2 (1986) 149.
+     * alpha_i dx, by backward Euler alpha_i = (alpha_i,n + C_i x/q xi)/(1 + gamma_i x). J.L. Chaboche, Int. J.
+     * Plasticity 2 (1986) 149.
      */
     class Chaboche : public BackStress
     {
