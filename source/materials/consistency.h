@@ -22,8 +22,8 @@ namespace deltaform
 
   /**
    * Solve f(u) = 0, u >= 0, for a continuous f(u) that goes from f(0) > 0 to f(@p upper) <= 0 (@p upper may be
-   * infinite) to |f| <= @p tolerance. @p guess is where the root is believed to be (anything else than a number in (0, upper)
-   * means no idea), @p start a finite number in (0, upper] to begin with if the slope at 0 is unbounded.
+   * infinite) to |f| <= @p tolerance. @p guess is where the root is believed to be (anything else than a number in
+   * (0, upper) means no idea), @p start a finite number in (0, upper] to begin with if the slope at 0 is unbounded.
    *
    * Newton's iteration inside a bracket. Where it leaves the bracket or converges slowly, f(0) - f(u) is taken for a
    * power of u and extrapolated as such (Newton in log-log coordinates; exact for power laws, whose slope is

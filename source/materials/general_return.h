@@ -14,8 +14,8 @@ namespace deltaform
    * method with step halving finds from everywhere; for quadratic surfaces (Mises, Hill 1948) it is linear. It leaves
    * one scalar equation in mu, which solve_consistency() solves whatever the slope of s. Where the third stress is
    * given, the third row reads xi_3 + alpha_3 = t_3. J.C. Simo, T.J.R. Hughes, Computational Inelasticity, Springer
-   * 1998, sec. 3.6; step control: W.M. Scherzinger, A return mapping algorithm for isotropic and anisotropic plasticity models
-   * using a
+   * 1998, sec. 3.6; step control: W.M. Scherzinger, A return mapping algorithm for isotropic and anisotropic
+   * plasticity models using a
    * line search method, Comput. Methods Appl. Mech. Eng. 317 (2017) 526.
    */
   class GeneralReturn final : public ReturnMap
