@@ -22,7 +22,7 @@ namespace deltaform
       {
         for (unsigned int i = 0; i < touched_.size(); ++i)
           if (!touched_[i] && actors_.tools[i]->exists_in(increment.stage.name))
-            touched_[i] = actors_.pairs[i]->n_touching() > 0;
+            touched_[i] = actors_.interfaces[i]->n_touching() > 0;
       }
 
       std::vector<std::string> warnings(const bool done) const override

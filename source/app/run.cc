@@ -155,6 +155,9 @@ namespace deltaform
       return list_everything();
     case CommandLine::Command::print_parameters:
       return print_parameters(command);
+    case CommandLine::Command::print_columns:
+      print_columns(std::cout);
+      return exit_status::done;
     case CommandLine::Command::version:
       std::cout << "deltaform " << DELTAFORM_VERSION << '\n';
       return exit_status::done;

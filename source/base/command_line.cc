@@ -22,7 +22,7 @@ namespace deltaform
       add("vary", po::value<Strings>()->composing());
       add("jobs", po::value<int>());
       add("seconds", po::value<double>());
-      for (const auto *const name : {"check", "resume", "quiet", "list", "print-parameters", "version", "help,h"})
+      for (const auto *const name : {"check", "resume", "quiet", "list", "print-parameters", "print-columns", "version", "help,h"})
         add(name, po::bool_switch());
       add("words", po::value<Strings>());
       return options;
@@ -90,6 +90,7 @@ namespace deltaform
                                                                       {"version", Command::version},
                                                                       {"list", Command::list},
                                                                       {"print-parameters", Command::print_parameters},
+                                                                      {"print-columns", Command::print_columns},
                                                                       {"check", Command::check}};
       Command command = sweep ? Command::sweep : Command::run;
       std::string name = sweep ? "sweep" : "";
@@ -174,6 +175,7 @@ blank may penetrate a tool and the program finds the penalty factors.
   deltaform --list                          what can be chosen: materials, tools, rules, ...
   deltaform --print-parameters [SCENE.prm]  every entry with default, unit, range and meaning;
                                             of a scene: the scene completed by its defaults
+  deltaform --print-columns                 every column of history.csv with unit and meaning
   deltaform --version | --help
 
 Options of a run

@@ -26,7 +26,7 @@ namespace deltaform
           save_state(increment.checkpoint());
       }
 
-      void ended(const FormingProblem &, const RunOutcome &outcome) override
+      void ended(const Model &, const RunOutcome &outcome) override
       {
         // Not before the other files are complete: until then, going on from the state before gives the same.
         folder_.behind().wait();

@@ -51,7 +51,7 @@ namespace deltaform
   }
 
 
-  void ConditionReport::before(FormingProblem &model, const unsigned int number)
+  void ConditionReport::before(Model &model, const unsigned int number)
   {
     numbers_ = ConditionNumbers();
     due_ = number % every_ == 0;
@@ -62,7 +62,7 @@ namespace deltaform
   }
 
 
-  void ConditionReport::solved(FormingProblem &model, const Vector &q)
+  void ConditionReport::solved(Model &model, const Vector &q)
   {
     if (due_)
       numbers_ = measure(model, q);
@@ -80,21 +80,22 @@ namespace deltaform
   }
 
 
-  void ConditionReport::describe(Columns &columns) const
+  void ConditionReport::describe(Columns &columns, const ConditionReport *const report)
   {
     columns.add({{"condition_raw", "1", "condition number of the tangent as it is"},
-                 {"condition_scaled", "1", "after diagonal scaling"},
+                 {"condition_scaled", "1", "after diagonal scaling in the frames of contact"},
                  {"condition_without_contact", "1", "of the blank alone, apart from its rigid modes"},
                  {"rigid_modes", "1", "of the blank without contact"},
-                 {"digits_lost", "1", "by a direct solution"}},
-                [this](const AcceptedIncrement &, Columns::Row &row) {
-                  row.insert(row.end(), {numbers_.raw, numbers_.scaled, numbers_.without_contact,
-                                         static_cast<double>(numbers_.n_rigid), numbers_.digits_lost});
+                 {"digits_lost", "1", "by a direct solution ([theory](theory/condition.md))"}},
+                [report](const AcceptedIncrement &, Columns::Row &row) {
+                  const ConditionNumbers &numbers = report->numbers_;
+                  row.insert(row.end(), {numbers.raw, numbers.scaled, numbers.without_contact,
+                                         static_cast<double>(numbers.n_rigid), numbers.digits_lost});
                 });
   }
 
 
-  ConditionNumbers ConditionReport::measure(FormingProblem &problem, const Vector &q)
+  ConditionNumbers ConditionReport::measure(Model &problem, const Vector &q)
   {
     Timers::Scope timer(folder_.timers(), timer_);
     problem.before_contact({});
@@ -130,7 +131,7 @@ namespace deltaform
 
     std::vector<condition::Frame> frames;
     std::vector<bool> taken(n, false);
-    for (const auto *pair : problem.active_pairs())
+    for (const auto *pair : problem.interfaces())
       for (const auto &[r, z, normal] : pair->frames())
         if (numbers[r] >= 0 && numbers[z] >= 0 && !taken[numbers[r]])
         {

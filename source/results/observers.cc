@@ -1,26 +1,82 @@
-#include <deltaform/model/forming_problem.h>
+#include <deltaform/model/model.h>
 #include <deltaform/model/reported_columns.h>
 #include <deltaform/results/condition_numbers.h>
 #include <deltaform/results/observers.h>
 
+#include <functional>
+#include <ostream>
 #include <utility>
 
 namespace deltaform
 {
-  std::vector<std::unique_ptr<Observer>> make_observers(const FormingProblem &model, const OutputSettings &output,
+  namespace
+  {
+    std::vector<std::string> names_of_tools(const Model &model)
+    {
+      std::vector<std::string> result;
+      for (const auto &tool : model.actors().tools)
+        result.push_back(tool->name());
+      return result;
+    }
+
+    template <typename Named>
+    std::vector<std::string> names_of(const std::vector<Named> &all)
+    {
+      std::vector<std::string> result;
+      for (const auto &one : all)
+        result.push_back(one.name);
+      return result;
+    }
+  } // namespace
+
+
+  void print_columns(std::ostream &out)
+  {
+    const auto table = [&out](const std::string &title, const std::function<void(Columns &)> &describe) {
+      Columns columns;
+      describe(columns);
+      out << "\n## " << title << "\n\n| column | unit | meaning |\n|---|---|---|\n";
+      for (const auto &column : columns.columns())
+        out << "| `" << column.name << "` | " << column.dimension << " | " << column.meaning << " |\n";
+    };
+    out << "# Columns of history.csv\n\n"
+           "Made by `deltaform --print-columns`. What a scene does not have, or does not ask for, has no column.\n"
+           "Tools, supports and loads stand with their names, underscores in place of blanks: a tool `die 2` has "
+           "`die_2_force_z`.\n";
+    table("Every scene", [](Columns &columns) {
+      describe_increment(columns);
+      describe_tools({"<tool>"}, columns);
+      describe_cost(columns);
+      describe_contact(columns);
+      describe_thickness(columns);
+    });
+    table("With `Output/Condition number every`",
+          [](Columns &columns) { ConditionReport::describe(columns, nullptr); });
+    table("With an iterative linear solver", describe_linear_solver);
+    table("With refinement", describe_mesh);
+    table("Works and energies since the start; not with `Output/Energies = false`", describe_energies);
+    table("Supports, loads and balance", [](Columns &columns) {
+      describe_supports({"<support>"}, columns);
+      describe_loads({"<load>"}, columns);
+      describe_balance(columns);
+    });
+  }
+
+
+  std::vector<std::unique_ptr<Observer>> make_observers(const Model &model, const OutputSettings &output,
                                                         ResultsFolder &folder, const Checkpoint *const start)
   {
     std::vector<std::unique_ptr<Observer>> result;
     Columns columns;
     describe_increment(columns);
-    describe_tools(model, columns);
+    describe_tools(names_of_tools(model), columns);
     describe_cost(columns);
     describe_contact(columns);
     describe_thickness(columns);
     if (output.condition_every > 0)
     {
       auto condition = std::make_unique<ConditionReport>(output.condition_every, output.condition_method, folder);
-      condition->describe(columns);
+      ConditionReport::describe(columns, condition.get());
       result.push_back(std::move(condition));
     }
     if (model.linear_solver().iterative())
@@ -29,8 +85,8 @@ namespace deltaform
       describe_mesh(columns);
     if (output.energies)
       describe_energies(columns);
-    describe_supports(model, columns);
-    describe_loads(model, columns);
+    describe_supports(names_of(model.actors().supports), columns);
+    describe_loads(names_of(model.actors().loads), columns);
     describe_balance(columns);
 
     result.push_back(make_history_observer(folder, std::move(columns), start));

@@ -19,14 +19,14 @@ namespace deltaform
 {
   namespace
   {
-    std::vector<DrawnField> contact_fields(const FormingProblem &problem, const std::size_t n_nodes)
+    std::vector<DrawnField> contact_fields(const Model &problem, const std::size_t n_nodes)
     {
       const std::vector<double> none(n_nodes, 0.);
       std::vector<DrawnField> fields{{"penalty_factor", "force/length", true, 1, none},
                                      {"penetration_over_delta", "1", true, 1, none},
                                      {"contact_pressure", "stress", true, 1, none},
                                      {"contact_status", "0 free 1 slip 2 stick", true, 1, none}};
-      for (const auto *pair : problem.active_pairs())
+      for (const auto *pair : problem.interfaces())
       {
         const auto pressure = contact_pressure(*pair, problem.committed());
         for (unsigned int i = 0; i < pair->n_nodes(); ++i)
@@ -72,7 +72,7 @@ namespace deltaform
       return drawing;
     }
     /// Values at the nodes of the blank: contact, and pressures that act on it.
-    std::vector<DrawnField> nodal_fields(const FormingProblem &problem, const std::string &stage, const double time)
+    std::vector<DrawnField> nodal_fields(const Model &problem, const std::string &stage, const double time)
     {
       const Actors &actors = problem.actors();
       const std::size_t n_nodes = actors.blank->positions(problem.committed()).size();
@@ -94,7 +94,7 @@ namespace deltaform
       }
 
       /// The picture that opens the series shows the undeformed blank and the tools at their start.
-      void begin(const FormingProblem &model, const Stage &stage) override
+      void begin(const Model &model, const Stage &stage) override
       {
         if (!output_.frame_times.empty())
           write(model, stage.name, 0.);
@@ -120,7 +120,7 @@ namespace deltaform
       }
 
       /// A run that stopped shows its last state.
-      void ended(const FormingProblem &model, const RunOutcome &outcome) override
+      void ended(const Model &model, const RunOutcome &outcome) override
       {
         if (outcome.exit_status != exit_status::done && outcome.increments > 0)
           write(model, stage_, time_);
@@ -148,7 +148,7 @@ namespace deltaform
       }
 
       /// Blank and tools as files, and as an entry of the series.
-      void write(const FormingProblem &problem, const std::string &stage, const double time)
+      void write(const Model &problem, const std::string &stage, const double time)
       {
         const Blank &blank = problem.blank();
         const auto &all_tools = problem.actors().tools;
@@ -163,7 +163,7 @@ namespace deltaform
         // A part of its own for each tool: ParaView lists parts by name. Tools keep their number when others are
         // absent.
         for (unsigned int i = 0; i < all_tools.size(); ++i)
-          for (const auto *pair : problem.active_pairs())
+          for (const auto *pair : problem.interfaces())
             if (&pair->tool() == all_tools[i].get())
             {
               const auto points = pair->tool().polyline(pair->travel(problem.committed()), reach);

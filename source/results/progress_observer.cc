@@ -27,7 +27,7 @@ namespace deltaform
         worst_ = std::max(worst_, increment.contact().max_penetration_over_delta);
         if (!folder_.journal().wants_progress())
           return;
-        const FormingProblem &model = increment.model;
+        const Model &model = increment.model;
         std::string line = "increment " + std::to_string(increment.number) + "  " + increment.stage.name +
                            " t = " + short_number(increment.time);
         if (const auto main = output_.main_tool; main != invalid_index)

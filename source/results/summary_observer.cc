@@ -52,7 +52,7 @@ namespace deltaform
           remember(increment);
       }
 
-      void ended(const FormingProblem &model, const RunOutcome &outcome) override
+      void ended(const Model &model, const RunOutcome &outcome) override
       {
         folder_.behind().wait();
         const std::string summary = described(model, outcome).to_string();
@@ -84,7 +84,7 @@ namespace deltaform
           energy_error_ = increment.energies().error();
       }
 
-      JsonObject described(const FormingProblem &model, const RunOutcome &outcome) const
+      JsonObject described(const Model &model, const RunOutcome &outcome) const
       {
         JsonObject summary;
         summary.add("title", folder_.title());
@@ -121,7 +121,7 @@ namespace deltaform
         return summary;
       }
 
-      std::string last_line(const FormingProblem &model, const RunOutcome &outcome) const
+      std::string last_line(const Model &model, const RunOutcome &outcome) const
       {
         std::string line = std::to_string(outcome.increments) + " increments, " + std::to_string(outcome.iterations) +
                            " Newton iterations, " + short_number(folder_.timers().total(), "%.2f") + " s";

@@ -32,10 +32,10 @@ namespace deltaform
                                                             {"status", "1"},
                                                             {"S0", "length"}};
 
-    Rows contact_rows(const FormingProblem &problem)
+    Rows contact_rows(const Model &problem)
     {
       Rows rows;
-      for (const auto *pair : problem.active_pairs())
+      for (const auto *pair : problem.interfaces())
         for (unsigned int i = 0; i < pair->n_nodes(); ++i)
         {
           const ContactPointState &state = pair->committed()[i];
@@ -59,13 +59,13 @@ namespace deltaform
       return rows;
     }
 
-    Rows tool_rows(const FormingProblem &problem)
+    Rows tool_rows(const Model &problem)
     {
       double reach = 0.;
       for (const auto &x : problem.blank().positions(problem.committed()))
         reach = std::max(reach, x.norm());
       Rows rows;
-      for (const auto *pair : problem.active_pairs())
+      for (const auto *pair : problem.interfaces())
         for (const auto &x : pair->tool().polyline(pair->travel(problem.committed()), reach))
           rows.push_back({pair->tool().name(), x[0], x[1]});
       return rows;
@@ -97,7 +97,7 @@ namespace deltaform
       }
 
       /// A run that stopped shows its last state.
-      void ended(const FormingProblem &model, const RunOutcome &outcome) override
+      void ended(const Model &model, const RunOutcome &outcome) override
       {
         if (outcome.exit_status != exit_status::done && outcome.increments > 0)
           write(model);
@@ -114,7 +114,7 @@ namespace deltaform
       }
 
     private:
-      void write(const FormingProblem &problem)
+      void write(const Model &problem)
       {
         const double travel = output_.main_tool == invalid_index ? time_ : problem.travel(output_.main_tool);
         // A stage in which the main tool rests must not overwrite the tables of the one before.

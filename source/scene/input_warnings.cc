@@ -69,7 +69,7 @@ namespace deltaform
 
     void doubtful_friction(const Actors &actors, Texts &result)
     {
-      for (const auto &pair : actors.pairs)
+      for (const auto &pair : actors.interfaces)
         if (pair->friction() && !pair->friction()->doubt().empty())
           result.push_back("Tools/" + pair->tool().name() + "/" + pair->friction()->doubt());
     }

@@ -145,7 +145,7 @@ namespace deltaform
         for (const auto dof : support.dofs)
           conditions.hold(dof, actors.blank->dof_scale(dof));
     unsigned int travel = 0;
-    for (const auto &pair : actors.pairs)
+    for (const auto &pair : actors.interfaces)
     {
       const bool by_force = pair->tool().force_driven();
       if (pair->tool().exists_in(stage.name))

@@ -69,7 +69,7 @@ namespace deltaform
       Section own = section.sub(name);
       actors.tools.push_back(
         std::make_unique<Tool>(name, own, constants, contact_constants, actors.blank->axisymmetric()));
-      actors.pairs.push_back(
+      actors.interfaces.push_back(
         std::make_unique<ContactInterface>(*actors.blank, *actors.tools.back(), *actors.contact, own));
     }
   }

@@ -30,7 +30,7 @@ namespace deltaform
     at_elastic_surface.normal_force = at_elastic_surface.area = 1.;
     if (std::isfinite(actors.blank->initial_flow_stress()))
       return;
-    for (const auto &pair : actors.pairs)
+    for (const auto &pair : actors.interfaces)
       if (pair->friction() && !std::isfinite(pair->friction()->limit(at_elastic_surface).value))
         root.sub("Tools")
           .sub(pair->tool().name())
@@ -158,7 +158,7 @@ namespace deltaform
       // What comes later is checked when it comes: the blank has another shape then (Simulation).
       if (tool.exists_in(actors.stages.front().name))
       {
-        if (const auto wrong = find_misplacement(*actors.blank, *actors.pairs[i], zero, tool.travel(0.), 1e-9 * h))
+        if (const auto wrong = find_misplacement(*actors.blank, *actors.interfaces[i], zero, tool.travel(0.), 1e-9 * h))
           section.fail(wrong->entry, wrong->message);
         const double opening = tool.shape().opening();
         if (opening > 0 && outermost <= opening)

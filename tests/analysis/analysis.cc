@@ -56,15 +56,15 @@ namespace
     {
     }
 
-    void begin(const FormingProblem &, const Stage &) override
+    void begin(const Model &, const Stage &) override
     {
       log += "begin ";
     }
-    void before(FormingProblem &, unsigned int) override
+    void before(Model &, unsigned int) override
     {
       log += "before ";
     }
-    void solved(FormingProblem &, const Vector &) override
+    void solved(Model &, const Vector &) override
     {
       log += "solved ";
     }
@@ -72,7 +72,7 @@ namespace
     {
       log += std::to_string(increment.number) + (increment.ends_stage ? " end " : " ");
     }
-    void ended(const FormingProblem &, const RunOutcome &outcome) override
+    void ended(const Model &, const RunOutcome &outcome) override
     {
       log += "status " + std::to_string(outcome.exit_status);
     }

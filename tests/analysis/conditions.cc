@@ -14,7 +14,7 @@ namespace
   class Told : public AcceptedIncrement
   {
   public:
-    explicit Told(const FormingProblem &the_model)
+    explicit Told(const Model &the_model)
       : AcceptedIncrement(the_model, the_model.actors().stages.front(), 1., 1, {})
     {
       energies_ = EnergyAccount();
@@ -73,7 +73,7 @@ namespace
     Timers timers;
     ParameterTree tree;
     Scene scene;
-    FormingProblem model;
+    Model model;
     Told increment;
     std::vector<std::unique_ptr<Condition>> conditions;
   };

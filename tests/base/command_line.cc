@@ -52,6 +52,7 @@ BOOST_AUTO_TEST_CASE(other_commands)
   BOOST_CHECK(parse({"-h", "cup.prm", "--list"}).command == Command::help);
   BOOST_CHECK(parse({"--print-parameters"}).command == Command::print_parameters);
   BOOST_TEST(parse({"--print-parameters"}).scene == "");
+  BOOST_CHECK(parse({"--print-columns"}).command == Command::print_columns);
   BOOST_TEST(parse({"--print-parameters", "cup.prm"}).scene == "cup.prm");
   BOOST_TEST(parse({"./sweep"}).scene == "./sweep");
 }
@@ -115,6 +116,7 @@ BOOST_AUTO_TEST_CASE(help_is_complete)
                   "--quiet",
                   "--list",
                   "--print-parameters",
+                  "--print-columns",
                   "--version",
                   "--help",
                   "sweep",

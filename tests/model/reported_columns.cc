@@ -23,18 +23,18 @@ BOOST_AUTO_TEST_CASE(names_and_values)
      "Loads/weight/Value=t"});
   const Scene scene(tree);
   Timers timers;
-  FormingProblem model(const_cast<Actors &>(scene.actors), *scene.linear_solver, timers);
+  Model model(const_cast<Actors &>(scene.actors), *scene.linear_solver, timers);
   Columns columns;
   describe_increment(columns);
-  describe_tools(model, columns);
+  describe_tools({"die 2"}, columns);
   describe_cost(columns);
   describe_contact(columns);
   describe_thickness(columns);
   describe_linear_solver(columns);
   describe_mesh(columns);
   describe_energies(columns);
-  describe_supports(model, columns);
-  describe_loads(model, columns);
+  describe_supports({"no turn"}, columns);
+  describe_loads({"weight"}, columns);
   describe_balance(columns);
   std::string names, dimensions;
   for (const auto &column : columns.columns())

@@ -20,7 +20,7 @@ namespace
   {
     const ReadScene read(strip(" set Names = late\n" + tool("late", entries + "  set Stages = two\n"), blank));
     const Actors &actors = read.scene->actors;
-    return find_misplacement(*actors.blank, *actors.pairs[0], Vector(actors.blank->n_dofs()), travel, tolerance);
+    return find_misplacement(*actors.blank, *actors.interfaces[0], Vector(actors.blank->n_dofs()), travel, tolerance);
   }
 
   std::string profile(const std::string &side, const std::string &points, const std::string &z)

@@ -7,7 +7,7 @@
 #include <deltaform/base/timers.h>
 #include <deltaform/model/checkpoint.h>
 #include <deltaform/model/condition.h>
-#include <deltaform/model/forming_problem.h>
+#include <deltaform/model/model.h>
 #include <deltaform/model/observer.h>
 
 #include <memory>
@@ -76,7 +76,7 @@ namespace deltaform
     /// The state after the last accepted increment, with what the observers remember, for a file.
     Checkpoint checkpoint() const;
 
-    const FormingProblem &model() const
+    const Model &model() const
     {
       return problem_;
     }
@@ -130,7 +130,7 @@ namespace deltaform
     Journal &journal_;
     Timers &timers_;
     Timers::Index timer_attempt_, timer_output_;
-    FormingProblem problem_;
+    Model problem_;
     Newton newton_;
     Increment increment_;
     std::vector<std::unique_ptr<Condition>> conditions_;

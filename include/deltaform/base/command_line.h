@@ -34,6 +34,7 @@ namespace deltaform
       sweep, ///< one run per combination of the varied values
       list, ///< what can be chosen
       print_parameters, ///< of the scene, or of everything if no scene is named
+      print_columns, ///< of history.csv
       version,
       help
     };

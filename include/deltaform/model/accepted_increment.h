@@ -2,8 +2,8 @@
 
 #include <deltaform/model/accounts.h>
 #include <deltaform/model/checkpoint.h>
-#include <deltaform/model/forming_problem.h>
 #include <deltaform/model/increment_cost.h>
+#include <deltaform/model/model.h>
 
 #include <functional>
 #include <optional>
@@ -15,7 +15,7 @@ namespace deltaform
   class AcceptedIncrement
   {
   public:
-    const FormingProblem &model;
+    const Model &model;
     const Stage &stage;
     double time; ///< at its end
     unsigned int number; ///< counts from 1
@@ -61,7 +61,7 @@ namespace deltaform
       return *balance_error_;
     }
 
-    AcceptedIncrement(const FormingProblem &the_model, const Stage &the_stage, const double the_time,
+    AcceptedIncrement(const Model &the_model, const Stage &the_stage, const double the_time,
                       const unsigned int the_number, const IncrementCost &the_cost)
       : model(the_model), stage(the_stage), time(the_time), number(the_number), cost(the_cost)
     {

@@ -16,7 +16,7 @@ namespace boost::archive
 namespace deltaform
 {
   class AcceptedIncrement;
-  class FormingProblem;
+  class Model;
   struct Stage;
 
   /// How a run has ended.
@@ -36,17 +36,17 @@ namespace deltaform
     virtual ~Observer() = default;
 
     /// The first stage begins, with the undeformed blank and the tools at their start.
-    virtual void begin(const FormingProblem & /*model*/, const Stage & /*stage*/)
+    virtual void begin(const Model & /*model*/, const Stage & /*stage*/)
     {
     }
 
     /// An increment will be tried, perhaps more than once.
-    virtual void before(FormingProblem & /*model*/, unsigned int /*number*/)
+    virtual void before(Model & /*model*/, unsigned int /*number*/)
     {
     }
 
     /// It is solved, by the unknowns @p q, and will be accepted.
-    virtual void solved(FormingProblem & /*model*/, const Vector & /*q*/)
+    virtual void solved(Model & /*model*/, const Vector & /*q*/)
     {
     }
 
@@ -59,7 +59,7 @@ namespace deltaform
     {
     }
 
-    virtual void ended(const FormingProblem & /*model*/, const RunOutcome & /*outcome*/)
+    virtual void ended(const Model & /*model*/, const RunOutcome & /*outcome*/)
     {
     }
 

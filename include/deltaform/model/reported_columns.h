@@ -3,26 +3,25 @@
 #include <deltaform/model/columns.h>
 
 #include <string>
+#include <vector>
 
 namespace deltaform
 {
-  class FormingProblem;
-
   /// The name of a tool, support or load as columns carry it: underscores in place of blanks.
   std::string column_name(const std::string &name);
 
-  /// @name What the parts of a model and of its increments have to report
+  /// @name What the parts of a model and of its increments have to report; tools, supports and loads by their names
   ///@{
   void describe_increment(Columns &columns);
-  void describe_tools(const FormingProblem &model, Columns &columns);
+  void describe_tools(const std::vector<std::string> &names, Columns &columns);
   void describe_cost(Columns &columns);
   void describe_contact(Columns &columns);
   void describe_thickness(Columns &columns);
   void describe_linear_solver(Columns &columns);
   void describe_mesh(Columns &columns);
   void describe_energies(Columns &columns);
-  void describe_supports(const FormingProblem &model, Columns &columns);
-  void describe_loads(const FormingProblem &model, Columns &columns);
+  void describe_supports(const std::vector<std::string> &names, Columns &columns);
+  void describe_loads(const std::vector<std::string> &names, Columns &columns);
   void describe_balance(Columns &columns);
   ///@}
 } // namespace deltaform

@@ -2,7 +2,7 @@
 
 #include <deltaform/base/timers.h>
 #include <deltaform/model/columns.h>
-#include <deltaform/model/forming_problem.h>
+#include <deltaform/model/model.h>
 #include <deltaform/model/observer.h>
 #include <deltaform/results/results_folder.h>
 #include <deltaform/solver/condition.h>
@@ -30,19 +30,19 @@ namespace deltaform
     ConditionReport(unsigned int every, condition::Method method, ResultsFolder &folder);
 
     /// Before the increment is solved: keep the tangent without contact terms of the last assembly.
-    void before(FormingProblem &model, unsigned int number) override;
+    void before(Model &model, unsigned int number) override;
 
     /// Measures the converged but not yet committed state, which is not touched: the tangents are those of the last
     /// Newton iteration.
-    void solved(FormingProblem &model, const Vector &q) override;
+    void solved(Model &model, const Vector &q) override;
 
     void accepted(const AcceptedIncrement &increment) override;
 
-    /// Columns of the numbers measured last. The object must live longer.
-    void describe(Columns &columns) const;
+    /// Columns of the numbers that @p report has measured last; it must live longer. Null: for their names only.
+    static void describe(Columns &columns, const ConditionReport *report);
 
   private:
-    ConditionNumbers measure(FormingProblem &problem, const Vector &q);
+    ConditionNumbers measure(Model &problem, const Vector &q);
 
     unsigned int every_;
     condition::Method method_;

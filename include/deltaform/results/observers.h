@@ -5,6 +5,7 @@
 #include <deltaform/results/output_settings.h>
 #include <deltaform/results/results_folder.h>
 
+#include <iosfwd>
 #include <memory>
 #include <vector>
 
@@ -21,10 +22,13 @@ namespace deltaform
   std::unique_ptr<Observer> make_checkpoint_observer(ResultsFolder &folder, const OutputSettings &output);
   ///@}
 
+  /// The page on the columns of history.csv, in Markdown.
+  void print_columns(std::ostream &out);
+
   /**
    * All that a scene asks for, in the order in which they have to be told: states are saved last, when what they count
    * on is written. @param start the state that the run goes on from; null: it begins
    */
-  std::vector<std::unique_ptr<Observer>> make_observers(const FormingProblem &model, const OutputSettings &output,
+  std::vector<std::unique_ptr<Observer>> make_observers(const Model &model, const OutputSettings &output,
                                                         ResultsFolder &folder, const Checkpoint *start);
 } // namespace deltaform

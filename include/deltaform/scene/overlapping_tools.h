@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/model/forming_problem.h>
+#include <deltaform/model/model.h>
 
 #include <string>
 #include <vector>

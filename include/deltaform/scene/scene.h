@@ -3,7 +3,7 @@
 #include <deltaform/analysis/analysis.h>
 #include <deltaform/base/journal.h>
 #include <deltaform/base/parameter_tree.h>
-#include <deltaform/model/forming_problem.h>
+#include <deltaform/model/model.h>
 #include <deltaform/results/output_settings.h>
 
 #include <memory>

@@ -1,8 +1,7 @@
 // What happens between the increments: stages begin, what has ended fades out, states are accepted.
 #include "collector.h"
 
-#include <deltaform/contact/contact_measures.h>
-#include <deltaform/model/forming_problem.h>
+#include <deltaform/model/model.h>
 #include <deltaform/model/tool_placement.h>
 
 #include <algorithm>
@@ -10,13 +9,13 @@
 
 namespace deltaform
 {
-  void FormingProblem::collect_released(const std::string &next_stage)
+  void Model::collect_released(const std::string &next_stage)
   {
     Collector ending(state_.unknowns.size());
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
       if (actors_.tools[i]->exists_in(stage_name_) && !actors_.tools[i]->exists_in(next_stage))
       {
-        actors_.pairs[i]->release(state_.unknowns, ending);
+        actors_.interfaces[i]->release(state_.unknowns, ending);
         state_.released.of_tools[i] = state_.tool_forces[i];
       }
     for (unsigned int i = 0; i < actors_.loads.size(); ++i)
@@ -46,25 +45,25 @@ namespace deltaform
   }
 
 
-  void FormingProblem::bring_into_contact(const ContactInterface &pair)
+  void Model::bring_into_contact(const ContactInterface &pair)
   {
     // A force without resistance has no equilibrium. The distance is Lipschitz: going by the gap never goes too far.
-    const double reach = 1e3 * (1. + size_[0]);
+    const double reach = 1e3 * (1. + numbering_.size[0]);
     for (unsigned int step = 0; step < 1000; ++step)
     {
       const double gap = pair.projector().closest(state_.unknowns, state_.unknowns[pair.travel_dof()]).second;
-      if (!(gap < reach) || gap <= 1e-12 * size_[0])
+      if (!(gap < reach) || gap <= 1e-12 * numbering_.size[0])
         return;
       state_.unknowns[pair.travel_dof()] += gap;
     }
   }
 
 
-  std::string FormingProblem::misplaced_tool(const Stage &stage) const
+  std::string Model::misplaced_tool(const Stage &stage) const
   {
     if (stage_name_.empty())
       return "";
-    for (const auto &pair : actors_.pairs)
+    for (const auto &pair : actors_.interfaces)
     {
       const Tool &tool = pair->tool();
       if (tool.exists_in(stage_name_) || !tool.exists_in(stage.name))
@@ -81,7 +80,7 @@ namespace deltaform
   }
 
 
-  void FormingProblem::begin_stage(const Stage &stage)
+  void Model::begin_stage(const Stage &stage)
   {
     state_.released.reset(state_.unknowns.size(), actors_.tools.size(), actors_.supports.size(), actors_.loads.size());
     if (!stage_name_.empty())
@@ -89,7 +88,7 @@ namespace deltaform
     state_.releases_at_once = state_.released.any && stage.release_at_once;
     enter_stage(stage);
     time_ = state_.time = stage.begin;
-    for (auto *pair : active_pairs_)
+    for (auto *pair : contact_.interfaces())
     {
       if (pair->tool().force_driven() && pair->n_touching() == 0)
         bring_into_contact(*pair);
@@ -102,42 +101,39 @@ namespace deltaform
   }
 
 
-  void FormingProblem::enter_stage(const Stage &stage)
+  void Model::enter_stage(const Stage &stage)
   {
     stage_name_ = stage.name;
     state_.released.begin_stage(stage);
-    active_pairs_.clear();
-    for (auto &pair : actors_.pairs)
-      if (pair->tool().exists_in(stage.name))
-        active_pairs_.push_back(pair.get());
+    contact_.enter_stage(stage);
     set_prescribed();
   }
 
 
-  void FormingProblem::set_prescribed()
+  void Model::set_prescribed()
   {
-    is_prescribed_ = is_fixed_;
+    is_prescribed_ = numbering_.is_fixed;
     for (const auto &support : actors_.supports)
       if (support.acts_in(stage_name_))
         for (const auto dof : support.dofs)
           is_prescribed_[dof] = true;
     // The travel of a force-driven tool that is absent does not change.
-    for (auto &pair : actors_.pairs)
+    for (auto &pair : actors_.interfaces)
       if (pair->tool().force_driven() && !pair->tool().exists_in(stage_name_))
         is_prescribed_[pair->travel_dof()] = true;
   }
 
 
-  void FormingProblem::forget_energy()
+  void Model::forget_energy()
   {
     energies_wanted_ = false;
     actors_.blank->forget_energy();
-    for (auto &pair : actors_.pairs)
+    for (auto &pair : actors_.interfaces)
       pair->forget_energy();
   }
 
 
-  void FormingProblem::commit(const Vector &q)
+  void Model::commit(const Vector &q)
   {
     Timers::Scope timer(timers_, timer_commit_);
     // Work of loads, of released forces, and of supports, whose reactions are what the residual shows in their rows.
@@ -151,10 +147,10 @@ namespace deltaform
         continue;
       Collector own(state_.unknowns.size());
       actors_.loads[i].assemble(*actors_.blank, q, time_, own);
-      state_.load_resultants[i] = -1. * resultant(own.residual);
+      state_.load_resultants[i] = -1. * numbering_.resultant(own.residual);
       // A moment counts by the thickness.
       for (unsigned int k = 0; k < actors_.blank->n_dofs(); ++k)
-        state_.largest_resultant = std::max(state_.largest_resultant, std::abs(own.residual[k]) / scale_[k]);
+        state_.largest_resultant = std::max(state_.largest_resultant, std::abs(own.residual[k]) / numbering_.scale[k]);
     }
     for (unsigned int i = 0; i < state_.unknowns.size(); ++i)
     {
@@ -166,8 +162,8 @@ namespace deltaform
     }
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
     {
-      auto &pair = *actors_.pairs[i];
-      const bool active = std::find(active_pairs_.begin(), active_pairs_.end(), &pair) != active_pairs_.end();
+      auto &pair = *actors_.interfaces[i];
+      const bool active = contact_.takes_part(pair);
       const Tensor1 force = active ? pair.tool_force() : released * state_.released.of_tools[i];
       const double travel = active ? pair.travel(q) : state_.travels[i];
       const double way = travel - state_.travels[i];
@@ -178,8 +174,7 @@ namespace deltaform
         actors_.tools[i]->set_travel(travel);
     }
 
-    for (auto *pair : active_pairs_)
-      pair->commit(q);
+    contact_.commit(q);
     actors_.blank->commit(q);
     state_.time = time_;
     state_.unknowns = q;
@@ -191,35 +186,13 @@ namespace deltaform
     for (unsigned int i = 0; i < actors_.supports.size(); ++i)
       if (const Support &support = actors_.supports[i]; !support.dofs.empty())
         state_.largest_resultant =
-          std::max(state_.largest_resultant, std::abs(reaction(i)) / scale_[support.dofs.front()]);
+          std::max(state_.largest_resultant, std::abs(reaction(i)) / numbering_.scale[support.dofs.front()]);
 
     double square = 0.;
-    for (unsigned int i = 0; i < scale_.size(); ++i)
-      square += std::pow(system_->magnitude()[i] / scale_[i], 2);
+    for (unsigned int i = 0; i < numbering_.scale.size(); ++i)
+      square += std::pow(system_->magnitude()[i] / numbering_.scale[i], 2);
     state_.largest_force = std::max(state_.largest_force, std::sqrt(square));
 
-    // The thickness has changed: new gaps, and the contact pressure that the next increments see.
-    std::array<std::vector<double>, 2> pressure;
-    for (auto *pair : active_pairs_)
-    {
-      pair->refresh(q);
-      const auto own = contact_pressure(*pair, q);
-      auto &side = pressure[static_cast<unsigned int>(pair->tool().side())];
-      if (side.empty())
-        side = own;
-      else
-        for (unsigned int i = 0; i < own.size(); ++i)
-          side[i] += own[i];
-    }
-    // A side that all tools have left is free of pressure.
-    for (const Side side : {Side::bottom, Side::top})
-    {
-      auto &own = pressure[static_cast<unsigned int>(side)];
-      if (!actors_.pairs.empty())
-      {
-        own.resize(actors_.blank->n_contact_nodes(side), 0.);
-        actors_.blank->set_contact_pressure(side, own);
-      }
-    }
+    contact_.refresh(q);
   }
 } // namespace deltaform

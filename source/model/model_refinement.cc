@@ -2,27 +2,21 @@
 #include "collector.h"
 
 #include <deltaform/blanks/refinement.h>
-#include <deltaform/contact/contact_measures.h>
-#include <deltaform/model/forming_problem.h>
+#include <deltaform/model/model.h>
 
-#include <array>
 
 namespace deltaform
 {
-  bool FormingProblem::mark()
+  bool Model::mark()
   {
     const RefinementSettings *settings = actors_.blank->refinement();
     if (settings == nullptr || state_.released.any)
       return false;
-    std::array<std::vector<double>, 2> longest;
-    for (const auto *pair : active_pairs_)
-      shorten_edges(
-        *pair, settings->edge_share, settings->rim, longest[static_cast<unsigned int>(pair->tool().side())]);
-    return actors_.blank->mark(longest);
+    return actors_.blank->mark(contact_.longest_edges(settings->edge_share, settings->rim));
   }
 
 
-  void FormingProblem::renumber()
+  void Model::renumber()
   {
     for (auto &support : actors_.supports)
       support.renumber(*actors_.blank);
@@ -32,11 +26,11 @@ namespace deltaform
   }
 
 
-  void FormingProblem::refine()
+  void Model::refine()
   {
     std::vector<Vector> fields{state_.unknowns, state_.hold};
     std::vector<double> travels;
-    for (const auto &pair : actors_.pairs)
+    for (const auto &pair : actors_.interfaces)
       travels.push_back(pair->tool().force_driven() ? state_.unknowns[pair->travel_dof()] : 0.);
     actors_.blank->refine(fields);
     renumber();
@@ -47,9 +41,9 @@ namespace deltaform
       state_.unknowns[i] = fields[0][i];
       state_.hold[i] = fields[1][i];
     }
-    for (unsigned int p = 0; p < actors_.pairs.size(); ++p)
+    for (unsigned int p = 0; p < actors_.interfaces.size(); ++p)
     {
-      auto &pair = *actors_.pairs[p];
+      auto &pair = *actors_.interfaces[p];
       if (pair.tool().force_driven())
         state_.unknowns[pair.travel_dof()] = travels[p];
       pair.transfer(state_.unknowns, actors_.blank->heritage(pair.tool().side()));

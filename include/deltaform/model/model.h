@@ -1,14 +1,12 @@
 #pragma once
 
 #include <deltaform/base/timers.h>
-#include <deltaform/blanks/blank.h>
-#include <deltaform/contact/augmentation.h>
-#include <deltaform/contact/contact_interface.h>
 #include <deltaform/model/accounts.h>
-#include <deltaform/model/boundary_conditions.h>
+#include <deltaform/model/actors.h>
+#include <deltaform/model/contact_set.h>
 #include <deltaform/model/increment_problem.h>
 #include <deltaform/model/model_state.h>
-#include <deltaform/model/stage.h>
+#include <deltaform/model/numbering.h>
 #include <deltaform/solver/linear_solver.h>
 #include <deltaform/solver/system.h>
 
@@ -18,27 +16,15 @@
 
 namespace deltaform
 {
-  /// What the scene names, built in dependency order; shared by the parts that run it.
-  struct Actors
-  {
-    std::unique_ptr<Blank> blank;
-    std::vector<std::unique_ptr<Tool>> tools;
-    std::unique_ptr<ContactSettings> contact;
-    std::vector<std::unique_ptr<ContactInterface>> pairs; ///< one per tool, in the order of the tools
-    std::vector<Support> supports;
-    std::vector<Load> loads;
-    std::vector<Stage> stages;
-  };
-
   /**
    * The equations of one increment: blank, loads, released forces and the contact pairs of the current stage, assembled
    * in this order, because penalty rules read the blank's stiffness before contact adds to it. Knows which unknowns are
    * prescribed and what is committed.
    */
-  class FormingProblem : public IncrementProblem, public ActiveSet
+  class Model : public IncrementProblem
   {
   public:
-    FormingProblem(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers);
+    Model(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers);
 
     /// @name Equations
     ///@{
@@ -72,16 +58,6 @@ namespace deltaform
     std::string describe(DofIndex unknown) const override;
     std::string linear_failure() const override;
     unsigned int n_linear_iterations() const override;
-    ///@}
-
-    /// @name ActiveSet
-    ///@{
-    void prepare_step(const Vector &d) override;
-    void advance(double factor) override;
-    bool changed() const override;
-    unsigned int patience() const override;
-    bool consistent(double allowed_tension) const override;
-    void allow_slack(double force) override;
     ///@}
 
     /// What is wrong with the place of a tool that comes with @p stage, seen from the committed state, in words; empty:
@@ -143,19 +119,19 @@ namespace deltaform
 
     const std::vector<double> &scale() const
     {
-      return scale_;
+      return numbering_.scale;
     }
 
     /// Of the numbers from which forces are computed, see Newton.
     const std::vector<double> &size() const
     {
-      return size_;
+      return numbering_.size;
     }
 
-    /// Contact pairs that exist in the current stage.
-    const std::vector<ContactInterface *> &active_pairs() const
+    /// Contact interfaces that exist in the current stage.
+    const std::vector<ContactInterface *> &interfaces() const
     {
-      return active_pairs_;
+      return contact_.interfaces();
     }
 
     /// Nobody asks for energies.
@@ -222,15 +198,6 @@ namespace deltaform
 
     void set_prescribed();
 
-    /// Sum of forces on the unknowns of the blank.
-    Tensor1 resultant(const Vector &forces) const;
-
-    /// Unknowns to which contact may add entries of the tangent.
-    std::vector<DofIndex> contact_unknowns() const;
-
-    /// Tell the system what an algebraic multigrid has to know, or whoever factorizes the blank without contact.
-    void describe_rigid_motions();
-
     void assemble_loads(const Vector &q, AssemblyTarget &target) const;
 
     /// Move a force-driven tool that touches nothing along its direction until it does.
@@ -244,20 +211,15 @@ namespace deltaform
     Timers &timers_;
     Timers::Index timer_clear_, timer_blank_, timer_sum_, timer_contact_, timer_commit_;
     std::unique_ptr<System> system_;
-    std::vector<double> scale_, size_;
-    std::vector<bool> is_fixed_, is_prescribed_;
-    std::array<Vector, 2> translation_; ///< of the blank along r and z, by a unit
+    Numbering numbering_;
+    std::vector<bool> is_prescribed_;
     std::string stage_name_;
     bool energies_wanted_ = true;
 
     ModelState state_; ///< committed; body and contact points are with the blank and the pairs
     double time_ = 0; ///< at the end of the increment that is tried
     Vector prescribed_;
-    std::vector<std::size_t> visited_; ///< sets of active constraints met in this solve
-    bool cycling_ = false;
-    bool factors_due_ = false; ///< the rule has to predict in the next assembly
-    std::vector<ContactInterface *> active_pairs_;
+    ContactSet contact_;
     std::function<void(const System &)> before_contact_; ///< mostly empty
-    Augmentation augmentation_;
   };
 } // namespace deltaform

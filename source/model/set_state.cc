@@ -1,7 +1,7 @@
 // The committed state of a problem as a value, and going to one.
 #include <deltaform/base/byte_stream.h>
 #include <deltaform/base/scene_error.h>
-#include <deltaform/model/forming_problem.h>
+#include <deltaform/model/model.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -10,11 +10,11 @@
 
 namespace deltaform
 {
-  ModelState FormingProblem::state() const
+  ModelState Model::state() const
   {
     ModelState result = state_;
     result.body = actors_.blank->state();
-    for (const auto &pair : actors_.pairs)
+    for (const auto &pair : actors_.interfaces)
     {
       ByteStream bytes;
       {
@@ -27,27 +27,27 @@ namespace deltaform
   }
 
 
-  void FormingProblem::set_state(const ModelState &state, const Stage &stage)
+  void Model::set_state(const ModelState &state, const Stage &stage)
   {
     const std::size_t n_before = state_.unknowns.size();
     actors_.blank->set_state(state.body);
     if (actors_.blank->refinement() != nullptr && state.unknowns.size() != n_before)
     {
-      for (auto &pair : actors_.pairs)
+      for (auto &pair : actors_.interfaces)
         pair->resize();
       renumber();
     }
-    if (state.unknowns.size() != state_.unknowns.size() || state.interfaces.size() != actors_.pairs.size())
+    if (state.unknowns.size() != state_.unknowns.size() || state.interfaces.size() != actors_.interfaces.size())
       throw SceneError("Cannot resume: the saved state has " + std::to_string(state.unknowns.size()) +
                        " unknowns, the scene has " + std::to_string(state_.unknowns.size()) + ".");
     state_ = state;
     state_.body = KeyedArrays();
     state_.interfaces.clear();
-    for (std::size_t i = 0; i < actors_.pairs.size(); ++i)
+    for (std::size_t i = 0; i < actors_.interfaces.size(); ++i)
     {
       std::istringstream bytes(state.interfaces[i]);
       boost::archive::binary_iarchive archive(bytes);
-      archive >> *actors_.pairs[i];
+      archive >> *actors_.interfaces[i];
     }
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
       if (actors_.tools[i]->force_driven())

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <deltaform/blanks/blank.h>
+#include <deltaform/contact/contact_interface.h>
+#include <deltaform/model/boundary_conditions.h>
+#include <deltaform/model/stage.h>
+
+#include <memory>
+#include <vector>
+
+namespace deltaform
+{
+  /// What the scene names, built in dependency order; shared by the parts that run it.
+  struct Actors
+  {
+    std::unique_ptr<Blank> blank;
+    std::vector<std::unique_ptr<Tool>> tools;
+    std::unique_ptr<ContactSettings> contact;
+    std::vector<std::unique_ptr<ContactInterface>> interfaces; ///< one per tool, in the order of the tools
+    std::vector<Support> supports;
+    std::vector<Load> loads;
+    std::vector<Stage> stages;
+  };
+} // namespace deltaform

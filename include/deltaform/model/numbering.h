@@ -1,0 +1,60 @@
+#pragma once
+
+#include <deltaform/model/actors.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * The unknowns of a model and what each of them is: first those of the blank, then the multipliers of contact
+   * points if the enforcement has any, last the travels of force-driven tools, which border the sparse matrix.
+   */
+  class Numbering
+  {
+  public:
+    Numbering() = default;
+
+    /// Number the unknowns of the blank's present mesh, and tell the interfaces theirs.
+    explicit Numbering(Actors &actors);
+
+    unsigned int n_blank = 0, n_sparse = 0, n_border = 0;
+
+    unsigned int n() const
+    {
+      return n_sparse + n_border;
+    }
+
+    /// Couplings of the sparse unknowns, in the rows that this process keeps; until the matrix is made of them.
+    std::unique_ptr<dealii::DynamicSparsityPattern> pattern;
+    dealii::IndexSet owned;
+
+    /// Of every unknown: makes rotations comparable with displacements and moments with forces. A multiplier is a
+    /// force: divided by a stiffness it compares with displacements, its row (a gap) times it with forces.
+    std::vector<double> scale;
+
+    std::vector<double> size; ///< of the numbers from which the forces of an unknown are computed (coordinates, angles)
+    std::vector<bool> is_fixed; ///< stays zero: symmetry at the axis
+    std::array<Vector, 2> translation; ///< of the blank along r and z, by a unit
+
+    /// Unknowns to which contact may add entries of the tangent.
+    std::vector<DofIndex> contact_unknowns;
+
+    /// Sum of forces on the unknowns of the blank.
+    Tensor1 resultant(const Vector &forces) const;
+
+    /// Motions of the blank as a rigid body, over all unknowns, each with 1 as its largest value.
+    std::vector<Vector> rigid_motions(const Blank &blank) const;
+
+  private:
+    /// Multipliers live behind the last rows of the blank.
+    void share_rows(const Blank &blank);
+    void couple_multipliers(const ContactInterface &interface);
+    void measure(const Blank &blank);
+  };
+} // namespace deltaform

@@ -1,0 +1,270 @@
+#include <deltaform/base/text.h>
+#include <deltaform/contact/contact_measures.h>
+#include <deltaform/model/contact_set.h>
+
+#include <boost/functional/hash.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace deltaform
+{
+  namespace
+  {
+    constexpr unsigned int depth_of_augmentation = 8; ///< rounds that the acceleration looks back to
+  }
+
+
+  ContactSet::ContactSet(Actors &actors)
+    : actors_(actors), augmentation_(depth_of_augmentation)
+  {
+  }
+
+
+  void ContactSet::enter_stage(const Stage &stage)
+  {
+    active_.clear();
+    for (auto &interface : actors_.interfaces)
+      if (interface->tool().exists_in(stage.name))
+        active_.push_back(interface.get());
+  }
+
+
+  bool ContactSet::takes_part(const ContactInterface &interface) const
+  {
+    return std::find(active_.begin(), active_.end(), &interface) != active_.end();
+  }
+
+
+  void ContactSet::begin_increment(const double time)
+  {
+    for (auto *interface : active_)
+      interface->begin_increment(time);
+    augmentation_.restart();
+    factors_due_ = !active_.empty();
+    cycling_ = false;
+    visited_.clear();
+  }
+
+
+  bool ContactSet::soften(const double share)
+  {
+    for (auto *interface : active_)
+      interface->soften(share);
+    return !active_.empty();
+  }
+
+
+  void ContactSet::predict_factors(const Vector &q, const System &system, const bool tangent)
+  {
+    if (!actors_.contact || !(factors_due_ || (actors_.contact->rule->in_every_iteration() && tangent)))
+      return;
+    if (factors_due_)
+      for (auto *interface : active_)
+        interface->read_stiffness(q, system);
+    Vector coupling;
+    if (actors_.contact->enforcement->uses_penalty() && actors_.contact->rule->needs_coupling())
+    {
+      Vector mismatch(q.size());
+      coupling.reinit(q.size());
+      for (const auto *interface : active_)
+        interface->add_mismatch(q, mismatch);
+      system.multiply(mismatch, coupling);
+    }
+    for (auto *interface : active_)
+      interface->predict_factors(q, coupling.size() > 0 ? &coupling : nullptr);
+    factors_due_ = false;
+  }
+
+
+  void ContactSet::assemble(const Vector &q, System &system, const bool tangent)
+  {
+    for (auto *interface : active_)
+      interface->assemble(q, system);
+    if (!tangent || !changed())
+      return;
+    std::size_t signature = 0;
+    for (const auto *interface : active_)
+      for (const auto &state : interface->trial())
+        boost::hash_combine(signature, state.touching);
+    cycling_ |= std::find(visited_.begin(), visited_.end(), signature) != visited_.end();
+    visited_.push_back(signature);
+  }
+
+
+  double ContactSet::limit_travels(Vector &d, const double length) const
+  {
+    double factor = 1.;
+    for (const auto *interface : active_)
+      if (interface->tool().force_driven())
+      {
+        // A tool that has lost contact for a moment goes back to the blank, on its own: were the whole step shortened
+        // by what this component is too long, the blank would hardly move.
+        double &travel = d[interface->travel_dof()];
+        const double closest = interface->free_travel();
+        if (closest > 0)
+          travel = std::clamp(travel, -std::min(closest, length), std::min(closest, length));
+        factor = std::min(factor, length / std::max(std::abs(travel), 1e-300));
+      }
+    return factor;
+  }
+
+
+  unsigned int ContactSet::correct()
+  {
+    cycling_ = false;
+    visited_.clear();
+    unsigned int changed = 0;
+    for (auto *interface : active_)
+      changed += interface->correct_factors();
+    if (actors_.contact && actors_.contact->enforcement->augmentation_tolerance() > 0)
+      changed += augmentation_.update(active_);
+    return changed;
+  }
+
+
+  std::string ContactSet::broken_promise(const Vector &committed) const
+  {
+    if (!actors_.contact || !actors_.contact->enforcement->uses_penalty() || !actors_.contact->rule->promises())
+      return "";
+    for (const auto *interface : active_)
+    {
+      const auto [i, ratio] = interface->broken_promise();
+      if (i == invalid_index)
+        continue;
+      const ContactPointState &state = interface->trial()[i];
+      const ContactNode node = interface->node(committed, i);
+      std::string text = "the promise p <= delta cannot be kept: tool '" + interface->tool().name() + "', node " +
+                         std::to_string(i) + " (R0 = " + text::format(node.reference_coordinate) + ") penetrates " +
+                         text::format(state.penetration()) + ", " + text::format(ratio) + " times the allowed " +
+                         text::format(state.delta) + ", with penalty factor " + text::format(state.penalty_factor);
+      for (const auto *other : active_)
+        if (other->tool().side() != interface->tool().side() && i < other->n_nodes() && other->trial()[i].touching &&
+            other->node(committed, i).node == node.node)
+          text += ". The node is clamped between '" + interface->tool().name() + "' and '" + other->tool().name() +
+                  "': its thickness is " + text::format(node.thickness) + ", the gap leaves " +
+                  text::format(node.thickness + state.gap + other->trial()[i].gap) +
+                  ". Use Contact thickness = initial for the tool with the fixed gap, a wider gap, or a force";
+      return text;
+    }
+    return "";
+  }
+
+
+  std::array<std::vector<double>, 2> ContactSet::longest_edges(const double share, const bool rim) const
+  {
+    std::array<std::vector<double>, 2> longest;
+    for (const auto *interface : active_)
+      shorten_edges(*interface, share, rim, longest[static_cast<unsigned int>(interface->tool().side())]);
+    return longest;
+  }
+
+
+  void ContactSet::commit(const Vector &q)
+  {
+    for (auto *interface : active_)
+      interface->commit(q);
+  }
+
+
+  void ContactSet::refresh(const Vector &q)
+  {
+    std::array<std::vector<double>, 2> pressure;
+    for (auto *interface : active_)
+    {
+      interface->refresh(q);
+      const auto own = contact_pressure(*interface, q);
+      auto &side = pressure[static_cast<unsigned int>(interface->tool().side())];
+      if (side.empty())
+        side = own;
+      else
+        for (unsigned int i = 0; i < own.size(); ++i)
+          side[i] += own[i];
+    }
+    // A side that all tools have left is free of pressure.
+    if (!actors_.interfaces.empty())
+      for (const Side side : {Side::bottom, Side::top})
+      {
+        auto &own = pressure[static_cast<unsigned int>(side)];
+        own.resize(actors_.blank->n_contact_nodes(side), 0.);
+        actors_.blank->set_contact_pressure(side, own);
+      }
+  }
+
+
+  ContactAccount ContactSet::account(const Vector &q) const
+  {
+    ContactAccount account;
+    unsigned int n_at_bound = 0;
+    account.min_epsilon = std::numeric_limits<double>::infinity();
+    for (const auto *interface : active_)
+    {
+      for (unsigned int i = 0; i < interface->n_nodes(); ++i)
+      {
+        const ContactPointState &state = interface->committed()[i];
+        if (!state.touching)
+          continue;
+        ++account.n_touching;
+        account.max_penetration = std::max(account.max_penetration, state.penetration());
+        account.max_penetration_over_delta =
+          std::max(account.max_penetration_over_delta, state.penetration() / state.delta);
+        account.min_epsilon = std::min(account.min_epsilon, state.penalty_factor);
+        account.max_epsilon = std::max(account.max_epsilon, state.penalty_factor);
+        n_at_bound += interface->governed_by_floor(i);
+      }
+      account.max_penetration_between_nodes =
+        std::max(account.max_penetration_between_nodes, penetration_between_nodes(*interface, q));
+    }
+    if (account.n_touching == 0)
+      account.min_epsilon = 0.;
+    else
+      account.floor_share = static_cast<double>(n_at_bound) / account.n_touching;
+    return account;
+  }
+
+
+  void ContactSet::prepare_step(const Vector &d)
+  {
+    for (auto *interface : active_)
+      interface->prepare_step(d);
+  }
+
+
+  void ContactSet::advance(const double factor)
+  {
+    for (auto *interface : active_)
+      interface->advance(factor);
+  }
+
+
+  bool ContactSet::changed() const
+  {
+    return std::any_of(active_.begin(), active_.end(),
+                       [](const ContactInterface *interface) { return interface->status_changed(); });
+  }
+
+
+  unsigned int ContactSet::patience() const
+  {
+    // The same set for the second time: the iteration goes round in circles.
+    if (cycling_)
+      return 0;
+    // Penalty springs need the line search, most of all on fine meshes; exact constraints are best left alone.
+    return actors_.contact && actors_.contact->enforcement->has_multiplier() ? 1000 : 2;
+  }
+
+
+  bool ContactSet::consistent(const double allowed_tension) const
+  {
+    return std::all_of(active_.begin(), active_.end(),
+                       [&](const ContactInterface *interface) { return interface->consistent(allowed_tension); });
+  }
+
+
+  void ContactSet::allow_slack(const double force)
+  {
+    for (auto *interface : active_)
+      interface->allow_slack(force);
+  }
+} // namespace deltaform
