@@ -22,7 +22,8 @@ namespace deltaform
       add("vary", po::value<Strings>()->composing());
       add("jobs", po::value<int>());
       add("seconds", po::value<double>());
-      for (const auto *const name : {"check", "resume", "quiet", "list", "print-parameters", "print-columns", "version", "help,h"})
+      for (const auto *const name : {"check", "resume", "quiet", "list", "print-parameters", "print-columns",
+                                     "version", "help,h"})
         add(name, po::bool_switch());
       add("words", po::value<Strings>());
       return options;

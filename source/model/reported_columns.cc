@@ -41,10 +41,14 @@ namespace deltaform
     for (unsigned int i = 0; i < names.size(); ++i)
     {
       const std::string tool = column_name(names[i]);
-      columns.add({{tool + "_travel", "length", "along the tool's direction of motion, from its initial position"},
-                   {tool + "_force_z", "force", "of the blank on the tool, friction included; of a tool that ended with the stage before, what is left of its "
-                                                "force while it [fades out](theory/contact.md#release)"},
-                   {tool + "_force_r", "force", "of the blank on the tool; on a ring the radial components point outwards all round, and this is their sum"}},
+      columns.add({{tool + "_travel", "length",
+                    "along the tool's direction of motion, from its initial position"},
+                   {tool + "_force_z", "force",
+                    "of the blank on the tool, friction included; of a tool that ended with the stage before, "
+                    "what is left of its force while it [fades out](theory/contact.md#release)"},
+                   {tool + "_force_r", "force",
+                    "of the blank on the tool; on a ring the radial components point outwards all round, and "
+                    "this is their sum"}},
                   [i](const Increment &increment, Row &row) {
                     const Tensor1 &force = increment.model.tool_forces()[i];
                     row.insert(row.end(), {increment.model.travel(i), force[1], force[0]});
@@ -57,7 +61,8 @@ namespace deltaform
   {
     columns.add({{"newton_iterations", "1", "of the increment, failed attempts included"},
                  {"penalty_rounds", "1", "converged solves after which a rule corrected its factors"},
-                 {"penalty_iterations", "1", "of the iterations, those that the corrections of factors cost"},
+                 {"penalty_iterations", "1",
+                  "of the iterations, those that the corrections of factors cost"},
                  {"cutbacks", "1", "attempts at this increment that failed"}},
                 [](const Increment &increment, Row &row) {
                   const IncrementCost &cost = increment.cost;
@@ -69,14 +74,18 @@ namespace deltaform
 
   void describe_contact(Columns &columns)
   {
-    columns.add({{"max_penetration", "length", "largest penetration p over the touching nodes: of the sheet's face, which the contact force has squeezed by "
-                                               "(t/2) pressure/E (`Squeeze`, [theory](theory/contact.md#squeeze)), into the tool"},
-                 {"max_penetration_over_delta", "1", "largest p/delta: with rule `adaptive` never above 1 (but for 1e-6 of it, or round-off)"},
+    columns.add({{"max_penetration", "length",
+                  "largest penetration p over the touching nodes: of the sheet's face, which the contact force "
+                  "has squeezed by (t/2) pressure/E (`Squeeze`, [theory](theory/contact.md#squeeze)), into the "
+                  "tool"},
+                 {"max_penetration_over_delta", "1",
+                  "largest p/delta: with rule `adaptive` never above 1 (but for 1e-6 of it, or round-off)"},
                  {"max_penetration_between_nodes", "length",
                   "largest penetration between nodes, where delta says nothing: an error of the mesh"},
                  {"min_epsilon", "force/length", "smallest penalty factor of what touches"},
                  {"max_epsilon", "force/length", "largest penalty factor of what touches"},
-                 {"floor_share", "1", "share of what touches whose factor is its lower bound rather than lambda/delta"},
+                 {"floor_share", "1",
+                  "share of what touches whose factor is its lower bound rather than lambda/delta"},
                  {"contact_pairs", "1", "touching nodes; one between two tools counts twice"}},
                 [](const Increment &increment, Row &row) {
                   const ContactAccount &contact = increment.contact();
@@ -105,8 +114,9 @@ namespace deltaform
   {
     columns.add({{"unknowns", "1", "of the mesh"},
                  {"cells", "1", "of the mesh"},
-                 {"estimated_error", "1", "relative error in energy before the last refinement. A row with the time of the one before is the new "
-                                          "equilibrium after a refinement: tools stand still, its iterations are its cost"}},
+                 {"estimated_error", "1",
+                  "relative error in energy before the last refinement. A row with the time of the one before "
+                  "is the new equilibrium after a refinement: tools stand still, its iterations are its cost"}},
                 [](const Increment &increment, Row &row) {
                   row.insert(row.end(), {number(increment.model.committed().size()),
                                          number(increment.model.blank().n_cells()),
@@ -118,18 +128,24 @@ namespace deltaform
   void describe_energies(Columns &columns)
   {
     columns.add({{"tool_work", "force*length", "work of the moving tools on the blank"},
-                 {"elastic_energy", "force*length", "stored in the blank now: material, and the shell's transverse shear"},
+                 {"elastic_energy", "force*length",
+                  "stored in the blank now: material, and the shell's transverse shear"},
                  {"plastic_energy", "force*length", "dissipated in the blank so far"},
-                 {"friction_energy", "force*length", "dissipated by slip so far; of a node that touches or lets go within an increment, by half its force over the "
-                                                     "increment's slip ([how exact](time_integration.md#work-of-friction))"},
-                 {"contact_energy", "force*length", "stored in the penalty springs now: eps p²/2, and t²/(2 eps_t) of sticking friction"},
-                 {"epsilon_work", "force*length", "work done on the springs by changing eps, half its change times the penetrations before and after: a factor "
-                                                  "that is raised under load stores energy that no tool has supplied"},
-                 {"thickness_work", "force*length", "work done by what is updated between increments: the thickness that keeps tools from the mid-surface, the "
-                                                    "layers' distance to it, and the transverse normal stress"},
+                 {"friction_energy", "force*length",
+                  "dissipated by slip so far; of a node that touches or lets go within an increment, by half "
+                  "its force over the increment's slip ([how exact](time_integration.md#work-of-friction))"},
+                 {"contact_energy", "force*length",
+                  "stored in the penalty springs now: eps p²/2, and t²/(2 eps_t) of sticking friction"},
+                 {"epsilon_work", "force*length",
+                  "work done on the springs by changing eps, half its change times the penetrations before and "
+                  "after: a factor that is raised under load stores energy that no tool has supplied"},
+                 {"thickness_work", "force*length",
+                  "work done by what is updated between increments: the thickness that keeps tools from the "
+                  "mid-surface, the layers' distance to it, and the transverse normal stress"},
                  {"load_work", "force*length", "work of loads and of prescribed displacements"},
-                 {"energy_error", "1", "(tool_work + load_work + epsilon_work + thickness_work - elastic - plastic - friction - contact) over the "
-                                       "largest of tool work, load work and their sum on the other side"}},
+                 {"energy_error", "1",
+                  "(tool_work + load_work + epsilon_work + thickness_work - elastic - plastic - friction - "
+                  "contact) over the largest of tool work, load work and their sum on the other side"}},
                 [](const Increment &increment, Row &row) {
                   const EnergyAccount &account = increment.energies();
                   row.insert(row.end(), {account.tool_work, account.elastic, account.plastic, account.friction,
@@ -143,8 +159,8 @@ namespace deltaform
   {
     for (unsigned int i = 0; i < names.size(); ++i)
       columns.add({{column_name(names[i]) + "_reaction", "force",
-                    "sum of the forces (moments) of a support on the blank, without loads on its own nodes; symmetry "
-                    "at the axis does not count. A corner that two supports hold is in both sums"}},
+                    "sum of the forces (moments) of a support on the blank, without loads on its own nodes; "
+                    "symmetry at the axis does not count. A corner that two supports hold is in both sums"}},
                   [i](const Increment &increment, Row &row) { row.emplace_back(increment.model.reaction(i)); });
   }
 
@@ -167,9 +183,9 @@ namespace deltaform
   void describe_balance(Columns &columns)
   {
     columns.add({{"balance_error", "1",
-                  "sum of the forces of tools, supports and loads on the blank over the largest of them, along z "
-                  "(plane strain: and along x; the larger counts). Where none is a thousandth of the largest of the "
-                  "run (moments over the thickness): over that thousandth"}},
+                  "sum of the forces of tools, supports and loads on the blank over the largest of them, along "
+                  "z (plane strain: and along x; the larger counts). Where none is a thousandth of the largest "
+                  "of the run (moments over the thickness): over that thousandth"}},
                 [](const Increment &increment, Row &row) { row.emplace_back(increment.balance_error()); });
   }
 } // namespace deltaform
