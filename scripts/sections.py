@@ -1,13 +1,11 @@
 """The deformed section of a blank, from the files of a run: cells, their values, and what they are."""
-import base64
 import os
 import xml.etree.ElementTree as xml
 
 import numpy as np
 
 from results import NoResults
-
-TYPES = {"Float32": np.float32, "Int32": np.int32, "UInt8": np.uint8}
+from vtu_file import VtuFile
 
 
 class Section:
@@ -22,22 +20,22 @@ class Section:
 def _arrays(path):
     """Points, connectivity and cell fields of a picture, by name without unit; with the unit in a second dictionary."""
     try:
-        piece = xml.parse(path).getroot().find("UnstructuredGrid/Piece")
-    except (OSError, xml.ParseError) as error:
+        file = VtuFile(path)
+        piece = file.root.find("UnstructuredGrid/Piece")
+
+        def values(data):
+            return np.asarray(file.numbers(data))
+
+        points = np.asarray(file.points()).reshape(-1, 3)[:, :2].astype(float)
+        connectivity = next(values(data) for data in piece.find("Cells") if data.get("Name") == "connectivity").reshape(-1, 4)
+        fields, units = {}, {}
+        for data in piece.find("CellData"):
+            name, unit = data.get("Name").rstrip("]").split(" [")
+            if data.get("NumberOfComponents", "1") == "1":
+                fields[name], units[name] = values(data), "" if unit == "-" else unit
+        return points, connectivity, fields, units
+    except (OSError, ValueError) as error:
         raise NoResults(f"cannot read '{path}': {error}") from error
-
-    def values(data):
-        content = base64.b64decode(data.text.strip())
-        return np.frombuffer(content, TYPES[data.get("type")], offset=4)
-
-    points = values(piece.find("Points/DataArray")).reshape(-1, 3)[:, :2].astype(float)
-    connectivity = next(values(data) for data in piece.find("Cells") if data.get("Name") == "connectivity").reshape(-1, 4)
-    fields, units = {}, {}
-    for data in piece.find("CellData"):
-        name, unit = data.get("Name").rstrip("]").split(" [")
-        if data.get("NumberOfComponents", "1") == "1":
-            fields[name], units[name] = values(data), "" if unit == "-" else unit
-    return points, connectivity, fields, units
 
 
 def _picture(run, time):

@@ -62,7 +62,7 @@ FEATURES = [
     Feature("condition number", "prm/cup.prm", "form", (.05, .1), .01,
             r"ConditionReport::|condition::", on=["Output/Condition number every=1"]),
     Feature("pictures (VTU)", "prm/cup.prm", "form", (.1, .2), .01,
-            r"write_vtu|write_picture|::draw$|PictureSeries::add|base64", output=["Output/Travels=", NO_CHECKPOINT],
+            r"write_vtu|write_picture|::draw$|PictureSeries::add", output=["Output/Travels=", NO_CHECKPOINT],
             on=["Output/Pictures=20"], off=["Output/Pictures=0"]),
     Feature("energies", "prm/cup.prm", "form", (.1, .2), .01,
             r"elastic_energy|thickness_strain_work|update_stored_energy|add_energ", off=["Output/Energies=false"]),

@@ -122,24 +122,5 @@ namespace deltaform
     {
       return edit_distance(a, b) <= std::max<std::size_t>(1, std::min(a.size(), b.size()) / 3);
     }
-
-    std::string json_quote(const std::string &text)
-    {
-      std::string result = "\"";
-      for (const char c : text)
-      {
-        if (c == '"' || c == '\\')
-          (result += '\\') += c;
-        else if (static_cast<unsigned char>(c) < 0x20)
-        {
-          char code[8];
-          std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned int>(c));
-          result += code;
-        }
-        else
-          result += c;
-      }
-      return result + "\"";
-    }
   } // namespace text
 } // namespace deltaform

@@ -1,18 +1,19 @@
-#include <deltaform/base/text.h>
 #include <deltaform/base/timers.h>
 
-#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <iomanip>
 #include <ostream>
 
 namespace deltaform
 {
   namespace
   {
-    std::string in_seconds(const double value)
+    /// What the clock tells apart.
+    double to_microseconds(const double seconds)
     {
-      char buffer[32];
-      std::snprintf(buffer, sizeof buffer, "%.6f", value);
-      return buffer;
+      return std::round(1e6 * seconds) / 1e6;
     }
   } // namespace
 
@@ -47,10 +48,11 @@ namespace deltaform
 
   void Timers::write_json(std::ostream &out) const
   {
-    out << "{\n  \"total\": " << in_seconds(total()) << ",\n  \"sections\": [";
-    for (Index i = 0; i < sections_.size(); ++i)
-      out << (i == 0 ? "\n" : ",\n") << "    {\"name\": " << text::json_quote(sections_[i].name)
-          << ", \"calls\": " << sections_[i].calls << ", \"seconds\": " << in_seconds(sections_[i].seconds) << "}";
-    out << "\n  ]\n}\n";
+    nlohmann::ordered_json sections = nlohmann::ordered_json::array();
+    for (const Section &section : sections_)
+      sections.push_back(
+        {{"name", section.name}, {"calls", section.calls}, {"seconds", to_microseconds(section.seconds)}});
+    const nlohmann::ordered_json timing{{"total", to_microseconds(total())}, {"sections", sections}};
+    out << std::setw(2) << timing << '\n';
   }
 } // namespace deltaform

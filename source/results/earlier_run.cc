@@ -1,5 +1,7 @@
 #include <deltaform/results/earlier_run.h>
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -55,11 +57,9 @@ namespace deltaform
   std::optional<int> earlier_exit_status(const std::string &folder)
   {
     std::ifstream file(fs::path(folder) / "summary.json");
-    const std::regex member("\\s*\"exit_status\": (\\d+),?");
-    std::string line;
-    for (std::smatch match; std::getline(file, line);)
-      if (std::regex_match(line, match, member))
-        return std::stoi(match[1].str());
-    return std::nullopt;
+    const auto summary = nlohmann::json::parse(file, nullptr, /* allow_exceptions = */ false);
+    if (!summary.is_object() || !summary.contains("exit_status") || !summary["exit_status"].is_number_integer())
+      return std::nullopt;
+    return summary["exit_status"].get<int>();
   }
 } // namespace deltaform

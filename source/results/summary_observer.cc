@@ -4,11 +4,12 @@
 #include <deltaform/base/atomic_file.h>
 #include <deltaform/base/command_line.h>
 #include <deltaform/model/accepted_increment.h>
-#include <deltaform/results/json.h>
 #include <deltaform/results/observers.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <ostream>
@@ -55,7 +56,9 @@ namespace deltaform
       void ended(const Model &model, const RunOutcome &outcome) override
       {
         folder_.behind().wait();
-        const std::string summary = described(model, outcome).to_string();
+        // Names of scenes may be in another encoding than UTF-8: their bytes must not spoil the file.
+        const std::string summary =
+          described(model, outcome).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
         write_file_atomically(folder_.path("summary.json"), [&](std::ostream &out) { out << summary << '\n'; });
         write_file_atomically(folder_.path("timing.json"),
                               [&](std::ostream &out) { folder_.timers().write_json(out); });
@@ -84,40 +87,35 @@ namespace deltaform
           energy_error_ = increment.energies().error();
       }
 
-      JsonObject described(const Model &model, const RunOutcome &outcome) const
+      /// Numbers that are not finite become null.
+      nlohmann::ordered_json described(const Model &model, const RunOutcome &outcome) const
       {
-        JsonObject summary;
-        summary.add("title", folder_.title());
-        summary.add("units", folder_.units_label());
-        summary.add("version", std::string(DELTAFORM_VERSION));
-        summary.add("exit_status", outcome.exit_status);
-        summary.add("outcome", in_words(outcome.exit_status));
+        nlohmann::ordered_json summary{{"title", folder_.title()},
+                                       {"units", folder_.units_label()},
+                                       {"version", DELTAFORM_VERSION},
+                                       {"exit_status", outcome.exit_status},
+                                       {"outcome", in_words(outcome.exit_status)}};
         if (!outcome.message.empty())
-          summary.add("message", outcome.message);
-        summary.add("warnings", outcome.warnings);
-        summary.add("unknowns", static_cast<double>(model.committed().size()));
-        summary.add("increments", outcome.increments);
-        summary.add("newton_iterations", outcome.iterations);
-        summary.add("penalty_rounds", cost_.rounds);
-        summary.add("penalty_iterations", cost_.correction_iterations);
-        summary.add("cutbacks", cost_.cutbacks);
-        summary.add("time", time_);
-        JsonObject tools;
+          summary["message"] = outcome.message;
+        summary["warnings"] = outcome.warnings;
+        summary["unknowns"] = model.committed().size();
+        summary["increments"] = outcome.increments;
+        summary["newton_iterations"] = outcome.iterations;
+        summary["penalty_rounds"] = cost_.rounds;
+        summary["penalty_iterations"] = cost_.correction_iterations;
+        summary["cutbacks"] = cost_.cutbacks;
+        summary["time"] = time_;
+        summary["tools"] = nlohmann::ordered_json::object();
         for (unsigned int i = 0; any_ && i < model.actors().tools.size(); ++i)
-        {
-          JsonObject tool;
-          tool.add("travel", model.travel(i));
-          tool.add("force_z", model.tool_forces()[i][1]);
-          tool.add("force_r", model.tool_forces()[i][0]);
-          tools.add(model.actors().tools[i]->name(), tool);
-        }
-        summary.add("tools", tools);
-        summary.add("min_thickness", thinnest_);
-        summary.add("max_penetration_over_delta", promise_);
-        summary.add("max_penetration_between_nodes", between_);
+          summary["tools"][model.actors().tools[i]->name()] = {{"travel", model.travel(i)},
+                                                               {"force_z", model.tool_forces()[i][1]},
+                                                               {"force_r", model.tool_forces()[i][0]}};
+        summary["min_thickness"] = thinnest_;
+        summary["max_penetration_over_delta"] = promise_;
+        summary["max_penetration_between_nodes"] = between_;
         if (output_.energies)
-          summary.add("energy_error", energy_error_);
-        summary.add("seconds", folder_.timers().total());
+          summary["energy_error"] = energy_error_;
+        summary["seconds"] = folder_.timers().total();
         return summary;
       }
 

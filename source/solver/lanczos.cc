@@ -2,94 +2,69 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <arpack/arpack.hpp>
+#include <Spectra/SymEigsSolver.h>
 
 #include <algorithm>
-#include <string>
-#include <vector>
+#include <utility>
 
 namespace deltaform
 {
   namespace condition
   {
+    namespace
+    {
+      /// A function as Spectra asks for an operator.
+      class Operator
+      {
+      public:
+        using Scalar = double;
+
+        Operator(const int n, std::function<Eigen::VectorXd(const Eigen::VectorXd &)> apply)
+          : n_(n), apply_(std::move(apply))
+        {
+        }
+
+        Eigen::Index rows() const
+        {
+          return n_;
+        }
+
+        Eigen::Index cols() const
+        {
+          return n_;
+        }
+
+        void perform_op(const double *const x, double *const y) const
+        {
+          Eigen::VectorXd::Map(y, n_) = apply_(Eigen::VectorXd::Map(x, n_));
+        }
+
+      private:
+        int n_;
+        std::function<Eigen::VectorXd(const Eigen::VectorXd &)> apply_;
+      };
+    } // namespace
+
+
     double largest_eigenvalue(const int n, const std::function<Eigen::VectorXd(const Eigen::VectorXd &)> &apply)
     {
-      if (n < 3) // too small for ARPACK
-      {
-        Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n, 1., 2.).normalized(), y;
-        for (unsigned int k = 0; k < 10000; ++k)
-        {
-          y = apply(x);
-          if (!(y.norm() > 0))
-            return 0.;
-          x = y.normalized();
-        }
-        return x.dot(apply(x));
-      }
-      const a_int n_wanted = 1, n_vectors = std::min(n, 30);
-      const a_int n_work = n_vectors * (n_vectors + 8);
-      std::vector<double> residual(n), vectors(static_cast<std::size_t>(n) * n_vectors), work(3 * n), more(n_work);
+      if (n == 1) // too small for Spectra
+        return apply(Eigen::VectorXd::Ones(1))[0];
+      Eigen::VectorXd start(n); // without symmetry
       for (int i = 0; i < n; ++i)
-        residual[i] = 1. + .37 * ((7 * i) % 11); // a start without symmetry
-      std::array<a_int, 11> parameters{}, pointers{};
-      parameters[0] = 1; // exact shifts
-      parameters[2] = 3000; // restarts
-      parameters[6] = 1; // A x = lambda x
-      a_int ido = 0, info = 1;
-      do
-      {
-        arpack::saupd(ido,
-                      arpack::bmat::identity,
-                      n,
-                      arpack::which::largest_algebraic,
-                      n_wanted,
-                      1e-6,
-                      residual.data(),
-                      n_vectors,
-                      vectors.data(),
-                      n,
-                      parameters.data(),
-                      pointers.data(),
-                      work.data(),
-                      more.data(),
-                      n_work,
-                      info);
-        if (ido == 1 || ido == -1)
-        {
-          const Eigen::Map<const Eigen::VectorXd> x(work.data() + pointers[0] - 1, n);
-          Eigen::Map<Eigen::VectorXd>(work.data() + pointers[1] - 1, n) = apply(x);
-        }
-      } while (ido == 1 || ido == -1);
-      AssertThrow(info == 0 && parameters[4] >= 1,
-                  dealii::ExcMessage("ARPACK's Lanczos iteration ended with info " + std::to_string(info) + "."));
-
-      std::vector<a_int> select(n_vectors);
-      std::vector<double> value(n_wanted), vector(n);
-      arpack::seupd(false,
-                    arpack::howmny::ritz_vectors,
-                    select.data(),
-                    value.data(),
-                    vector.data(),
-                    n,
-                    0.,
-                    arpack::bmat::identity,
-                    n,
-                    arpack::which::largest_algebraic,
-                    n_wanted,
-                    1e-6,
-                    residual.data(),
-                    n_vectors,
-                    vectors.data(),
-                    n,
-                    parameters.data(),
-                    pointers.data(),
-                    work.data(),
-                    more.data(),
-                    n_work,
-                    info);
-      AssertThrow(info == 0,
-                  dealii::ExcMessage("ARPACK could not extract an eigenvalue: info " + std::to_string(info) + "."));
-      return value[0];
+        start[i] = 1. + .37 * ((7 * i) % 11);
+      start.normalize();
+      // Spectra takes residuals below 2e-16 for zero, whatever their unit; the inverse of a stiff matrix is smaller.
+      const double size = apply(start).norm();
+      if (size == 0.)
+        return 0.;
+      Operator op(n, [&](const Eigen::VectorXd &x) { return Eigen::VectorXd(apply(x) / size); });
+      Spectra::SymEigsSolver<Operator> solver(op, 1, std::min(n, 30));
+      solver.init(start.data());
+      solver.compute(Spectra::SortRule::LargestAlge, 3000, 1e-6);
+      AssertThrow(solver.info() == Spectra::CompInfo::Successful,
+                  dealii::ExcMessage("Spectra's Lanczos iteration did not converge."));
+      return size * solver.eigenvalues()[0];
     }
   } // namespace condition
 } // namespace deltaform

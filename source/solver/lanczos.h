@@ -8,7 +8,7 @@ namespace deltaform
 {
   namespace condition
   {
-    /// Largest eigenvalue of a symmetric positive operator on vectors of @p n numbers, to 1e-6 relative, by ARPACK's
+    /// Largest eigenvalue of a symmetric positive operator on vectors of @p n numbers, to 1e-6 relative, by Spectra's
     /// implicitly restarted Lanczos method. @throws dealii::ExcMessage if it does not converge.
     double largest_eigenvalue(int n, const std::function<Eigen::VectorXd(const Eigen::VectorXd &)> &apply);
   } // namespace condition

@@ -38,11 +38,6 @@ BOOST_AUTO_TEST_CASE(distances)
   BOOST_TEST(!deltaform::text::similar("Elements", "Thickness"));
 }
 
-BOOST_AUTO_TEST_CASE(json)
-{
-  BOOST_TEST(deltaform::text::json_quote("a \"b\" \\ \n") == "\"a \\\"b\\\" \\\\ \\u000a\"");
-}
-
 BOOST_AUTO_TEST_CASE(four_digits_for_messages)
 {
   BOOST_TEST(deltaform::text::rounded(.052836932) == "0.05284");

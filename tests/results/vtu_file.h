@@ -6,12 +6,14 @@
 
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-/// Reads a .vtu file of inline arrays without compression as VTK does, and only such a file.
+/// Reads a .vtu file with arrays that are appended as raw bytes without compression, as VTK does, and only such a file.
 class VtuFile
 {
 public:
@@ -25,10 +27,21 @@ public:
 
   explicit VtuFile(const std::string &path)
   {
+    std::ostringstream content;
+    content << std::ifstream(path, std::ios::binary).rdbuf();
+    // The bytes are no XML: they go from the first underscore to the closing tag.
+    const std::string opening = "<AppendedData encoding=\"raw\">", closing = "\n</AppendedData>";
+    std::string text = content.str();
+    const auto first = text.find('_', text.find(opening)) + 1, last = text.rfind(closing);
+    if (text.find(opening) == std::string::npos || last == std::string::npos || last < first)
+      throw std::runtime_error("the file has no appended bytes");
+    bytes_ = text.substr(first, last - first);
+    std::istringstream xml(text.erase(first, last - first));
     boost::property_tree::ptree tree;
-    boost::property_tree::read_xml(path, tree);
+    boost::property_tree::read_xml(xml, tree);
     const auto &file = tree.get_child("VTKFile");
     BOOST_TEST(file.get<std::string>("<xmlattr>.type") == "UnstructuredGrid");
+    BOOST_TEST(file.get<std::string>("<xmlattr>.header_type") == "UInt64");
     BOOST_TEST(!file.get_optional<std::string>("<xmlattr>.compressor"));
     const auto &piece = file.get_child("UnstructuredGrid.Piece");
     n_points = piece.get<unsigned int>("<xmlattr>.NumberOfPoints");
@@ -43,6 +56,7 @@ public:
     for (const auto &[name, element] : piece.get_child("CellData"))
       if (name == "DataArray")
         cell_fields[element.get<std::string>("<xmlattr>.Name")] = array(element);
+    BOOST_TEST(end_ == bytes_.size());
   }
 
   unsigned int n_points, n_cells;
@@ -51,25 +65,6 @@ public:
   std::map<std::string, Array> fields, cell_fields;
 
 private:
-  static std::string decode(const std::string &text)
-  {
-    static const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string result;
-    std::uint32_t bits = 0;
-    unsigned int n_bits = 0;
-    for (const char c : text)
-    {
-      const auto digit = digits.find(c);
-      if (digit == std::string::npos) // padding, white space
-        continue;
-      bits = (bits << 6) | static_cast<std::uint32_t>(digit);
-      n_bits += 6;
-      if (n_bits >= 8)
-        result += static_cast<char>((bits >> (n_bits -= 8)) & 0xff);
-    }
-    return result;
-  }
-
   template <typename T>
   static std::vector<double> numbers(const std::string &bytes)
   {
@@ -83,19 +78,20 @@ private:
     return result;
   }
 
-  static Array array(const boost::property_tree::ptree &element)
+  Array array(const boost::property_tree::ptree &element)
   {
-    BOOST_TEST(element.get<std::string>("<xmlattr>.format") == "binary");
-    std::string text = element.data();
-    text.erase(0, text.find_first_not_of(" \n"));
-    if (text.size() < 8)
-      throw std::runtime_error("an array of the file is empty");
-    // The number of bytes, then the bytes, in one piece of base64.
-    std::string bytes = decode(text);
-    std::uint32_t size;
-    std::memcpy(&size, bytes.data(), sizeof size);
-    bytes.erase(0, sizeof size);
-    BOOST_TEST(bytes.size() == size);
+    BOOST_TEST(element.get<std::string>("<xmlattr>.format") == "appended");
+    // The number of bytes, then the bytes; arrays follow each other without a gap.
+    const auto offset = element.get<std::size_t>("<xmlattr>.offset");
+    BOOST_TEST(offset == end_);
+    std::uint64_t size;
+    if (offset + sizeof size > bytes_.size())
+      throw std::runtime_error("an array begins behind the end of the file");
+    std::memcpy(&size, bytes_.data() + offset, sizeof size);
+    end_ = offset + sizeof size + size;
+    if (end_ > bytes_.size())
+      throw std::runtime_error("an array goes beyond the end of the file");
+    const std::string bytes = bytes_.substr(offset + sizeof size, size);
 
     Array result;
     result.n_components = element.get<unsigned int>("<xmlattr>.NumberOfComponents", 1);
@@ -113,4 +109,7 @@ private:
       throw std::runtime_error("unknown type " + type);
     return result;
   }
+
+  std::string bytes_; ///< of all arrays
+  std::size_t end_ = 0; ///< of the array that was read last
 };

@@ -4,8 +4,6 @@
 The scene is run, its files must be in order; then copies of them are damaged, one thing at a time, and each damage must be
 found under its heading.
 """
-import base64
-import re
 import shutil
 import struct
 import subprocess
@@ -13,7 +11,7 @@ import sys
 from pathlib import Path
 
 import check_run
-from run_files import Table
+from run_files import Table, VtuFile
 
 
 class Files:
@@ -37,11 +35,11 @@ class Files:
 
     def spoil_picture(self, name):
         """Write a NaN into the last array of floats."""
-        text = (self.folder / name).read_text()
-        match = list(re.finditer(r'type="Float32"[^>]*>\n([^\n]+)\n', text))[-1]
-        content = bytearray(base64.b64decode(match.group(1)))
-        struct.pack_into("<f", content, 4, float("nan"))
-        (self.folder / name).write_text(text[:match.start(1)] + base64.b64encode(content).decode() + text[match.end(1):])
+        path = self.folder / name
+        picture = VtuFile(path)
+        content = bytearray(path.read_bytes())
+        struct.pack_into("=f", content, picture.place([data for data in picture.arrays() if data.get("type") == "Float32"][-1]), float("nan"))
+        path.write_bytes(content)
 
 
 def times(factor):

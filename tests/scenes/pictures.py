@@ -11,34 +11,27 @@ late is 30 % off). In the first picture nothing has moved and the punch touches 
 the volume, and is one that VTK knows: six components. The sphere's pressure, 0 to 250 and back to 0 at times 0, 1, 2, is shown at the nodes
 of its inner face, at no others. Exit status 1 if not.
 """
-import base64
 import math
 import shutil
-import struct
 import subprocess
 import sys
 import xml.etree.ElementTree as xml
 from pathlib import Path
+
+from run_files import VtuFile
 
 END, PICTURES = .1, 4
 PARTS, THICKNESS = ["blank", "punch", "die", "holder"], .035
 EARLIER_END, EARLIER_PICTURES = .06, 7
 
 
-def numbers(data):
-    """The floats of an array."""
-    content = base64.b64decode(data.text.strip())
-    size, = struct.unpack_from("<I", content)
-    return struct.unpack_from(f"<{size // 4}f", content, 4)
-
-
 def points(path):
-    return numbers(xml.parse(path).getroot().find("UnstructuredGrid/Piece/Points/DataArray"))
+    return VtuFile(path).points()
 
 
 def field(path, name):
-    """The array that is called "name [unit]"."""
-    return next(data for data in xml.parse(path).getroot().iter("DataArray") if data.get("Name", "").startswith(name + " ["))
+    picture = VtuFile(path)
+    return picture.numbers(picture.field(name))
 
 
 def pole(path):
@@ -52,9 +45,9 @@ def check_first(folder, parts):
     """What is wrong with the undeformed blank and the tools at their start."""
     failures = []
     blank, punch = folder / parts["blank"], folder / parts["punch"]
-    if any(numbers(field(blank, "displacement"))):
+    if any(field(blank, "displacement")):
         failures.append("the first picture is displaced")
-    if any(numbers(field(blank, "equivalent_plastic_strain"))):
+    if any(field(blank, "equivalent_plastic_strain")):
         failures.append("the first picture is strained")
     bottom, top = pole(blank)
     if abs(top - bottom - THICKNESS) > 1e-6 or abs(min(points(punch)[1::3]) - top) > 1e-6:
@@ -64,11 +57,12 @@ def check_first(folder, parts):
 
 def check_tensor(path):
     """What is wrong with the plastic strain of a picture."""
-    data = field(path, "plastic_strain")
+    picture = VtuFile(path)
+    data = picture.field("plastic_strain")
     names = [data.get(f"ComponentName{k}") for k in range(6)]
     if data.get("NumberOfComponents") != "6" or names[:4] != ["rr", "zz", "hoop", "rz"]:
         return [f"plastic_strain has components {names}"]
-    values = numbers(data)
+    values = picture.numbers(data)
     largest = max(map(abs, values))
     traces = [abs(sum(values[i:i + 3])) for i in range(0, len(values), 6)]
     return [] if largest > 1e-3 and max(traces) < 1e-5 * largest else [f"plastic strains to {largest}, traces to {max(traces)}"]
@@ -80,7 +74,7 @@ def check_load_pressure(program, scene, folder):
     failures, inner = [], None
     for entry in xml.parse(folder / "scene.pvd").getroot().iter("DataSet"):
         time, path = float(entry.get("timestep")), folder / entry.get("file")
-        place, pressure = points(path), numbers(field(path, "load_pressure"))
+        place, pressure = points(path), field(path, "load_pressure")
         radii = [math.hypot(r, z) for r, z in zip(place[0::3], place[1::3])]
         inner = inner or [radius < min(radii) * (1 + 1e-6) for radius in radii]  # of the undeformed sphere
         expected = 250 * (time if time <= 1 else 2 - time)

@@ -79,6 +79,20 @@ BOOST_AUTO_TEST_CASE(dense_and_lanczos_agree)
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_unit_of_stiffness_does_not_matter)
+{
+  const Matrix A = random_band(160, 5);
+  for (const auto method : {Method::dense, Method::lanczos})
+    for (const double unit : {1e-12, 1e12})
+      BOOST_TEST(condition::number(unit * A, method) == condition::number(A, method),
+                 boost::test_tools::tolerance(1e-5));
+  // Too small for a Krylov space.
+  for (const int n : {1, 2})
+    BOOST_TEST(condition::number(1e12 * random_band(n, 1), Method::lanczos) ==
+                 condition::number(random_band(n, 1), Method::dense),
+               three_digits);
+}
+
 BOOST_AUTO_TEST_CASE(singular)
 {
   for (const auto method : {Method::dense, Method::lanczos})

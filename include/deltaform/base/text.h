@@ -35,8 +35,5 @@ namespace deltaform
 
     /// Are the two close enough for one to be a misspelling of the other?
     bool similar(const std::string &a, const std::string &b);
-
-    /// @p text as a JSON string, with quotes.
-    std::string json_quote(const std::string &text);
   } // namespace text
 } // namespace deltaform

@@ -11,7 +11,7 @@ namespace deltaform
 {
   /**
    * Condition numbers of matrices of the free unknowns. kappa_2 = largest over smallest singular value: by a dense
-   * singular value decomposition (Eigen) or by Lanczos iterations (ARPACK) on A^T A and on A^-1 A^-T with a sparse LU
+   * singular value decomposition (Eigen) or by Lanczos iterations (Spectra) on A^T A and on A^-1 A^-T with a sparse LU
    * factorization.
    */
   namespace condition
