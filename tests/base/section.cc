@@ -208,6 +208,11 @@ BOOST_AUTO_TEST_CASE(registry_chooses_and_makes)
   Section section = documentation.root().sub("Shout");
   BOOST_TEST(section.documentation());
   BOOST_TEST(Registry<Shout>::make("loud", section)->word().size() == 11u);
+
+  // A name is taken once.
+  const auto again = []() { const Registry<Shout>::Entry second("loud", "again", make_as<Loud, Shout>); };
+  BOOST_CHECK_THROW(again(), std::logic_error);
+  BOOST_TEST(Registry<Shout>::sentence("loud") == "n exclamation marks");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,11 @@ namespace deltaform
 
     struct Entry
     {
+      /// @throws std::logic_error if the name is taken: one of two laws would be lost without a word
       Entry(const std::string &name, const std::string &sentence, const Maker maker)
       {
-        records()[name] = {sentence, maker};
+        if (!records().emplace(name, Record{sentence, maker}).second)
+          throw std::logic_error("two laws of one kind are called '" + name + "'");
       }
     };
 

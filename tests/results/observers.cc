@@ -1,0 +1,207 @@
+// Every observer, told of a small run one at a time: what it writes, and that it needs none of the others.
+#include "../base/messages.h"
+#include "../solver/mpi.h"
+
+#include <deltaform/analysis/analysis.h>
+#include <deltaform/base/command_line.h>
+#include <deltaform/base/parameter_tree.h>
+#include <deltaform/model/reported_columns.h>
+#include <deltaform/results/condition_numbers.h>
+#include <deltaform/results/earlier_run.h>
+#include <deltaform/results/observers.h>
+#include <deltaform/scene/scene.h>
+
+#include <filesystem>
+#include <set>
+
+using namespace deltaform;
+
+namespace
+{
+  /// A strip that is bent over a round punch in ten increments.
+  const std::vector<std::string> entries = {"Title=strip",
+                                            "Blank/Points=0 0; 1 0",
+                                            "Blank/Thickness=.02",
+                                            "Blank/Elements=16",
+                                            "Material/Model=linear elastic",
+                                            "Material/Young's modulus=1e4",
+                                            "Material/Poisson's ratio=.3",
+                                            "Supports/Names=edge",
+                                            "Supports/edge/Boundary=end",
+                                            "Supports/edge/Component=z",
+                                            "Tools/Names=punch",
+                                            "Tools/punch/Shape=hemispherical punch",
+                                            "Tools/punch/Radius=.5",
+                                            "Tools/punch/Side=top",
+                                            "Tools/punch/Position z=thickness/2",
+                                            "Tools/punch/Motion=.05*t",
+                                            "Steps/Stages=press",
+                                            "Steps/press/First increment=.1",
+                                            "Steps/press/Largest increment=.1",
+                                            "Output/Pictures=5",
+                                            "Output/Travels=.025,.05"};
+
+  struct Run
+  {
+    explicit Run(const std::vector<std::string> &more = {})
+      : tree(ParameterTree::parse("", "test", all(more))), scene(tree),
+        journal(Journal::Console::plain, said, said),
+        results(
+          {folder.file("run"), scene.title, scene.units, true}, [](std::ostream &out) { out << "the scene\n"; },
+          journal, timers, false),
+        analysis(scene.actors, scene.analysis_settings(), journal, timers)
+    {
+    }
+
+    static std::vector<std::string> all(const std::vector<std::string> &more)
+    {
+      std::vector<std::string> result = entries;
+      result.insert(result.end(), more.begin(), more.end());
+      return result;
+    }
+
+    int with(std::unique_ptr<Observer> observer)
+    {
+      analysis.add(std::move(observer));
+      const int status = analysis.run();
+      results.behind().wait();
+      return status;
+    }
+
+    /// Files in the folder, but for what every folder has.
+    std::set<std::string> files() const
+    {
+      std::set<std::string> result;
+      for (const auto &file : std::filesystem::directory_iterator(results.name()))
+        result.insert(file.path().filename().string());
+      result.erase("scene.prm");
+      result.erase("run.log");
+      return result;
+    }
+
+    const TemporaryFolder folder;
+    std::ostringstream said;
+    Timers timers;
+    ParameterTree tree;
+    Scene scene;
+    Journal journal;
+    ResultsFolder results;
+    Analysis analysis;
+  };
+
+  unsigned int n_lines(const std::string &text)
+  {
+    return static_cast<unsigned int>(std::count(text.begin(), text.end(), '\n'));
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(observers)
+
+BOOST_AUTO_TEST_CASE(nobody_looks_and_nothing_is_written)
+{
+  Run run;
+  BOOST_TEST(run.analysis.run() == exit_status::done);
+  BOOST_TEST(run.files().empty());
+  BOOST_TEST(content_of(run.results.path("scene.prm")).find("the scene\n") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_history_has_a_row_per_increment)
+{
+  Run run;
+  Columns columns;
+  describe_increment(columns);
+  describe_tools({"punch"}, columns);
+  BOOST_TEST(run.with(make_history_observer(run.results, columns, nullptr)) == exit_status::done);
+  BOOST_TEST((run.files() == std::set<std::string>{"history.csv"}));
+  const std::string text = content_of(run.results.path("history.csv"));
+  const auto n_comments = static_cast<unsigned int>(std::count(text.begin(), text.end(), '#'));
+  BOOST_TEST(n_lines(text) == n_comments + 1 + 10);
+  BOOST_TEST(text.find("increment,stage,time,punch_travel,punch_force_z,punch_force_r\n") != std::string::npos);
+  BOOST_TEST(text.find("\n10,press,1,0.05,") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(tables_are_written_where_the_scene_asks)
+{
+  Run run;
+  run.with(make_table_observer(run.results, *run.scene.output));
+  BOOST_TEST((run.files() == std::set<std::string>{"profile_0.025.csv", "contact_0.025.csv", "tools_0.025.csv",
+                                                   "profile_0.05.csv", "contact_0.05.csv", "tools_0.05.csv"}));
+  BOOST_TEST(content_of(run.results.path("contact_0.05.csv")).find("punch,") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(pictures_are_listed_in_their_series)
+{
+  Run run;
+  run.with(make_picture_observer(run.results, *run.scene.output));
+  unsigned int n_blanks = 0;
+  for (const auto &file : run.files())
+    n_blanks += file.rfind("blank_", 0) == 0;
+  BOOST_TEST(n_blanks == 6u); // the undeformed one, and five
+  BOOST_TEST(content_of(run.results.path("scene.pvd")).find("blank_0005.vtu") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(progress_is_shown_and_not_written)
+{
+  Run run;
+  run.with(make_progress_observer(run.results, *run.scene.output));
+  BOOST_TEST(run.files().empty());
+  BOOST_TEST(run.said.str().find("punch: travel 0.05, force ") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_summary_says_how_it_ended)
+{
+  Run run;
+  run.with(make_summary_observer(run.results, *run.scene.output));
+  BOOST_TEST((run.files() == std::set<std::string>{"summary.json", "timing.json"}));
+  BOOST_TEST(earlier_exit_status(run.results.name()).value_or(-1) == exit_status::done);
+  const std::string text = content_of(run.results.path("summary.json"));
+  check_contains(text, {"\"title\": \"strip\"", "\"increments\": 10", "\"punch\"", "\"energy_error\""});
+
+  Run stopped({"Solver/Maximal increments=3"});
+  BOOST_TEST(stopped.with(make_summary_observer(stopped.results, *stopped.scene.output)) ==
+             exit_status::not_converged);
+  check_contains(content_of(stopped.results.path("summary.json")),
+                 {"\"exit_status\": 2", "3 increments are done", "\"increments\": 3"});
+}
+
+BOOST_AUTO_TEST_CASE(a_saved_state_can_be_read)
+{
+  Run run({"Solver/Maximal increments=3"});
+  run.with(make_checkpoint_observer(run.results, *run.scene.output));
+  BOOST_TEST((run.files() == std::set<std::string>{"checkpoint.bin"}));
+  const auto saved = Checkpoint::read(run.results.name());
+  BOOST_REQUIRE(saved.has_value());
+  BOOST_TEST(saved->increment == 3u);
+  Run other;
+  other.analysis.resume(*saved);
+  BOOST_TEST(other.analysis.run() == exit_status::done);
+  BOOST_TEST(other.analysis.time() == 1.);
+}
+
+BOOST_AUTO_TEST_CASE(condition_numbers_are_those_of_the_last_increment)
+{
+  Run run;
+  auto report = std::make_unique<ConditionReport>(5, condition::Method::dense, run.results);
+  Columns columns;
+  describe_increment(columns);
+  ConditionReport::describe(columns, report.get());
+  run.analysis.add(std::move(report));
+  run.with(make_history_observer(run.results, columns, nullptr));
+  const std::string text = content_of(run.results.path("history.csv"));
+  BOOST_TEST(text.find("\n4,press,0.4,nan,nan,nan,0,nan\n") != std::string::npos, text);
+  BOOST_TEST(text.find("\n5,press,0.5,nan") == std::string::npos, text);
+}
+
+BOOST_AUTO_TEST_CASE(all_that_a_scene_asks_for)
+{
+  Run run;
+  for (auto &observer : make_observers(run.analysis.model(), *run.scene.output, run.results, nullptr))
+    run.analysis.add(std::move(observer));
+  BOOST_TEST(run.analysis.run() == exit_status::done);
+  const auto files = run.files();
+  for (const auto *const name : {"history.csv", "profile_0.05.csv", "blank_0005.vtu", "scene.pvd", "summary.json",
+                                 "timing.json", "checkpoint.bin"})
+    BOOST_TEST(files.count(name) == 1u, name);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
