@@ -1,8 +1,8 @@
 // Set-up of the shell and what it hands to contact and solver; assembly and results stand in files of their own.
+#include "shell.h"
 #include "usable_material.h"
 
 #include <deltaform/base/registry.h>
-#include <deltaform/blanks/shell.h>
 #include <deltaform/kinematics/shell_strain.h>
 
 #include <deal.II/base/quadrature_lib.h>

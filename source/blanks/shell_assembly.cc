@@ -1,8 +1,8 @@
 // Internal forces and tangent of the shell, and the loads on its area.
+#include "shell.h"
 #include "shell_point.h"
 
 #include <deltaform/base/assembly_target.h>
-#include <deltaform/blanks/shell.h>
 #include <deltaform/kinematics/shell_strain.h>
 
 namespace deltaform

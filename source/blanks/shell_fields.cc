@@ -1,6 +1,7 @@
 // Tables of the accepted state of the shell.
+#include "shell.h"
+
 #include <deltaform/base/text.h>
-#include <deltaform/blanks/shell.h>
 
 #include <numeric>
 

@@ -1,4 +1,5 @@
-#include <deltaform/blanks/shell_mesh.h>
+
+#include "shell_mesh.h"
 
 #include <numeric>
 #include <stdexcept>

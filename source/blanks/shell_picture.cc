@@ -1,5 +1,5 @@
 // Picture of the accepted state of the shell.
-#include <deltaform/blanks/shell.h>
+#include "shell.h"
 
 #include <deal.II/base/utilities.h>
 

@@ -1,7 +1,7 @@
 // Accepting an increment of the shell, its energies, its fields.
+#include "shell.h"
 #include "shell_point.h"
 
-#include <deltaform/blanks/shell.h>
 #include <deltaform/materials/flow_error.h>
 
 

@@ -1,5 +1,6 @@
 // Unknowns, quadrature points and nodes of the shell.
-#include <deltaform/blanks/shell.h>
+#include "shell.h"
+
 #include <deltaform/kinematics/shell_strain.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,11 +1,11 @@
 // The solid as read, and what it tells solver and scene about itself; set-up, assembly and results have their own
 // files.
+#include "solid.h"
 #include "usable_material.h"
 
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/registry.h>
 #include <deltaform/base/text.h>
-#include <deltaform/blanks/solid.h>
 
 #include <algorithm>
 #include <cmath>

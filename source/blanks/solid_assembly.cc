@@ -1,10 +1,10 @@
 // Internal forces and tangent of the solid: derivation in doc/theory/solid.md.
+#include "solid.h"
+#include "solid_tangent.h"
+
 #include <deltaform/base/assembly_target.h>
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
-
-#include "solid_tangent.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // Where the solid's mesh is too coarse: stresses against recovered ones (doc/theory/solid.md).
+#include "solid.h"
 #include "solid_stress.h"
 
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 
 #include <Eigen/Dense>
 

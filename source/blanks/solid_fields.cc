@@ -1,5 +1,5 @@
 // Table of the accepted state of the solid.
-#include <deltaform/blanks/solid.h>
+#include "solid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // What the children of a refined cell inherit: places, displacements, plastic state (doc/theory/solid.md).
+#include "solid.h"
+
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 
 #include <deal.II/fe/fe_q.h>

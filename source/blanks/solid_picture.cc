@@ -1,8 +1,8 @@
 // Picture of the accepted state of the solid.
+#include "solid.h"
 #include "solid_stress.h"
 
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 
 #include <cmath>

@@ -1,6 +1,7 @@
 // Accepting an increment of the solid, its energies and measures.
+#include "solid.h"
+
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 #include <deltaform/materials/flow_error.h>
 

@@ -1,6 +1,7 @@
 // The state of a solid.
+#include "solid.h"
+
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 
 namespace deltaform
 {

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "solid_mesh.h"
+
 #include <deltaform/blanks/blank.h>
 #include <deltaform/blanks/refinement.h>
-#include <deltaform/blanks/solid_mesh.h>
 #include <deltaform/materials/carried_flow.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>

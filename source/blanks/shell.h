@@ -1,7 +1,8 @@
 #pragma once
 
+#include "shell_mesh.h"
+
 #include <deltaform/blanks/blank.h>
-#include <deltaform/blanks/shell_mesh.h>
 #include <deltaform/kinematics/shell_strain.h>
 #include <deltaform/materials/carried_flow.h>
 #include <deltaform/materials/material.h>
