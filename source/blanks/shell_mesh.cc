@@ -1,4 +1,3 @@
-
 #include "shell_mesh.h"
 
 #include <numeric>
