@@ -1,8 +1,8 @@
 // Set-up of the shell and what it hands to contact and solver; assembly and results stand in files of their own.
-#include "usable_material.h"
+#include "shell.h"
+
 
 #include <deltaform/base/registry.h>
-#include <deltaform/blanks/shell.h>
 #include <deltaform/kinematics/shell_strain.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -50,9 +50,7 @@ namespace deltaform
         ? ContactPoint::normal_offset
         : ContactPoint::outer_fibre;
 
-    auto material_section = section.root().sub("Material");
-    material_ = Registry<Material>::choose(material_section, "Model", "elastoplastic", "Stress-strain law.");
-    check_usable(*material_, ThirdDirection::stress_given, material_section);
+    material_ = MaterialPoints(section, ThirdDirection::stress_given);
 
     if (membrane_)
       n_layers_ = 1;
@@ -198,14 +196,14 @@ namespace deltaform
 
   double Shell::initial_flow_stress() const
   {
-    const std::vector<double> history(material_->history_size(), 0.);
-    return material_->flow_stress(history.data());
+    const std::vector<double> history(material_.law().history_size(), 0.);
+    return material_.law().flow_stress(history.data());
   }
 
 
   double Shell::stiffness_scale() const
   {
-    return material_->young_modulus() * thickness_;
+    return material_.law().young_modulus() * thickness_;
   }
 
 

@@ -1,8 +1,8 @@
 // Internal forces and tangent of the shell, and the loads on its area.
+#include "shell.h"
 #include "shell_point.h"
 
 #include <deltaform/base/assembly_target.h>
-#include <deltaform/blanks/shell.h>
 #include <deltaform/kinematics/shell_strain.h>
 
 namespace deltaform
@@ -26,7 +26,7 @@ namespace deltaform
     const unsigned int n_cells = mesh_.cells().size();
     const unsigned int per_cell = n_points_per_cell_ * n_layers_;
     const bool tangent = target.wants_tangent();
-    const double shear_stiffness = membrane ? 0. : shear_factor_ * material_->shear_modulus() * thickness_;
+    const double shear_stiffness = membrane ? 0. : shear_factor_ * material_.law().shear_modulus() * thickness_;
 
     std::vector<double> layer_tangent(tangent ? per_cell * 16 : 0);
     std::vector<std::array<double, 4>> layer_geometry(per_cell); // 1/a1, 1/a2, zeta, weight
@@ -62,7 +62,7 @@ namespace deltaform
           const double a2_zero = axisymmetric_ ? point.radius - layer_position_[l] * std::sin(point.angle) : 1.;
           if (!(a1 > 0) || !(a2 > 0))
             return Status::shorten("a layer of the shell is turned inside out", c);
-          Mandel &e = strain_[first + i];
+          Mandel &e = material_.strain(first + i);
           e[0] = std::log(a1 / a1_zero);
           e[1] = axisymmetric_ ? std::log(a2 / a2_zero) : 0.;
           e[3] = 0.;
@@ -70,17 +70,8 @@ namespace deltaform
         }
       }
 
-      MaterialBatch batch;
-      batch.n_points = per_cell;
-      batch.third_direction = ThirdDirection::stress_given;
-      batch.strain = &strain_[first];
-      batch.third_stress = &third_stress_[first];
-      batch.committed = history_.committed(first);
-      batch.carried = carried_.at(first);
-      batch.trial = history_.trial(first);
-      batch.stress = &stress_[first];
-      batch.tangent = tangent ? layer_tangent.data() : nullptr;
-      Status cell_status = material_->update(batch);
+      Status cell_status =
+        material_.update(first, per_cell, tangent ? layer_tangent.data() : nullptr, &third_stress_[first]);
       if (!cell_status.good())
       {
         cell_status.place = c;
@@ -102,7 +93,7 @@ namespace deltaform
         {
           const unsigned int i = p * n_layers_ + l;
           const auto &[i1, i2, zeta, weight] = layer_geometry[i];
-          const Mandel &tau = stress_[first + i];
+          const Mandel &tau = material_.stress(first + i);
           const double s1 = weight * tau[0] * i1;
           const double s2 = axisymmetric_ ? weight * tau[1] * i2 : 0.;
           n[ShellStrain::stretch] += s1;

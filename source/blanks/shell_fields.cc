@@ -1,6 +1,7 @@
 // Tables of the accepted state of the shell.
+#include "shell.h"
+
 #include <deltaform/base/text.h>
-#include <deltaform/blanks/shell.h>
 
 #include <numeric>
 
@@ -76,15 +77,15 @@ namespace deltaform
         const double w = layer_weight_[l] / thickness_;
         values[1][p] += w * committed_strain_[layer(l)][0];
         values[2][p] += w * committed_strain_[layer(l)][1];
-        values[4][p] += w * material_->equivalent_plastic_strain(history_.committed(layer(l)));
+        values[4][p] += w * material_.equivalent_plastic_strain(layer(l));
       }
       values[0][p] = thickness_ * thickness_ratio_[p];
       values[3][p] = std::log(thickness_ratio_[p]);
       for (unsigned int k = 0; k < 2; ++k)
       {
-        values[5 + 3 * k][p] = committed_stress_[layer(0)][k];
-        values[6 + 3 * k][p] = committed_stress_[layer(middle)][k];
-        values[7 + 3 * k][p] = committed_stress_[layer(n_layers_ - 1)][k];
+        values[5 + 3 * k][p] = material_.committed_stress(layer(0))[k];
+        values[6 + 3 * k][p] = material_.committed_stress(layer(middle))[k];
+        values[7 + 3 * k][p] = material_.committed_stress(layer(n_layers_ - 1))[k];
       }
     }
     for (auto &column : values)
@@ -110,7 +111,7 @@ namespace deltaform
     const unsigned int outer = side == Side::top ? n_layers_ - 1 : 0;
     std::vector<double> values(points_.size());
     for (unsigned int p = 0; p < values.size(); ++p)
-      values[p] = material_->flow_stress(history_.committed(static_cast<std::size_t>(p) * n_layers_ + outer));
+      values[p] = material_.flow_stress(static_cast<std::size_t>(p) * n_layers_ + outer);
     return to_nodes(values);
   }
 
@@ -124,7 +125,7 @@ namespace deltaform
       {
         const double w = layer_weight_[l] / thickness_;
         stretch[p] += w * committed_strain_[i][0];
-        stress[p] += w * committed_stress_[i][0];
+        stress[p] += w * material_.committed_stress(i)[0];
       }
     const auto mean_stretch = to_nodes(stretch), mean_stress = to_nodes(stress);
     const auto squeeze = [&](const unsigned int i) {
@@ -148,7 +149,7 @@ namespace deltaform
           {
             for (unsigned int l = 0; l < n_layers_; ++l)
               result[node].flow_stress +=
-                layer_weight_[l] * material_->flow_stress(history_.committed(p * n_layers_ + l));
+                layer_weight_[l] * material_.flow_stress(p * n_layers_ + l);
             weight[node] += thickness_;
           }
     for (unsigned int i = 0; i < result.size(); ++i)

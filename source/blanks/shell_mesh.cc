@@ -1,4 +1,4 @@
-#include <deltaform/blanks/shell_mesh.h>
+#include "shell_mesh.h"
 
 #include <numeric>
 #include <stdexcept>

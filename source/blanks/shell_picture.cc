@@ -1,5 +1,5 @@
 // Picture of the accepted state of the shell.
-#include <deltaform/blanks/shell.h>
+#include "shell.h"
 
 #include <deal.II/base/utilities.h>
 
@@ -103,9 +103,9 @@ namespace deltaform
     double *mises = add("stress_von_mises", "stress", 1);
     double *pressure = add("hydrostatic_pressure", "stress", 1);
     double *strain = add("strain", "1", 4);
-    double *plastic = material_->history_size() > 0 ? add("plastic_strain", "1", 4) : nullptr;
+    double *plastic = material_.plastic() ? add("plastic_strain", "1", 4) : nullptr;
     std::vector<std::pair<HistoryField, double *>> further; // what else the law remembers
-    for (const HistoryField &field : history_.layout().fields())
+    for (const HistoryField &field : material_.law().history_layout().fields())
       if (field.name != "plastic_strain" && field.name != "equivalent_plastic_strain")
         further.emplace_back(field, add(field.name.c_str(), field.unit.c_str(), field.size()));
 
@@ -124,20 +124,20 @@ namespace deltaform
                {a * n_levels + l, b * n_levels + l, b * n_levels + l + 1, a * n_levels + l + 1})
             drawing.cells.push_back(corner);
           const unsigned int i = (c * n_points_per_cell_ + part) * n_layers_ + l;
-          const Mandel &tau = committed_stress_[i];
+          const Mandel &tau = material_.committed_stress(i);
           *strain_1++ = committed_strain_[i][0];
           *strain_2++ = committed_strain_[i][1];
-          *equivalent++ = material_->equivalent_plastic_strain(history_.committed(i));
+          *equivalent++ = material_.equivalent_plastic_strain(i);
           *stress_1++ = tau[0];
           *stress_2++ = tau[1];
           *mises++ = mises_of(tau);
           *pressure++ = -(tau[0] + tau[1] + tau[2]) / 3.;
           strain = write_turned(committed_strain_[i], along, strain);
           if (plastic)
-            plastic = write_turned(material_->plastic_strain(history_.committed(i)), along, plastic);
+            plastic = write_turned(material_.plastic_strain(i), along, plastic);
           for (auto &[field, values] : further)
           {
-            const double *const own = history_.committed(i) + field.first;
+            const double *const own = material_.history(i) + field.first;
             if (field.kind == HistoryKind::tensor)
               values = write_turned({{own[0], own[1], own[2], own[3]}}, along, values);
             else

@@ -1,6 +1,7 @@
 #pragma once
 // The work at one quadrature point on the meridian of a shell: strain from the unknowns, forces from the resultants.
-#include <deltaform/blanks/shell.h>
+#include "shell.h"
+
 #include <deltaform/kinematics/shell_strain.h>
 
 namespace deltaform

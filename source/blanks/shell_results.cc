@@ -1,7 +1,7 @@
 // Accepting an increment of the shell, its energies, its fields.
+#include "shell.h"
 #include "shell_point.h"
 
-#include <deltaform/blanks/shell.h>
 #include <deltaform/materials/flow_error.h>
 
 
@@ -20,19 +20,18 @@ namespace deltaform
 
   void Shell::begin_increment(const double ratio)
   {
-    carried_.carry(ratio);
+    material_.begin_increment(ratio);
   }
 
 
   double Shell::flow_error() const
   {
     MeanFlowError error;
-    for (unsigned int i = 0; i < strain_.size(); ++i)
+    for (unsigned int i = 0; i < material_.size(); ++i)
       error.add(points_[i / n_layers_].weight * layer_weight_[i % n_layers_] *
-                  (material_->equivalent_plastic_strain(history_.trial(i)) -
-                   material_->equivalent_plastic_strain(history_.committed(i))),
-                committed_stress_[i],
-                stress_[i]);
+                  (material_.flow(i)),
+                material_.committed_stress(i),
+                material_.stress(i));
     return error.value();
   }
 
@@ -40,9 +39,9 @@ namespace deltaform
   IncrementSize Shell::increment_size(const Vector &dq) const
   {
     IncrementSize largest;
-    for (unsigned int i = 0; i < strain_.size(); ++i)
+    for (unsigned int i = 0; i < material_.size(); ++i)
       for (unsigned int k = 0; k < 2; ++k)
-        largest.strain = std::max(largest.strain, std::abs(strain_[i][k] - committed_strain_[i][k]));
+        largest.strain = std::max(largest.strain, std::abs(material_.strain(i)[k] - committed_strain_[i][k]));
     for (const auto &dofs : node_dofs_)
       largest.rotation = std::max(largest.rotation, std::abs(dq[dofs[2]]));
     return largest;
@@ -88,7 +87,7 @@ namespace deltaform
     for (unsigned int l = 0; l < n_layers_; ++l)
     {
       const double before = thickness_ratio_[place] * layer_position_[l], after = new_ratio * layer_position_[l];
-      const auto &tau = stress_[place * n_layers_ + l];
+      const auto &tau = material_.stress(place * n_layers_ + l);
       work += volume[l] * tau[0] *
               log_of_ratio(strain.lambda - after * strain.theta_prime, strain.lambda - before * strain.theta_prime);
       if (axisymmetric_)
@@ -100,7 +99,7 @@ namespace deltaform
 
   void Shell::commit(const Vector &q)
   {
-    const double shear = membrane_ ? 0. : shear_factor_ * material_->shear_modulus() * thickness_;
+    const double shear = membrane_ ? 0. : shear_factor_ * material_.law().shear_modulus() * thickness_;
     double elastic = 0., plastic = 0., normal = 0.;
     std::vector<double> volumes(n_layers_);
     for (unsigned int c = 0, i = 0; c < mesh_.cells().size(); ++c)
@@ -108,25 +107,25 @@ namespace deltaform
       {
         const unsigned int place = c * n_points_per_cell_ + p;
         const ShellPoint &point = points_[place];
-        const double sine = energy_ && axisymmetric_ ? std::sin(point.angle) : 0.;
+        const double sine = material_.counts_energy() && axisymmetric_ ? std::sin(point.angle) : 0.;
         double thickness = 0.;
         for (unsigned int l = 0; l < n_layers_; ++l, ++i)
         {
-          thickness += layer_weight_[l] * std::exp(strain_[i][2]);
-          if (!energy_)
+          thickness += layer_weight_[l] * std::exp(material_.strain(i)[2]);
+          if (!material_.counts_energy())
             continue;
           const double volume = volumes[l] = layer_volume(point, sine, l);
-          const Mandel before = material_->plastic_strain(history_.committed(i));
-          const Mandel after = material_->plastic_strain(history_.trial(i));
-          const Mandel &start = committed_stress_[i], &end = stress_[i];
+          const Mandel before = material_.plastic_strain(i);
+          const Mandel after = material_.trial_plastic_strain(i);
+          const Mandel &start = material_.committed_stress(i), &end = material_.stress(i);
           double work = 0.;
           for (unsigned int k = 0; k < 4; ++k)
             work += (end[k] + start[k]) * (after[k] - before[k]);
           plastic += .5 * volume * work;
-          normal += .5 * volume * (end[2] + start[2]) * (strain_[i][2] - committed_strain_[i][2]);
-          elastic += volume * material_->elastic_energy(end);
+          normal += .5 * volume * (end[2] + start[2]) * (material_.strain(i)[2] - committed_strain_[i][2]);
+          elastic += volume * material_.law().elastic_energy(end);
         }
-        if (energy_)
+        if (material_.counts_energy())
         {
           const ShellStrain strain = strain_at(q, c, place);
           const double gamma = strain.gamma - point.gamma;
@@ -135,17 +134,9 @@ namespace deltaform
         }
         thickness_ratio_[place] = thickness / thickness_;
       }
-    if (energy_)
-    {
-      energy_->elastic = elastic;
-      energy_->plastic += plastic;
-      energy_->normal += normal;
-    }
-    carried_.keep(history_);
-    history_.commit();
-    // What becomes trial is overwritten before it is read, as in the history.
-    committed_strain_.swap(strain_);
-    committed_stress_.swap(stress_);
+    material_.add_energy(elastic, plastic, normal);
+    material_.commit();
+    committed_strain_ = material_.strains();
 
     std::vector<double> thickness(thickness_ratio_);
     for (auto &value : thickness)
@@ -222,13 +213,13 @@ namespace deltaform
 
   void Shell::forget_energy()
   {
-    energy_.reset();
+    material_.forget_energy();
   }
 
 
   BlankEnergy Shell::energy() const
   {
-    return energy_.value_or(BlankEnergy());
+    return material_.energy();
   }
 
 
@@ -265,11 +256,8 @@ namespace deltaform
   KeyedArrays Shell::state() const
   {
     KeyedArrays state;
-    const BlankEnergy total = energy();
+    material_.put(state);
     state.put("strain", committed_strain_);
-    state.put("stress", committed_stress_);
-    history_.put(state);
-    carried_.put(state);
     state.put("thickness ratio", thickness_ratio_);
     state.put("thickness at nodes", node_thickness_);
     state.put("elastic recovery at nodes", node_relief_);
@@ -277,17 +265,16 @@ namespace deltaform
     state.put("contact pressure, bottom", contact_pressure_[0]);
     state.put("contact pressure, top", contact_pressure_[1]);
     state.put("third stress", third_stress_);
-    state.put("energies", std::vector<double>{total.elastic, total.plastic, total.normal});
     return state;
   }
 
 
   void Shell::set_state(const KeyedArrays &state)
   {
+    material_.take(state);
     state.take("strain", committed_strain_);
-    state.take("stress", committed_stress_);
-    history_.take(state);
-    carried_.take(state);
+    for (unsigned int i = 0; i < committed_strain_.size(); ++i)
+      material_.strain(i) = committed_strain_[i];
     state.take("thickness ratio", thickness_ratio_);
     state.take("thickness at nodes", node_thickness_);
     state.take("elastic recovery at nodes", node_relief_);
@@ -295,10 +282,5 @@ namespace deltaform
     state.take("contact pressure, bottom", contact_pressure_[0]);
     state.take("contact pressure, top", contact_pressure_[1]);
     state.take("third stress", third_stress_);
-    const auto &energies = state.at("energies");
-    if (energy_)
-      energy_ = BlankEnergy{energies.at(0), energies.at(1), energies.at(2)};
-    strain_ = committed_strain_;
-    stress_ = committed_stress_;
   }
 } // namespace deltaform

@@ -1,5 +1,6 @@
 // Unknowns, quadrature points and nodes of the shell.
-#include <deltaform/blanks/shell.h>
+#include "shell.h"
+
 #include <deltaform/kinematics/shell_strain.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -95,13 +96,8 @@ namespace deltaform
     }
 
     const unsigned int n = points_.size() * n_layers_;
-    history_ = PointHistory(n, material_->history_layout());
-    if (material_->two_steps())
-      carried_ = CarriedFlow(n, material_->history_size());
-    strain_.assign(n, Mandel{});
-    stress_.assign(n, Mandel{});
+    material_.reset(n);
     committed_strain_.assign(n, Mandel{});
-    committed_stress_.assign(n, Mandel{});
     third_stress_.assign(n, 0.);
     thickness_ratio_.assign(points_.size(), 1.);
   }

@@ -1,11 +1,11 @@
 // The solid as read, and what it tells solver and scene about itself; set-up, assembly and results have their own
 // files.
-#include "usable_material.h"
+#include "solid.h"
+
 
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/registry.h>
 #include <deltaform/base/text.h>
-#include <deltaform/blanks/solid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,9 +36,7 @@ namespace deltaform
                     "Parts of the boundary that tools with Side = bottom touch; 'bottom, end' goes around the "
                     "corner.");
     auto top = section.names("Contact top", "top", "Parts of the boundary that tools with Side = top touch.");
-    auto material_section = section.root().sub("Material");
-    material_ = Registry<Material>::choose(material_section, "Model", "elastoplastic", "Stress-strain law.");
-    check_usable(*material_, ThirdDirection::strain_given, material_section);
+    material_ = MaterialPoints(section, ThirdDirection::strain_given);
     if (section.documentation() && mesh_.boundaries().empty())
       return;
 
@@ -206,8 +204,8 @@ namespace deltaform
 
   double Solid::initial_flow_stress() const
   {
-    const std::vector<double> history(material_->history_size(), 0.);
-    return material_->flow_stress(history.data());
+    const std::vector<double> history(material_.law().history_size(), 0.);
+    return material_.law().flow_stress(history.data());
   }
 
 
@@ -215,13 +213,13 @@ namespace deltaform
   {
     // Of a node of cells that are about as long as high: E (per unit width), times the radius of the ring it stands
     // for.
-    return material_->young_modulus() * (axisymmetric_ ? outermost_ : 1.);
+    return material_.law().young_modulus() * (axisymmetric_ ? outermost_ : 1.);
   }
 
 
   double Solid::modulus() const
   {
-    return material_->young_modulus();
+    return material_.law().young_modulus();
   }
 
 

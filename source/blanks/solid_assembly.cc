@@ -1,10 +1,10 @@
 // Internal forces and tangent of the solid: derivation in doc/theory/solid.md.
+#include "solid.h"
+#include "solid_tangent.h"
+
 #include <deltaform/base/assembly_target.h>
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
-
-#include "solid_tangent.h"
 
 #include <cmath>
 
@@ -90,7 +90,7 @@ namespace deltaform
         F.f = {{1. + h_rr, h_rz, h_zr, 1. + h_zz}};
         F.hoop = 1. + h_tt;
         const double round_part = axisymmetric_ ? 1. / point.radius : 0.;
-        Mandel &e = strain_[first + p];
+        Mandel &e = material_.strain(first + p);
         if (!finite_)
         {
           e = {{h_rr, h_zz, h_tt, root_half * (h_rz + h_zr)}};
@@ -121,7 +121,7 @@ namespace deltaform
         b[p].zz = F.hoop * F.hoop * cp[2];
         e = LogarithmicStrain::strain(b[p]);
         volumetric[p] = std::log(in_j * F.hoop);
-        const Mandel plastic = material_->plastic_strain(history_.committed(first + p));
+        const Mandel plastic = material_.plastic_strain(first + p);
         for (unsigned int k = 0; k < 4; ++k)
           e[k] += plastic[k]; // the material subtracts it
       }
@@ -131,19 +131,10 @@ namespace deltaform
         for (unsigned int k = 0; k < n_points; ++k)
           projected += project[p * n_points + k] * volumetric[k];
         for (unsigned int k = 0; k < 3; ++k)
-          strain_[first + p][k] += (projected - volumetric[p] - volume_offset_[first + p]) / 3.;
+          material_.strain(first + p)[k] += (projected - volumetric[p] - volume_offset_[first + p]) / 3.;
       }
 
-      MaterialBatch batch;
-      batch.n_points = n_points;
-      batch.third_direction = ThirdDirection::strain_given;
-      batch.strain = &strain_[first];
-      batch.committed = history_.committed(first);
-      batch.carried = carried_.at(first);
-      batch.trial = history_.trial(first);
-      batch.stress = &stress_[first];
-      batch.tangent = tangent ? moduli.data() : nullptr;
-      Status status = material_->update(batch);
+      Status status = material_.update(first, n_points, tangent ? moduli.data() : nullptr);
       if (!status.good())
       {
         status.place = c;
@@ -151,12 +142,12 @@ namespace deltaform
       }
 
       for (unsigned int p = 0; p < n_points; ++p)
-        mean[p] = (stress_[first + p][0] + stress_[first + p][1] + stress_[first + p][2]) / 3.;
+        mean[p] = (material_.stress(first + p)[0] + material_.stress(first + p)[1] + material_.stress(first + p)[2]) / 3.;
       residual.fill(0.);
       for (unsigned int p = 0; p < n_points; ++p)
       {
         // The stress that does work: deviator here, projected mean stress
-        const Mandel &tau = stress_[first + p];
+        const Mandel &tau = material_.stress(first + p);
         const double w = points_[first + p].weight;
         double shift = -mean[p];
         for (unsigned int k = 0; k < n_points; ++k)

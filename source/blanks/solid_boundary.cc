@@ -1,7 +1,8 @@
 // Loads on the boundary and the volume of the solid, and its faces as contact sees them.
+#include "solid.h"
+
 #include <deltaform/base/assembly_target.h>
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 
 #include <algorithm>
 #include <cmath>

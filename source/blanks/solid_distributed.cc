@@ -1,6 +1,7 @@
 // A solid whose cells are distributed among processes: nodes are known to all of them, under the same numbers.
+#include "solid.h"
+
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping_q.h>

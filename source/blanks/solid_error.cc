@@ -1,8 +1,8 @@
 // Where the solid's mesh is too coarse: stresses against recovered ones (doc/theory/solid.md).
+#include "solid.h"
 #include "solid_stress.h"
 
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 
 #include <Eigen/Dense>
 
@@ -65,7 +65,7 @@ namespace deltaform
     using Fit = Eigen::MatrixXd;
     const unsigned int n_points = n_points_per_cell_;
     const unsigned int n_terms = degree_ == 1 ? 3 : 6;
-    const double young = material_->young_modulus(), nu = material_->poisson_ratio();
+    const double young = material_.law().young_modulus(), nu = material_.law().poisson_ratio();
 
     std::vector<Sample> samples(points_.size());
     for (unsigned int i = 0; i < points_.size(); ++i)
@@ -76,8 +76,8 @@ namespace deltaform
         place += points_[i].shape[a] * nodes_[cell[a]];
       samples[i].place = {{place[0], place[1]}};
       std::copy_n(cell.begin(), 4, samples[i].corners.begin());
-      std::copy_n(committed_stress_[i].begin(), 4, samples[i].values.begin());
-      samples[i].values[4] = material_->equivalent_plastic_strain(history_.committed(i));
+      std::copy_n(material_.committed_stress(i).begin(), 4, samples[i].values.begin());
+      samples[i].values[4] = material_.equivalent_plastic_strain(i);
     }
     add_neighbours(samples, nodes_.size());
     const auto place = [&](const unsigned int i) { return Point2(samples[i].place[0], samples[i].place[1]); };
@@ -116,7 +116,7 @@ namespace deltaform
 
     // The modulus of a plastic point is the secant one: small differences of plastic strain cost little work.
     const auto secant = [&](const unsigned int i) {
-      const double stress = mises(committed_stress_[i]), plastic = samples[i].values[4];
+      const double stress = mises(material_.committed_stress(i)), plastic = samples[i].values[4];
       return plastic > 0 ? stress / (stress / young + plastic) : 0.;
     };
     const auto energy = [&](const Mandel &t) {
@@ -139,7 +139,7 @@ namespace deltaform
       const double square = w * (energy(difference) + secant(i) * plastic * plastic);
       result.squares[i / n_points] += square;
       errors += square;
-      all += w * (energy(committed_stress_[i]) + secant(i) * samples[i].values[4] * samples[i].values[4]);
+      all += w * (energy(material_.committed_stress(i)) + secant(i) * samples[i].values[4] * samples[i].values[4]);
     }
     all = ranks::sum(all);
     result.relative = all > 0 ? std::sqrt(ranks::sum(errors) / all) : 0.;

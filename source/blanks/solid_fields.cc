@@ -1,5 +1,5 @@
 // Table of the accepted state of the solid.
-#include <deltaform/blanks/solid.h>
+#include "solid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace deltaform
   {
     std::vector<double> values(points_.size());
     for (unsigned int p = 0; p < values.size(); ++p)
-      values[p] = material_->flow_stress(history_.committed(p));
+      values[p] = material_.flow_stress(p);
     values = to_nodes(values);
     std::vector<double> result;
     for (const auto node : faces_[static_cast<unsigned int>(side)].nodes)
@@ -59,9 +59,9 @@ namespace deltaform
       component.resize(n);
     for (unsigned int p = 0; p < n; ++p)
     {
-      plastic[p] = material_->equivalent_plastic_strain(history_.committed(p));
+      plastic[p] = material_.equivalent_plastic_strain(p);
       for (unsigned int k = 0; k < 4; ++k)
-        stress[k][p] = committed_stress_[p][k] * (k == 3 ? std::sqrt(.5) : 1.);
+        stress[k][p] = material_.committed_stress(p)[k] * (k == 3 ? std::sqrt(.5) : 1.);
     }
     plastic = to_nodes(plastic);
     for (auto &component : stress)

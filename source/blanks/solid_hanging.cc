@@ -1,7 +1,8 @@
 // Hanging nodes of the solid: their displacements are those of the coarse edge on which they lie, so that they are no
 // unknowns. All other rooms see free unknowns only; nodes of the boundary, and with them contact, never hang.
+#include "solid.h"
+
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/affine_constraints.h>

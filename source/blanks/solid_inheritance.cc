@@ -1,6 +1,7 @@
 // What the children of a refined cell inherit: places, displacements, plastic state (doc/theory/solid.md).
+#include "solid.h"
+
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 
 #include <deal.II/fe/fe_q.h>
@@ -57,12 +58,12 @@ namespace deltaform
           data.push_back(field[dof]);
     for (unsigned int i = cell * n_points_per_cell_; i < (cell + 1) * n_points_per_cell_; ++i)
     {
-      const double *const history = history_.committed(i);
-      data.insert(data.end(), history, history + material_->history_size());
+      const double *const history = material_.history(i);
+      data.insert(data.end(), history, history + material_.law().history_size());
       const auto &cp = plastic_metric_[i];
       const Mandel metric = LogarithmicStrain::strain({cp[0], cp[1], cp[2], cp[3]});
       data.insert(data.end(), metric.begin(), metric.end());
-      const Mandel elastic = material_->elastic_strain(committed_stress_[i]);
+      const Mandel elastic = material_.law().elastic_strain(material_.committed_stress(i));
       data.insert(data.end(), elastic.begin(), elastic.end());
       data.push_back(volume_offset_[i]);
     }
@@ -74,7 +75,7 @@ namespace deltaform
   {
     // Displacements and places: exactly, since the parent's shape functions are among those of the children.
     const dealii::FE_Q<2> shapes(degree_);
-    const std::size_t n = n_nodes_per_cell_, n_points = n_points_per_cell_, n_history = material_->history_size();
+    const std::size_t n = n_nodes_per_cell_, n_points = n_points_per_cell_, n_history = material_.law().history_size();
     const std::size_t n_state = n_history + n_tensors, n_vectors = (parent.size() - n_points * n_state) / (2 * n);
     std::vector<std::vector<double>> weights(n, std::vector<double>(n));
     for (unsigned int b = 0; b < n; ++b)
@@ -97,7 +98,7 @@ namespace deltaform
     // strain would leave the range that a linear one with these values has at the points of the children, or get
     // negative. The logarithm of C_p^-1 has no trace, whatever the weights.
     const double *const states = &parent[2 * n_vectors * n];
-    const auto equivalent = [&](const double *const state) { return material_->equivalent_plastic_strain(state); };
+    const auto equivalent = [&](const double *const state) { return material_.law().equivalent_plastic_strain(state); };
     CellData mean(n_state, 0.), state(n_state);
     double least = equivalent(states), most = least;
     for (unsigned int p = 0; p < n_points; ++p)
@@ -137,22 +138,22 @@ namespace deltaform
     // less it was distorted. Where metal has flowed, that difference belongs to the flow and not to the elasticity,
     // whose strains are a thousand times smaller; where it has not, it is what the finer mesh knows better.
     const auto share = [&](const double plastic, const double flow_stress) {
-      return plastic / (flow_stress / material_->young_modulus() + plastic);
+      return plastic / (flow_stress / material_.law().young_modulus() + plastic);
     };
     for (unsigned int c = 0; c < cells_.size(); ++c)
     {
       double plastic = 0., flow_stress = 0.;
       for (unsigned int i = c * n_points_per_cell_; i < (c + 1) * n_points_per_cell_; ++i)
       {
-        plastic += material_->equivalent_plastic_strain(history_.committed(i)) / n_points_per_cell_;
-        flow_stress += material_->flow_stress(history_.committed(i)) / n_points_per_cell_;
+        plastic += material_.equivalent_plastic_strain(i) / n_points_per_cell_;
+        flow_stress += material_.flow_stress(i) / n_points_per_cell_;
       }
       const double volume_share = share(plastic, flow_stress);
       for (unsigned int i = c * n_points_per_cell_; i < (c + 1) * n_points_per_cell_; ++i)
       {
         // The law got the sum of the elastic strain and the plastic one of its history.
-        Mandel trial = strain_[i];
-        const Mandel old = material_->plastic_strain(history_.committed(i));
+        Mandel trial = material_.strain(i);
+        const Mandel old = material_.plastic_strain(i);
         for (unsigned int k = 0; k < 4; ++k)
           trial[k] -= old[k];
         const double mean = (trial[0] + trial[1] + trial[2]) / 3.;
@@ -161,8 +162,8 @@ namespace deltaform
         // Small strains are as linear in the cell as what is interpolated.
         if (!finite_)
           continue;
-        const double own = share(material_->equivalent_plastic_strain(history_.committed(i)),
-                                 material_->flow_stress(history_.committed(i)));
+        const double own = share(material_.equivalent_plastic_strain(i),
+                                 material_.flow_stress(i));
         Mandel kept;
         for (unsigned int k = 0; k < 4; ++k)
           kept[k] = (1. - own) * (trial[k] - (k < 3 ? mean : 0.)) + own * (wanted[i][k] - (k < 3 ? wanted_mean : 0.));
@@ -174,7 +175,7 @@ namespace deltaform
 
   void Solid::unpack(const std::vector<std::vector<double>> &data, std::vector<Vector> &fields)
   {
-    const std::size_t n = n_nodes_per_cell_, n_history = material_->history_size();
+    const std::size_t n = n_nodes_per_cell_, n_history = material_.law().history_size();
     for (unsigned int v = 0; v < fields.size(); ++v)
     {
       fields[v].reinit(n_free_);
@@ -189,18 +190,17 @@ namespace deltaform
       return &data[point / n_points_per_cell_][2 * (fields.size() + 1) * n +
                                                point % n_points_per_cell_ * (n_history + n_tensors)];
     };
+    std::vector<double> history;
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
       const double *state = state_of(i);
-      std::copy_n(state, n_history, history_.trial(i));
+      history.insert(history.end(), state, state + n_history);
       state += n_history;
       volume_offset_[i] = state[8];
       const auto b = LogarithmicStrain::inverse({{state[0], state[1], state[2], state[3]}});
       plastic_metric_[i] = {{b.xx, b.yy, b.zz, b.xy}};
     }
-    history_.commit();
-    history_.rollback();
-    carried_.forget();
+    material_.set_history(history);
 
     // Stresses of the law at the displacements as they came over, the scale of energies and the start of the next flow.
     Vector q = fields.empty() ? Vector(n_free_) : fields.front();
@@ -217,14 +217,14 @@ namespace deltaform
       update_stress(q);
     }
     constant_matrices_.clear();
-    committed_stress_ = stress_;
+    material_.keep_stress();
     committed_deformation_ = deformation_;
-    if (energy_)
+    if (material_.counts_energy())
     {
       double elastic = 0.;
       for (unsigned int i = 0; i < points_.size(); ++i)
-        elastic += points_[i].weight * material_->elastic_energy(stress_[i]);
-      energy_->elastic = ranks::sum(elastic);
+        elastic += points_[i].weight * material_.law().elastic_energy(material_.stress(i));
+      material_.add_energy(ranks::sum(elastic), 0.);
     }
     update_areas(q);
     update_thickness(q);

@@ -1,6 +1,7 @@
+#include "solid_mesh.h"
+#include "shell_mesh.h"
+
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/shell_mesh.h>
-#include <deltaform/blanks/solid_mesh.h>
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>

@@ -1,8 +1,8 @@
 // Picture of the accepted state of the solid.
+#include "solid.h"
 #include "solid_stress.h"
 
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 
 #include <cmath>
@@ -51,7 +51,7 @@ namespace deltaform
   Mandel Solid::plastic_strain(const unsigned int point, const Deformation &F) const
   {
     if (!finite_)
-      return material_->plastic_strain(history_.committed(point));
+      return material_.plastic_strain(point);
     const auto &inverse = plastic_metric_[point];
     Mandel result = LogarithmicStrain::strain({inverse[0], inverse[1], inverse[2], inverse[3]});
     for (double &component : result)
@@ -66,7 +66,7 @@ namespace deltaform
     std::vector<double> mean(field.size(), 0.);
     for (unsigned int i = first_point; i < first_point + n_points; ++i)
       for (unsigned int k = 0; k < field.size(); ++k)
-        mean[k] += history_.committed(i)[field.first + k] / n_points;
+        mean[k] += material_.history(i)[field.first + k] / n_points;
     if (field.kind == HistoryKind::tensor)
       mean[3] *= root_half;
     return mean;
@@ -79,7 +79,7 @@ namespace deltaform
       drawing.fields.push_back({name, unit, false, components, {}});
       return &drawing.fields.back().values;
     };
-    const auto &fields = history_.layout().fields();
+    const auto &fields = material_.law().history_layout().fields();
     drawing.fields.reserve(drawing.fields.size() + 10 + fields.size());
     auto *const equivalent = add_field("equivalent_plastic_strain", "1", 1);
     const std::array<std::vector<double> *, 4> stress = {{add_field("stress_rr", "stress", 1),
@@ -90,7 +90,7 @@ namespace deltaform
     auto *const mean = add_field("stress_mean", "stress", 1);
     auto *const pressure = add_field("hydrostatic_pressure", "stress", 1);
     auto *const strain = add_field("strain", "1", 4);
-    auto *const plastic = material_->history_size() > 0 ? add_field("plastic_strain", "1", 4) : nullptr;
+    auto *const plastic = material_.plastic() ? add_field("plastic_strain", "1", 4) : nullptr;
     std::vector<std::pair<HistoryField, std::vector<double> *>> further; // what else the law remembers
     for (const HistoryField &field : fields)
       if (field.name != "plastic_strain" && field.name != "equivalent_plastic_strain")
@@ -114,10 +114,10 @@ namespace deltaform
           const Deformation F = deformation(q, c, p);
           const Mandel e = total_strain(F);
           const Mandel e_p = plastic ? plastic_strain(i, F) : Mandel{};
-          values.equivalent += material_->equivalent_plastic_strain(history_.committed(i)) / n;
+          values.equivalent += material_.equivalent_plastic_strain(i) / n;
           for (unsigned int k = 0; k < 4; ++k)
           {
-            values.stress[k] += committed_stress_[i][k] / n;
+            values.stress[k] += material_.committed_stress(i)[k] / n;
             values.strain[k] += e[k] / n;
             values.plastic[k] += e_p[k] / n;
           }

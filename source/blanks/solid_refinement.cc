@@ -1,6 +1,7 @@
 // Refining the solid during the run: which cells, and what follows from it (doc/theory/solid.md).
+#include "solid.h"
+
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 
 #include <deal.II/distributed/cell_data_transfer.templates.h>
 #include <deal.II/distributed/tria.h>

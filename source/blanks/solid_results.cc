@@ -1,6 +1,7 @@
 // Accepting an increment of the solid, its energies and measures.
+#include "solid.h"
+
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 #include <deltaform/materials/flow_error.h>
 
@@ -56,16 +57,16 @@ namespace deltaform
 
   void Solid::begin_increment(const double ratio)
   {
-    if (!carried_.carry(ratio) || !finite_)
+    if (!material_.begin_increment(ratio) || !finite_)
       return;
     // The last flow is known in the axes of the last increment's end: they go on turning.
     for (unsigned int i = 0; i < spin_.size(); ++i)
     {
       const Turn by = turn(spin_[i], ratio);
-      for (const HistoryField &field : history_.layout().fields())
+      for (const HistoryField &field : material_.law().history_layout().fields())
         if (field.kind == HistoryKind::tensor)
         {
-          double *const flow = carried_.at(i) + field.first;
+          double *const flow = material_.carried(i) + field.first;
           const Mandel now = turned({{flow[0], flow[1], flow[2], flow[3]}}, by);
           std::copy(now.begin(), now.end(), flow);
         }
@@ -78,11 +79,10 @@ namespace deltaform
     MeanFlowError error;
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
-      const double flow = material_->equivalent_plastic_strain(history_.trial(i)) -
-                          material_->equivalent_plastic_strain(history_.committed(i));
+      const double flow = material_.flow(i);
       const Mandel start =
-        finite_ && flow > 0. ? turned(committed_stress_[i], turn(increment(i).f)) : committed_stress_[i];
-      error.add(points_[i].weight * flow, start, stress_[i]);
+        finite_ && flow > 0. ? turned(material_.committed_stress(i), turn(increment(i).f)) : material_.committed_stress(i);
+      error.add(points_[i].weight * flow, start, material_.stress(i));
     }
     error.astray = ranks::sum(error.astray);
     error.flow = ranks::sum(error.flow);
@@ -129,7 +129,7 @@ namespace deltaform
 
   void Solid::forget_energy()
   {
-    energy_.reset();
+    material_.forget_energy();
   }
 
 
@@ -156,40 +156,35 @@ namespace deltaform
   {
     if (linear_)
       update_stress(q);
-    const bool may_flow = material_->history_size() > 0;
+    const bool may_flow = material_.plastic();
     double elastic = 0., plastic = 0.;
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
-      if (energy_)
-        elastic += points_[i].weight * material_->elastic_energy(stress_[i]);
+      if (material_.counts_energy())
+        elastic += points_[i].weight * material_.law().elastic_energy(material_.stress(i));
       if (!may_flow)
         continue;
       const Turn by = finite_ ? turn(increment(i).f) : Turn();
       if (!spin_.empty())
         spin_[i] = by;
-      const Mandel before = material_->plastic_strain(history_.committed(i));
-      const Mandel after = material_->plastic_strain(history_.trial(i));
+      const Mandel before = material_.plastic_strain(i);
+      const Mandel after = material_.trial_plastic_strain(i);
       if (before == after)
         continue;
-      if (energy_)
+      if (material_.counts_energy())
       {
         // The flow takes place in the axes of now: the last stress is turned along.
-        const Mandel start = finite_ ? turned(committed_stress_[i], by) : committed_stress_[i];
+        const Mandel start = finite_ ? turned(material_.committed_stress(i), by) : material_.committed_stress(i);
         for (unsigned int k = 0; k < 4; ++k)
-          plastic += .5 * points_[i].weight * (stress_[i][k] + start[k]) * (after[k] - before[k]);
+          plastic += .5 * points_[i].weight * (material_.stress(i)[k] + start[k]) * (after[k] - before[k]);
       }
       if (finite_)
-        set_plastic_metric(i, material_->elastic_strain(stress_[i]));
+        set_plastic_metric(i, material_.law().elastic_strain(material_.stress(i)));
     }
-    if (energy_)
-    {
-      energy_->elastic = ranks::sum(elastic);
-      energy_->plastic += ranks::sum(plastic);
-    }
-    carried_.keep(history_);
-    history_.commit();
-    // What becomes trial is overwritten before it is read, as in the history.
-    committed_stress_.swap(stress_);
+    if (material_.counts_energy())
+      material_.add_energy(ranks::sum(elastic), ranks::sum(plastic));
+    material_.commit();
+    // What becomes trial is overwritten before it is read.
     committed_deformation_.swap(deformation_);
     update_areas(q);
     update_thickness(q);
@@ -262,7 +257,7 @@ namespace deltaform
 
   BlankEnergy Solid::energy() const
   {
-    return energy_.value_or(BlankEnergy());
+    return material_.energy();
   }
 
 

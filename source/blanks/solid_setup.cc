@@ -1,6 +1,7 @@
 // Unknowns, quadrature points and boundary of the solid.
+#include "solid.h"
+
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
@@ -128,21 +129,15 @@ namespace deltaform
           projection_.push_back(projection(p, k));
     }
 
-    history_ = PointHistory(points_.size(), material_->history_layout());
-    if (material_->two_steps())
-    {
-      carried_ = CarriedFlow(points_.size(), material_->history_size());
+    material_.reset(points_.size());
+    if (material_.carries())
       spin_.assign(points_.size(), Turn());
-    }
-    strain_.assign(points_.size(), Mandel{});
-    stress_ = strain_;
-    committed_stress_ = strain_;
     deformation_.assign(points_.size(), Deformation());
     committed_deformation_ = deformation_;
     volume_offset_.assign(points_.size(), 0.);
     plastic_metric_.assign(points_.size(), {{1., 1., 1., 0.}});
 
-    if (finite_ || material_->history_size() > 0)
+    if (finite_ || material_.plastic())
       return;
     // Are the moduli the same at zero and at some strain?
     std::array<Mandel, 2> strain{{{}, {{1e-3, -2e-3, 5e-4, 7e-4}}}}, stress;
@@ -152,7 +147,7 @@ namespace deltaform
     batch.strain = strain.data();
     batch.stress = stress.data();
     batch.tangent = moduli.data();
-    linear_ = material_->update(batch).good() && std::equal(moduli.begin(), moduli.begin() + 16, moduli.begin() + 16);
+    linear_ = material_.law().update(batch).good() && std::equal(moduli.begin(), moduli.begin() + 16, moduli.begin() + 16);
   }
 
 

@@ -1,6 +1,7 @@
 // The state of a solid.
+#include "solid.h"
+
 #include <deltaform/base/ranks.h>
-#include <deltaform/blanks/solid.h>
 
 namespace deltaform
 {
@@ -18,16 +19,12 @@ namespace deltaform
     KeyedArrays state;
     for (std::size_t pass = 0; pass < passes_.size(); ++pass)
       state.put(pass_name(pass), std::vector<double>(passes_[pass].begin(), passes_[pass].end()));
-    const BlankEnergy total = energy();
     state.put("estimated error", estimated_error_);
-    history_.put(state);
-    carried_.put(state);
+    material_.put(state);
     state.put("area of nodes, bottom", faces_[0].area);
     state.put("area of nodes, top", faces_[1].area);
     state.put("smallest thickness", smallest_thickness_);
-    state.put("energies", std::vector<double>{total.elastic, total.plastic});
     state.put("rotation of the last increment", spin_);
-    state.put("stress", committed_stress_);
     state.put("deformation", committed_deformation_);
     state.put("plastic metric", plastic_metric_);
     state.put("volumetric strain without stress", volume_offset_);
@@ -52,24 +49,15 @@ namespace deltaform
       refine(none);
     }
     state.take("estimated error", estimated_error_);
-    history_.take(state);
-    carried_.take(state);
+    material_.take(state);
     state.take("area of nodes, bottom", faces_[0].area);
     state.take("area of nodes, top", faces_[1].area);
     state.take("smallest thickness", smallest_thickness_);
-    const auto &energies = state.at("energies");
-    if (energy_)
-    {
-      energy_->elastic = energies.at(0);
-      energy_->plastic = energies.at(1);
-    }
     state.take("rotation of the last increment", spin_);
-    state.take("stress", committed_stress_);
     state.take("deformation", committed_deformation_);
     state.take("plastic metric", plastic_metric_);
     state.take("volumetric strain without stress", volume_offset_);
     state.take("places of nodes", committed_places_);
-    stress_ = committed_stress_;
     deformation_ = committed_deformation_;
   }
 } // namespace deltaform

@@ -5,7 +5,8 @@
 #  1. A file sees its own room and rooms on lower floors; siblings never see each other.
 #  2. Quoted includes stay within the room's folder of source/ and name a file that exists.
 #  3. Interfaces in include/ do not see source/.
-#  4. A concrete law lives in one .cc that registers it: one entry per file, and no header in include/.
+#  4. A concrete law lives in one .cc that registers it: one entry per file, and no header in include/. If it has a
+#     header, that stays in source/, which other rooms do not see (rules 2 and 3).
 #  5. A file in include/ or source/ belongs to a room.
 cmake_minimum_required(VERSION 3.16)
 
@@ -22,9 +23,6 @@ set(floor_results 5)
 set(floor_scene 6)
 set(floor_app 7)
 set(floor_main 8)
-
-# Laws whose class is spread over several .cc files and therefore has a header; it must not leave its room (rule 4).
-set(laws_with_header blanks/shell blanks/solid)
 
 set(violations)
 macro(violation text)
@@ -69,7 +67,6 @@ foreach(file IN LISTS files)
       math(EXPR n_includes "${n_includes} + 1")
       set(other ${CMAKE_MATCH_1})
       set(name ${CMAKE_MATCH_2})
-      string(REGEX REPLACE "\\.h$" "" stem "${name}")
       if(NOT DEFINED floor_${other})
         violation("${file}: <deltaform/${other}/${name}> is in no room")
         continue()
@@ -86,9 +83,6 @@ foreach(file IN LISTS files)
         else()
           violation("${file}: ${room} (floor ${floor}) looks up to ${other} (floor ${floor_${other}})")
         endif()
-      endif()
-      if("${other}/${stem}" IN_LIST laws_with_header)
-        violation("${file}: <deltaform/${other}/${name}> is the header of a concrete law of another room")
       endif()
     elseif(line MATCHES "include[ \t]*\"([^\"]+)\"")
       math(EXPR n_includes "${n_includes} + 1")
@@ -118,8 +112,7 @@ foreach(file IN LISTS files)
     if(n_entries GREATER 1)
       violation("${file}: registers ${n_entries} laws; one file, one law")
     endif()
-    if(n_entries GREATER 0 AND EXISTS ${ROOT}/include/deltaform/${room}/${stem}.h AND NOT "${room}/${stem}" IN_LIST
-                                                                                        laws_with_header)
+    if(n_entries GREATER 0 AND EXISTS ${ROOT}/include/deltaform/${room}/${stem}.h)
       violation("${file}: a concrete law has no header in include/")
     endif()
   endif()

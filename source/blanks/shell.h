@@ -1,18 +1,16 @@
 #pragma once
 
+#include "material_points.h"
+#include "shell_mesh.h"
+
 #include <deltaform/blanks/blank.h>
-#include <deltaform/blanks/shell_mesh.h>
 #include <deltaform/kinematics/shell_strain.h>
-#include <deltaform/materials/carried_flow.h>
-#include <deltaform/materials/material.h>
-#include <deltaform/materials/point_history.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/grid/tria.h>
 
 #include <memory>
-#include <optional>
 
 namespace deltaform
 {
@@ -147,7 +145,6 @@ namespace deltaform
     unsigned int n_layers_;
     ContactPoint contact_point_;
     ShellMesh mesh_;
-    std::unique_ptr<Material> material_;
 
     // Discretization
     dealii::Triangulation<1, 2> triangulation_;
@@ -171,15 +168,13 @@ namespace deltaform
     std::vector<double> layer_position_, layer_weight_; ///< zeta and its weight, times the thickness
 
     // State: committed and, where it differs, trial
-    PointHistory history_;
-    CarriedFlow carried_; ///< of no points if the material does not want it
-    std::vector<Mandel> strain_, stress_, committed_strain_, committed_stress_;
+    MaterialPoints material_; ///< layer by layer, of every quadrature point
+    std::vector<Mandel> committed_strain_;
     std::vector<double> thickness_ratio_; ///< committed, per quadrature point
     std::vector<double> node_thickness_; ///< committed
     std::vector<double> node_relief_; ///< elastic part of half of it by the transverse stress
     std::array<std::vector<double>, 2> contact_pressure_; ///< committed, per side and node
     std::vector<double> third_stress_; ///< per layer point of the whole blank
-    std::optional<BlankEnergy> energy_ = BlankEnergy(); ///< none if nobody asks
     mutable std::vector<double> node_area_; ///< of the last assembled configuration
   };
 } // namespace deltaform

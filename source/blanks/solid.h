@@ -1,11 +1,10 @@
 #pragma once
 
+#include "material_points.h"
+#include "solid_mesh.h"
+
 #include <deltaform/blanks/blank.h>
 #include <deltaform/blanks/refinement.h>
-#include <deltaform/blanks/solid_mesh.h>
-#include <deltaform/materials/carried_flow.h>
-#include <deltaform/materials/material.h>
-#include <deltaform/materials/point_history.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -17,7 +16,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <optional>
 
 namespace deltaform
 {
@@ -253,7 +251,6 @@ namespace deltaform
     bool axisymmetric_, finite_;
     RefinementSettings refinement_;
     SolidMesh mesh_;
-    std::unique_ptr<Material> material_;
     std::array<std::vector<std::string>, 2> contact_boundaries_;
 
     // Discretization
@@ -285,15 +282,12 @@ namespace deltaform
     double estimated_error_ = std::numeric_limits<double>::quiet_NaN();
 
     // State: committed and, where it differs, trial
-    PointHistory history_;
-    CarriedFlow carried_; ///< of no points if the material does not want it
-    std::vector<Turn> spin_; ///< how far the last increment turned each point; with carried_ only
-    std::vector<Mandel> strain_, stress_, committed_stress_;
+    MaterialPoints material_; ///< cell by cell
+    std::vector<Turn> spin_; ///< how far the last increment turned each point; if the law goes on from the last flow
     std::vector<Deformation> deformation_, committed_deformation_;
     std::vector<std::array<double, 4>> plastic_metric_; ///< committed C_p^-1: rr, zz, hoop, rz
     std::vector<double> volume_offset_; ///< volumetric strain without stress that a refinement left, in the projection
     std::vector<Point2> committed_places_; ///< of the nodes, for marking
     double smallest_thickness_ = 0;
-    std::optional<BlankEnergy> energy_ = BlankEnergy(); ///< none if nobody asks
   };
 } // namespace deltaform

@@ -1,0 +1,184 @@
+#pragma once
+
+#include <deltaform/base/energy.h>
+#include <deltaform/base/keyed_arrays.h>
+#include <deltaform/base/section.h>
+#include <deltaform/materials/carried_flow.h>
+#include <deltaform/materials/material.h>
+#include <deltaform/materials/point_history.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * The points of a blank at which its law is evaluated, and what they carry through an increment: history, flow of the
+   * last increment and stress, each at the begin (committed) and at the end (trial), strain at the end, and the
+   * energies of all. How strains follow from displacements is the blank's affair.
+   */
+  class MaterialPoints
+  {
+  public:
+    MaterialPoints() = default;
+
+    /// Read the law from the section Material beside @p blank.
+    /// @throws SceneError if it cannot serve a blank that asks for @p third
+    MaterialPoints(Section &blank, ThirdDirection third);
+
+    /// @p n points of the undeformed body; energies remain.
+    void reset(std::size_t n);
+
+    std::size_t size() const
+    {
+      return strain_.size();
+    }
+
+    const Material &law() const
+    {
+      return *law_;
+    }
+
+    /// Can points flow?
+    bool plastic() const
+    {
+      return law_->history_size() > 0;
+    }
+
+    /// @name Trial state
+    ///@{
+    /// Logarithmic strain (Mandel), which the blank sets before update().
+    Mandel &strain(const std::size_t point)
+    {
+      return strain_[point];
+    }
+    const Mandel &strain(const std::size_t point) const
+    {
+      return strain_[point];
+    }
+    const std::vector<Mandel> &strains() const
+    {
+      return strain_;
+    }
+
+    /// Stress and history of @p n points (a cell) from @p first on, by their strains. @param tangent n x 4 x 4 moduli,
+    /// or null @param third_stress null if the strain of the third direction is given
+    Status update(std::size_t first, unsigned int n, double *tangent, const double *third_stress = nullptr);
+
+    /// Kirchhoff stress (Mandel).
+    const Mandel &stress(const std::size_t point) const
+    {
+      return stress_[point];
+    }
+
+    Mandel trial_plastic_strain(const std::size_t point) const
+    {
+      return law_->plastic_strain(history_.trial(point));
+    }
+
+    /// Growth of the equivalent plastic strain in this increment.
+    double flow(const std::size_t point) const
+    {
+      return law_->equivalent_plastic_strain(history_.trial(point)) - equivalent_plastic_strain(point);
+    }
+    ///@}
+
+    /// @name Committed state
+    ///@{
+    const Mandel &committed_stress(const std::size_t point) const
+    {
+      return committed_stress_[point];
+    }
+
+    Mandel plastic_strain(const std::size_t point) const
+    {
+      return law_->plastic_strain(history_.committed(point));
+    }
+
+    double equivalent_plastic_strain(const std::size_t point) const
+    {
+      return law_->equivalent_plastic_strain(history_.committed(point));
+    }
+
+    double flow_stress(const std::size_t point) const
+    {
+      return law_->flow_stress(history_.committed(point));
+    }
+
+    /// Values of the law's history, by Material::history_layout().
+    const double *history(const std::size_t point) const
+    {
+      return history_.committed(point);
+    }
+    ///@}
+
+    /// @name Between increments
+    ///@{
+    /// The increment to come is @p ratio times as long as the last one. @return is the last flow carried on?
+    bool begin_increment(const double ratio)
+    {
+      return carried_.carry(ratio);
+    }
+
+    /// Does the law go on from the flow of the last increment?
+    bool carries() const
+    {
+      return carried_.used();
+    }
+
+    /// What is carried on of the last flow, by Material::history_layout(); null if nothing is.
+    double *carried(const std::size_t point)
+    {
+      return carried_.at(point);
+    }
+
+    /// Accept the trial state.
+    void commit();
+
+    /// A history from elsewhere: @p values are those of all points. There is no flow to go on from.
+    void set_history(const std::vector<double> &values);
+
+    /// The trial stress is that of the accepted state, without an increment.
+    void keep_stress()
+    {
+      committed_stress_ = stress_;
+    }
+    ///@}
+
+    /// @name Energies
+    ///@{
+    /// Does anybody ask for them?
+    bool counts_energy() const
+    {
+      return energy_.has_value();
+    }
+
+    void forget_energy()
+    {
+      energy_.reset();
+    }
+
+    /// At the end of an increment: the energy stored now, what was dissipated, and the work of the transverse stress.
+    void add_energy(double elastic, double plastic, double normal = 0.);
+
+    BlankEnergy energy() const
+    {
+      return energy_.value_or(BlankEnergy());
+    }
+    ///@}
+
+    /// Put the committed state into that of the blank, or take it from there.
+    void put(KeyedArrays &state) const;
+    void take(const KeyedArrays &state);
+
+  private:
+    std::unique_ptr<Material> law_;
+    ThirdDirection third_ = ThirdDirection::strain_given;
+    PointHistory history_;
+    CarriedFlow carried_; ///< of no points if the law does not want it
+    std::vector<Mandel> strain_, stress_, committed_stress_;
+    std::optional<BlankEnergy> energy_ = BlankEnergy();
+  };
+} // namespace deltaform
