@@ -147,7 +147,8 @@ namespace deltaform
     batch.strain = strain.data();
     batch.stress = stress.data();
     batch.tangent = moduli.data();
-    linear_ = material_.law().update(batch).good() && std::equal(moduli.begin(), moduli.begin() + 16, moduli.begin() + 16);
+    linear_ =
+      material_.law().update(batch).good() && std::equal(moduli.begin(), moduli.begin() + 16, moduli.begin() + 16);
   }
 
 
