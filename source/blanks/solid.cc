@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <stdexcept>
 
 namespace deltaform
 {
@@ -27,8 +25,8 @@ namespace deltaform
                        {"finite", "small"},
                        "Finite strain, or displacements so small that the undeformed body serves for equilibrium.") ==
         "finite"),
-      refinement_(section.sub("Refinement")), mesh_(section, degree_, axisymmetric_),
-      dof_handler_(mesh_.triangulation())
+      refinement_(section.sub("Refinement")), space_(section, degree_, axisymmetric_), points_(space_),
+      boundary_(space_), faces_{{SolidFace(space_), SolidFace(space_)}}
   {
     auto bottom =
       section.names("Contact bottom",
@@ -37,45 +35,46 @@ namespace deltaform
                     "corner.");
     auto top = section.names("Contact top", "top", "Parts of the boundary that tools with Side = top touch.");
     material_ = MaterialPoints(section, ThirdDirection::strain_given);
-    if (section.documentation() && mesh_.boundaries().empty())
+    if (section.documentation() && space_.mesh().boundaries().empty())
       return;
 
-    set_up_dofs();
-    for (const auto &X : nodes_)
-      if (axisymmetric_ && X[0] < -1e-9 * mesh_.thickness())
+    space_.set_up();
+    for (const auto &X : space_.nodes())
+      if (space_.axisymmetric() && X[0] < -1e-9 * space_.mesh().thickness())
         section.fail("Symmetry",
                      "an axisymmetric body must lie at r >= 0: a node is at r = " + text::format(X[0]) +
                        ", z = " + text::format(X[1]));
-    for (const auto &X : nodes_)
+    for (const auto &X : space_.nodes())
       outermost_ = std::max(outermost_, X[0]);
-    set_up_points();
+    points_.set_up();
+    set_up_state();
     std::vector<unsigned int> bad; // a node of the first bad cell of each process
     for (unsigned int p = 0; p < points_.size() && bad.empty(); ++p)
       if (!(points_[p].weight > 0))
-        bad.push_back(cells_[p / n_points_per_cell_][0]);
+        bad.push_back(space_.cells()[p / points_.per_cell()][0]);
     for (const auto node : ranks::gather(bad))
       section.fail(
-        mesh_.is_strip() ? "Thickness" : "File",
-        "the cell near r = " + text::format(nodes_[node][0]) + ", z = " + text::format(nodes_[node][1]) +
+        space_.mesh().is_strip() ? "Thickness" : "File",
+        "the cell near r = " + text::format(space_.nodes()[node][0]) +
+          ", z = " + text::format(space_.nodes()[node][1]) +
           " is turned inside out: the strip is thicker than its meridian is curved, or the mesh is clockwise");
-    set_up_boundary();
+    boundary_.set_up();
     for (const auto &[names, entry, face] :
          {std::tuple(bottom, "Contact bottom", 0), std::tuple(top, "Contact top", 1)})
       for (const auto &name : names)
-        if (boundary_edges_.count(name) > 0)
+        if (boundary_.has(name))
           contact_boundaries_[face].push_back(name);
-        else if (section.given(entry) || mesh_.is_strip())
-          section.fail(entry, "there is no boundary '" + name + "'; there are " + text::join(mesh_.boundaries(), ", "));
-    for (unsigned int face = 0; face < 2; ++face)
-      set_up_face(faces_[face], contact_boundaries_[face]);
-    shortest_edge_ = 1e300;
-    for (const auto &face : faces_)
-      for (const auto &edge : face.edges)
-        shortest_edge_ =
-          std::min(shortest_edge_, nodes_[face.nodes[edge[0]]].distance(nodes_[face.nodes[edge[1]]]) / degree_);
-    if (shortest_edge_ == 1e300)
-      shortest_edge_ = mesh_.thickness();
-    set_up_weightless();
+        else if (section.given(entry) || space_.mesh().is_strip())
+          section.fail(entry,
+                       "there is no boundary '" + name + "'; there are " +
+                         text::join(space_.mesh().boundaries(), ", "));
+    for (unsigned int side = 0; side < 2; ++side)
+      faces_[side].set_up(boundary_, contact_boundaries_[side]);
+    shortest_edge_ = std::min(faces_[0].shortest_edge(), faces_[1].shortest_edge());
+    if (!std::isfinite(shortest_edge_))
+      shortest_edge_ = space_.mesh().thickness();
+    for (auto &face : faces_)
+      face.set_up_areas(shortest_edge_);
     update_thickness(Vector(n_dofs()));
     update_places(Vector(n_dofs()));
   }
@@ -83,83 +82,46 @@ namespace deltaform
 
   unsigned int Solid::n_dofs() const
   {
-    return n_free_;
+    return space_.hanging().n_unknowns();
   }
 
 
   dealii::IndexSet Solid::locally_owned_dofs() const
   {
-    return owned_;
+    return space_.hanging().owned();
   }
 
 
   void Solid::add_couplings(dealii::DynamicSparsityPattern &pattern) const
   {
-    std::vector<DofIndex> dofs;
-    for (const auto &cell : cells_)
-    {
-      dofs.clear();
-      for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
-        for (const auto i : node_dofs_[cell[a]])
-          if (i < n_free_)
-            dofs.push_back(i);
-          else
-            for (const auto &[master, weight] : hanging_[i - n_free_])
-              dofs.push_back(master);
-      for (const auto i : dofs)
-        for (const auto j : dofs)
-          pattern.add(i, j);
-    }
+    space_.add_couplings(pattern);
   }
 
 
   std::vector<DofIndex> Solid::fixed_dofs() const
   {
-    std::vector<DofIndex> result;
-    for (unsigned int i = 0; i < nodes_.size(); ++i)
-      if (axisymmetric_ && std::abs(nodes_[i][0]) < 1e-9 * mesh_.thickness())
-        result.push_back(node_dofs_[i][0]);
-    return result;
+    return space_.axis_dofs();
   }
 
 
   std::vector<std::string> Solid::boundaries() const
   {
-    return mesh_.boundaries();
+    return space_.mesh().boundaries();
   }
 
 
   std::vector<std::string> Solid::faces() const
   {
-    return mesh_.boundaries();
-  }
-
-
-  const std::vector<Solid::Edge> &Solid::edges(const std::string &boundary) const
-  {
-    const auto found = boundary_edges_.find(boundary);
-    if (found == boundary_edges_.end())
-      throw std::invalid_argument("this solid has no boundary '" + boundary + "', only " +
-                                  text::join(mesh_.boundaries(), ", "));
-    return found->second;
-  }
-
-
-  std::vector<unsigned int> Solid::boundary_nodes(const std::string &boundary) const
-  {
-    std::set<unsigned int> result;
-    for (const auto &edge : edges(boundary))
-      result.insert(edge.begin(), edge.begin() + degree_ + 1);
-    return {result.begin(), result.end()};
+    return space_.mesh().boundaries();
   }
 
 
   std::vector<DofIndex> Solid::boundary_dofs(const std::string &boundary, const Component component) const
   {
     std::vector<DofIndex> result;
-    for (const auto node : boundary_nodes(boundary))
+    for (const auto node : boundary_.nodes(boundary))
       if (component != Component::rotation)
-        result.push_back(node_dofs_[node][static_cast<unsigned int>(component)]);
+        result.push_back(space_.dofs()[node][static_cast<unsigned int>(component)]);
     return result;
   }
 
@@ -167,15 +129,77 @@ namespace deltaform
   std::vector<Point2> Solid::boundary_points(const std::string &boundary) const
   {
     std::vector<Point2> result;
-    for (const auto node : boundary_nodes(boundary))
-      result.push_back(nodes_[node]);
+    for (const auto node : boundary_.nodes(boundary))
+      result.push_back(space_.nodes()[node]);
     return result;
+  }
+
+
+  std::vector<double> Solid::boundary_weights(const std::string &boundary) const
+  {
+    return boundary_.weights(boundary);
+  }
+
+
+  std::vector<std::pair<DofIndex, double>> Solid::volume_weights(const Component component) const
+  {
+    if (component == Component::rotation)
+      return {};
+    return points_.volume_weights(static_cast<unsigned int>(component));
+  }
+
+
+  void Solid::assemble_pressure(const Vector &q,
+                                const std::string &face,
+                                const double pressure,
+                                const bool following,
+                                AssemblyTarget &target) const
+  {
+    boundary_.assemble_pressure(q, face, pressure, following && finite_, target);
+  }
+
+
+  unsigned int Solid::n_contact_nodes(const Side side) const
+  {
+    return faces_[static_cast<unsigned int>(side)].nodes().size();
+  }
+
+
+  const std::vector<std::array<unsigned int, 3>> &Solid::contact_edges(const Side side) const
+  {
+    return faces_[static_cast<unsigned int>(side)].edges();
+  }
+
+
+  void Solid::contact_node(const Vector &q,
+                           const Side side,
+                           const unsigned int node,
+                           ContactThickness,
+                           ContactNode &result) const
+  {
+    faces_[static_cast<unsigned int>(side)].contact_node(q, node, result);
+    result.thickness = shortest_edge_;
+  }
+
+
+  std::vector<Point2> Solid::positions(const Vector &q) const
+  {
+    return space_.positions(q);
+  }
+
+
+  void Solid::rigid_motion(const Vector &q,
+                           const Tensor1 &translation,
+                           const double rotation,
+                           const std::function<void(DofIndex, double)> &set) const
+  {
+    space_.rigid_motion(q, translation, rotation, set);
   }
 
 
   unsigned int Solid::n_cells() const
   {
-    return mesh_.n_cells();
+    return space_.mesh().n_cells();
   }
 
 
@@ -193,12 +217,7 @@ namespace deltaform
 
   std::string Solid::describe_dof(const DofIndex dof) const
   {
-    for (unsigned int i = 0; i < nodes_.size(); ++i)
-      for (unsigned int k = 0; k < 2; ++k)
-        if (node_dofs_[i][k] == dof)
-          return "node " + std::to_string(i) + " (R0 = " + text::format(nodes_[i][0]) +
-                 ", Z0 = " + text::format(nodes_[i][1]) + "), " + (k == 0 ? "u_r" : "u_z");
-    return "unknown " + std::to_string(dof);
+    return space_.describe(dof);
   }
 
 
@@ -213,7 +232,7 @@ namespace deltaform
   {
     // Of a node of cells that are about as long as high: E (per unit width), times the radius of the ring it stands
     // for.
-    return material_.law().young_modulus() * (axisymmetric_ ? outermost_ : 1.);
+    return material_.law().young_modulus() * (space_.axisymmetric() ? outermost_ : 1.);
   }
 
 
@@ -231,13 +250,13 @@ namespace deltaform
 
   bool Solid::axisymmetric() const
   {
-    return axisymmetric_;
+    return space_.axisymmetric();
   }
 
 
   double Solid::initial_thickness() const
   {
-    return mesh_.thickness();
+    return space_.mesh().thickness();
   }
 
 

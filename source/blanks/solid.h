@@ -1,21 +1,17 @@
 #pragma once
 
 #include "material_points.h"
-#include "solid_mesh.h"
+#include "solid_boundary.h"
+#include "solid_face.h"
+#include "solid_points.h"
+#include "solid_space.h"
 
 #include <deltaform/blanks/blank.h>
 #include <deltaform/blanks/refinement.h>
 
-#include <deal.II/base/index_set.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/lac/affine_constraints.h>
 
-#include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
-#include <memory>
 
 namespace deltaform
 {
@@ -47,7 +43,7 @@ namespace deltaform
     std::vector<std::string> faces() const override;
     std::vector<unsigned int> face_nodes(const std::string &face) const override
     {
-      return boundary_nodes(face);
+      return boundary_.nodes(face);
     }
     std::vector<std::pair<DofIndex, double>> volume_weights(Component component) const override;
     double dof_scale(DofIndex dof) const override;
@@ -99,46 +95,11 @@ namespace deltaform
     void set_state(const KeyedArrays &state) override;
 
   private:
-    /// An edge of the boundary, walked with the body to the left: start, end, middle (degree 2).
-    using Edge = std::array<unsigned int, 3>;
+    /// State of points that never strained, on the cells as they are now.
+    void set_up_state();
 
-    /// What stays the same at a quadrature point.
-    struct QuadraturePoint
-    {
-      std::array<double, 9> shape{}, gradient_r{}, gradient_z{}; ///< N_a, dN_a/dR, dN_a/dZ
-      double radius = 1; ///< R (plane strain: 1)
-      double weight = 0; ///< volume: 2 pi R dA (plane strain: dA)
-    };
-
-    /// In-plane block (row-major) and hoop stretch of the deformation.
-    struct Deformation
-    {
-      std::array<double, 4> f{{1, 0, 0, 1}};
-      double hoop = 1;
-    };
-
-    /// One side as contact sees it: the nodes of a chain of edges, in order.
-    struct ContactFace
-    {
-      std::vector<unsigned int> nodes;
-      std::vector<Edge> edges; ///< numbers of contact nodes
-      std::vector<double> arc; ///< S0
-      std::vector<bool> weightless; ///< the tributary area vanishes: no pair
-      mutable std::vector<double> area; ///< committed or last assembled
-    };
-
-    /// The places of the nodes of every cell, in the order of its shape functions.
-    using CellPlaces = std::function<Point2(unsigned int cell, unsigned int node)>;
-
-    /// Unknowns and nodes; @p places: where the nodes of the undeformed body are, empty: where the mesh says.
-    void set_up_dofs(const CellPlaces &places = {});
-
-    /// Number the unknowns: those of hanging nodes, which are no unknowns, behind all others. @return numbers by those
-    /// of the DoFHandler
-    std::vector<DofIndex> set_up_hanging_nodes();
-
-    /// What the hanging nodes of all processes follow, by the numbers of the DoFHandler.
-    void hanging_constraints(dealii::AffineConstraints<double> &result) const;
+    /// Small strain, a law without history, and the same moduli at zero and at some strain?
+    bool has_linear_law() const;
 
     /// Estimated squared error in energy of every cell, and the relative one of the whole.
     struct ErrorEstimate
@@ -158,13 +119,9 @@ namespace deltaform
 
     /// Halve the marked cells, share all among the processes anew and hand on what the own cells know.
     std::vector<std::vector<double>> divide_cells(const std::vector<std::vector<double>> &own);
-    void set_up_heritage(Side side, const std::vector<Point2> &old_places);
 
-    /// The part of set_up_dofs() that several processes do together; @p number: of the unknowns.
-    void set_up_distributed_dofs(const std::vector<DofIndex> &number, const CellPlaces &places);
-
-    /// Are the points of the children of a cell, at the committed displacements, not turned inside out? The points of the
-    /// cell itself may all be right where a corner of it is folded.
+    /// Are the points of the children of a cell, at the committed displacements, not turned inside out? The points of
+    /// the cell itself may all be right where a corner of it is folded.
     bool divisible(unsigned int cell) const;
 
     /// Flag the @p marked cells that can be divided, and with them what their neighbours need. @return whether any is
@@ -172,20 +129,8 @@ namespace deltaform
 
     /// Estimated squared errors of all processes' cells above which a cell is refined.
     double error_threshold(const std::vector<double> &squares) const;
-    void set_up_points();
-    void set_up_boundary();
-    void set_up_face(ContactFace &face, const std::vector<std::string> &names);
 
-    /// Which contact nodes have no area in the undeformed body, and the areas of all others.
-    void set_up_weightless();
     void update_areas(const Vector &q) const;
-
-    /// Values of the numbers of all nodes, those of hanging nodes included; @p storage is used if there are any.
-    const Vector &with_hanging(const Vector &q, Vector &storage) const;
-
-    /// Add what belongs to the numbers of a cell's nodes: hanging nodes pass theirs on to their masters.
-    void
-    add(AssemblyTarget &target, const DofIndex *dofs, unsigned int n, const double *matrix, const double *vector) const;
 
     /// The own cells, whatever other processes find in theirs.
     Status assemble_own_cells(const Vector &q, AssemblyTarget &target);
@@ -201,20 +146,9 @@ namespace deltaform
     /// C_p^-1 of a point whose logarithmic elastic strain has the deviator of @p elastic.
     void set_plastic_metric(unsigned int point, Mandel elastic);
 
-    /// Make the elastic strains of all points, at the displacements of the last pass, the @p wanted ones as far as metal
-    /// has flowed there: by the plastic strain and, for the volume, by volume_offset_.
+    /// Make the elastic strains of all points, at the displacements of the last pass, the @p wanted ones as far as
+    /// metal has flowed there: by the plastic strain and, for the volume, by volume_offset_.
     void keep_elastic_strain(const std::vector<Mandel> &wanted);
-
-    Point2 position(const Vector &q, unsigned int node) const;
-
-    /// Strip: number of the node's column. Nodes of refined cells lie at binary fractions.
-    long station(const unsigned int node) const
-    {
-      return std::lround((1 << 20) * parameters_[node][0]);
-    }
-
-    /// Deformation at a quadrature point of a cell.
-    Deformation deformation(const Vector &q, unsigned int cell, unsigned int point) const;
 
     /// Logarithmic strain ln(F F^T)/2, of small kinematics the symmetric part of the displacement gradient.
     Mandel total_strain(const Deformation &F) const;
@@ -232,17 +166,6 @@ namespace deltaform
     /// Deformation from the committed to the trial state at a point of the whole blank.
     Deformation increment(unsigned int point) const;
 
-    const std::vector<Edge> &edges(const std::string &boundary) const;
-    std::vector<unsigned int> boundary_nodes(const std::string &boundary) const;
-
-    /// Add the shares of a length of one edge: shape functions times 2 pi r ds.
-    void edge_weights(const std::array<Point2, 3> &x, std::array<double, 3> &result) const;
-
-    /// Average over the adjacent quadrature points, by volume.
-    std::vector<double> to_nodes(const std::vector<double> &point_values) const;
-
-    /// Distance of a point from the other side of the body.
-    double distance(const Vector &q, const Point2 &x, Side side) const;
     void update_thickness(const Vector &q);
     void update_places(const Vector &q);
 
@@ -250,28 +173,13 @@ namespace deltaform
     unsigned int degree_;
     bool axisymmetric_, finite_;
     RefinementSettings refinement_;
-    SolidMesh mesh_;
     std::array<std::vector<std::string>, 2> contact_boundaries_;
 
     // Discretization
-    std::unique_ptr<dealii::FESystem<2>> element_;
-    dealii::DoFHandler<2> dof_handler_;
-    unsigned int n_nodes_per_cell_, n_points_per_cell_;
-    /// Nodes, known to all processes, and cells with their points and history, known to the process that owns them.
-    std::vector<std::array<unsigned int, 9>> cells_; ///< nodes: corners, middles of the edges, centre
-    std::vector<Point2> nodes_; ///< undeformed
-    std::vector<Point2> parameters_; ///< of the nodes in the triangulation
-    std::vector<std::array<DofIndex, 2>> node_dofs_; ///< from n_free_ on: of hanging nodes
-    DofIndex n_free_ = 0; ///< number of unknowns
-    dealii::IndexSet owned_; ///< unknowns of this process
-    std::vector<std::vector<std::pair<DofIndex, double>>> hanging_; ///< what the numbers from n_free_ on are
-    std::vector<QuadraturePoint> points_; ///< cell by cell
-    std::vector<double> projection_; ///< of the volumetric strain, per cell: from points to points
-    std::vector<Point2> quadrature_; ///< points in the unit cell
-    std::map<std::string, std::vector<Edge>> boundary_edges_;
-    std::map<std::pair<unsigned int, unsigned int>, unsigned int> edge_cells_; ///< by the ends of edges of the boundary
-    std::array<ContactFace, 2> faces_;
-    std::vector<std::array<unsigned int, 2>> columns_; ///< strip: bottom and top node of every station
+    SolidSpace space_;
+    SolidPoints points_;
+    SolidBoundary boundary_;
+    std::array<SolidFace, 2> faces_; ///< bottom, top
     bool linear_ = false; ///< small strain, and moduli that do not depend on the strain
     std::vector<double> constant_matrices_; ///< of linear_, cell by cell
     double shortest_edge_ = 0, outermost_ = 0;

@@ -57,25 +57,25 @@ namespace deltaform
     small[3][1] = small[3][2] = root_half;
 
     Vector storage;
-    const Vector &values = with_hanging(q, storage);
+    const Vector &values = space_.hanging().with_hanging(q, storage);
     if (linear_ && tangent)
       constant_matrices_.clear();
-    for (unsigned int c = 0; c < cells_.size(); ++c)
+    for (unsigned int c = 0; c < space_.cells().size(); ++c)
     {
-      const auto &cell = cells_[c];
+      const auto &cell = space_.cells()[c];
       const unsigned int first = c * n_points;
-      const double *project = &projection_[c * n_points * n_points];
+      const double *project = points_.projection(c);
       for (unsigned int a = 0; a < n_nodes; ++a)
         for (unsigned int k = 0; k < 2; ++k)
         {
-          dofs[2 * a + k] = node_dofs_[cell[a]][k];
+          dofs[2 * a + k] = space_.dofs()[cell[a]][k];
           u[2 * a + k] = values[dofs[2 * a + k]];
         }
 
       // Trial elastic strain of all points
       for (unsigned int p = 0; p < n_points; ++p)
       {
-        const QuadraturePoint &point = points_[first + p];
+        const SolidPoint &point = points_[first + p];
         double h_rr = 0, h_rz = 0, h_zr = 0, h_zz = 0, h_tt = 0;
         for (unsigned int a = 0; a < n_nodes; ++a)
         {
@@ -85,11 +85,11 @@ namespace deltaform
           h_zz += point.gradient_z[a] * u[2 * a + 1];
           h_tt += point.shape[a] * u[2 * a];
         }
-        h_tt = axisymmetric_ ? h_tt / point.radius : 0.;
+        h_tt = space_.axisymmetric() ? h_tt / point.radius : 0.;
         Deformation &F = deformation_[first + p];
         F.f = {{1. + h_rr, h_rz, h_zr, 1. + h_zz}};
         F.hoop = 1. + h_tt;
-        const double round_part = axisymmetric_ ? 1. / point.radius : 0.;
+        const double round_part = space_.axisymmetric() ? 1. / point.radius : 0.;
         Mandel &e = material_.strain(first + p);
         if (!finite_)
         {
@@ -142,7 +142,9 @@ namespace deltaform
       }
 
       for (unsigned int p = 0; p < n_points; ++p)
-        mean[p] = (material_.stress(first + p)[0] + material_.stress(first + p)[1] + material_.stress(first + p)[2]) / 3.;
+        mean[p] = (material_.stress(first + p)[0] + material_.stress(first + p)[1] +
+                   material_.stress(first + p)[2]) /
+                  3.;
       residual.fill(0.);
       for (unsigned int p = 0; p < n_points; ++p)
       {
@@ -172,7 +174,7 @@ namespace deltaform
       }
       if (linear_ && tangent)
         constant_matrices_.insert(constant_matrices_.end(), matrix.begin(), matrix.end());
-      add(target, dofs.data(), n, tangent ? matrix.data() : nullptr, residual.data());
+      space_.hanging().add(target, dofs.data(), n, tangent ? matrix.data() : nullptr, residual.data());
     }
     return {};
   }
@@ -203,23 +205,23 @@ namespace deltaform
 
   Status Solid::assemble_all(const Vector &q, AssemblyTarget &target)
   {
-    return degree_ == 1 ? assemble_cells<4, 4>(q, target) : assemble_cells<9, 9>(q, target);
+    return space_.degree() == 1 ? assemble_cells<4, 4>(q, target) : assemble_cells<9, 9>(q, target);
   }
 
 
   Status Solid::assemble_constant(const Vector &q, AssemblyTarget &target)
   {
-    const unsigned int n = 2 * n_nodes_per_cell_;
+    const unsigned int n = 2 * space_.n_nodes_per_cell();
     std::array<DofIndex, 18> dofs;
     std::array<double, 18> u, residual;
     Vector storage;
-    const Vector &values = with_hanging(q, storage);
-    for (unsigned int c = 0; c < cells_.size(); ++c)
+    const Vector &values = space_.hanging().with_hanging(q, storage);
+    for (unsigned int c = 0; c < space_.cells().size(); ++c)
     {
       const double *matrix = &constant_matrices_[c * n * n];
       for (unsigned int i = 0; i < n; ++i)
       {
-        dofs[i] = node_dofs_[cells_[c][i / 2]][i % 2];
+        dofs[i] = space_.dofs()[space_.cells()[c][i / 2]][i % 2];
         u[i] = values[dofs[i]];
       }
       for (unsigned int i = 0; i < n; ++i)
@@ -228,7 +230,7 @@ namespace deltaform
         for (unsigned int j = 0; j < n; ++j)
           residual[i] += matrix[i * n + j] * u[j];
       }
-      add(target, dofs.data(), n, target.wants_tangent() ? matrix : nullptr, residual.data());
+      space_.hanging().add(target, dofs.data(), n, target.wants_tangent() ? matrix : nullptr, residual.data());
     }
     return {};
   }
@@ -242,35 +244,17 @@ namespace deltaform
   }
 
 
-  Solid::Deformation Solid::deformation(const Vector &q, const unsigned int cell, const unsigned int point) const
-  {
-    const QuadraturePoint &place = points_[cell * n_points_per_cell_ + point];
-    Deformation F;
-    for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
-    {
-      const auto &dofs = node_dofs_[cells_[cell][a]];
-      F.f[0] += place.gradient_r[a] * q[dofs[0]];
-      F.f[1] += place.gradient_z[a] * q[dofs[0]];
-      F.f[2] += place.gradient_r[a] * q[dofs[1]];
-      F.f[3] += place.gradient_z[a] * q[dofs[1]];
-      if (axisymmetric_)
-        F.hoop += place.shape[a] * q[dofs[0]] / place.radius;
-    }
-    return F;
-  }
-
-
   double Solid::admissible_step(const Vector &q, const Vector &dq) const
   {
     // |d F F^-1| below one half keeps the determinant positive.
     constexpr double largest_strain = .4;
     double factor = 1.;
     Vector storage, step_storage;
-    const Vector &u = with_hanging(q, storage), &du = with_hanging(dq, step_storage);
-    for (unsigned int c = 0; c < cells_.size(); ++c)
-      for (unsigned int p = 0; p < n_points_per_cell_; ++p)
+    const Vector &u = space_.hanging().with_hanging(q, storage), &du = space_.hanging().with_hanging(dq, step_storage);
+    for (unsigned int c = 0; c < space_.cells().size(); ++c)
+      for (unsigned int p = 0; p < points_.per_cell(); ++p)
       {
-        const Deformation F = deformation(u, c, p), G = deformation(du, c, p);
+        const Deformation F = points_.deformation(u, c, p), G = points_.deformation(du, c, p);
         const std::array<double, 4> h{{G.f[0] - 1., G.f[1], G.f[2], G.f[3] - 1.}};
         const double inverse = 1. / (F.f[0] * F.f[3] - F.f[1] * F.f[2]);
         const double l[4] = {inverse * (h[0] * F.f[3] - h[1] * F.f[2]),

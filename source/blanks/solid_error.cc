@@ -63,47 +63,46 @@ namespace deltaform
     // Stresses and equivalent plastic strain, fitted by polynomials on the cells around every vertex (O.C. Zienkiewicz,
     // J.Z. Zhu, Int. J. Numer. Methods Eng. 33 (1992) 1331 and 1365), and blended between the vertices of a cell.
     using Fit = Eigen::MatrixXd;
-    const unsigned int n_points = n_points_per_cell_;
-    const unsigned int n_terms = degree_ == 1 ? 3 : 6;
+    const unsigned int n_points = points_.per_cell();
+    const unsigned int n_terms = space_.degree() == 1 ? 3 : 6;
     const double young = material_.law().young_modulus(), nu = material_.law().poisson_ratio();
 
     std::vector<Sample> samples(points_.size());
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
-      const auto &cell = cells_[i / n_points];
-      Point2 place;
-      for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
-        place += points_[i].shape[a] * nodes_[cell[a]];
+      const auto &cell = space_.cells()[i / n_points];
+      const Point2 place = points_.place(i);
       samples[i].place = {{place[0], place[1]}};
       std::copy_n(cell.begin(), 4, samples[i].corners.begin());
       std::copy_n(material_.committed_stress(i).begin(), 4, samples[i].values.begin());
       samples[i].values[4] = material_.equivalent_plastic_strain(i);
     }
-    add_neighbours(samples, nodes_.size());
+    add_neighbours(samples, space_.nodes().size());
     const auto place = [&](const unsigned int i) { return Point2(samples[i].place[0], samples[i].place[1]); };
-    std::vector<std::vector<unsigned int>> around(nodes_.size());
+    std::vector<std::vector<unsigned int>> around(space_.nodes().size());
     for (unsigned int i = 0; i < samples.size(); i += n_points)
       for (const auto corner : samples[i].corners)
         if (i < points_.size() || !around[corner].empty())
           around[corner].push_back(i);
 
-    std::vector<Fit> fits(nodes_.size());
-    std::vector<double> size(nodes_.size(), 0.);
+    std::vector<Fit> fits(space_.nodes().size());
+    std::vector<double> size(space_.nodes().size(), 0.);
     const auto terms = [&](const unsigned int node, const Point2 &X) {
-      const Tensor1 d = (X - nodes_[node]) / size[node];
+      const Tensor1 d = (X - space_.nodes()[node]) / size[node];
       Eigen::VectorXd result(n_terms);
       result.head(3) << 1., d[0], d[1];
       if (n_terms == 6)
         result.tail(3) << d[0] * d[0], d[0] * d[1], d[1] * d[1];
       return result;
     };
-    for (unsigned int node = 0; node < nodes_.size(); ++node)
+    for (unsigned int node = 0; node < space_.nodes().size(); ++node)
     {
       const auto &patch = around[node];
       if (patch.empty())
         continue;
       for (const auto i : patch)
-        size[node] = std::max(size[node], nodes_[samples[i].corners[0]].distance(nodes_[samples[i].corners[3]]));
+        size[node] =
+          std::max(size[node], space_.nodes()[samples[i].corners[0]].distance(space_.nodes()[samples[i].corners[3]]));
       Eigen::MatrixXd A(patch.size() * n_points, n_terms), b(patch.size() * n_points, n_values);
       for (unsigned int k = 0; k < A.rows(); ++k)
       {
@@ -124,11 +123,11 @@ namespace deltaform
       return (1 + nu) / young * (t[0] * t[0] + t[1] * t[1] + t[2] * t[2] + t[3] * t[3]) - nu / young * trace * trace;
     };
     ErrorEstimate result;
-    result.squares.assign(cells_.size(), 0.);
+    result.squares.assign(space_.cells().size(), 0.);
     double all = 0., errors = 0.;
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
-      const auto &cell = cells_[i / n_points];
+      const auto &cell = space_.cells()[i / n_points];
       Eigen::RowVectorXd smooth = Eigen::RowVectorXd::Zero(n_values);
       for (unsigned int v = 0; v < 4; ++v)
         smooth += corner_shape(i % n_points, v) * (terms(cell[v], place(i)).transpose() * fits[cell[v]]);
@@ -152,7 +151,7 @@ namespace deltaform
 
   double Solid::corner_shape(const unsigned int point, const unsigned int vertex) const
   {
-    const double x = quadrature_[point][0], y = quadrature_[point][1];
+    const double x = points_.unit_points()[point][0], y = points_.unit_points()[point][1];
     return (vertex % 2 == 0 ? 1 - x : x) * (vertex / 2 == 0 ? 1 - y : y);
   }
 } // namespace deltaform

@@ -49,14 +49,14 @@ namespace deltaform
   std::vector<double> Solid::pack(const unsigned int cell, const std::vector<Vector> &fields) const
   {
     CellData data;
-    for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
+    for (unsigned int a = 0; a < space_.n_nodes_per_cell(); ++a)
       for (unsigned int k = 0; k < 2; ++k)
-        data.push_back(nodes_[cells_[cell][a]][k]);
+        data.push_back(space_.nodes()[space_.cells()[cell][a]][k]);
     for (const auto &field : fields)
-      for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
-        for (const auto dof : node_dofs_[cells_[cell][a]])
+      for (unsigned int a = 0; a < space_.n_nodes_per_cell(); ++a)
+        for (const auto dof : space_.dofs()[space_.cells()[cell][a]])
           data.push_back(field[dof]);
-    for (unsigned int i = cell * n_points_per_cell_; i < (cell + 1) * n_points_per_cell_; ++i)
+    for (unsigned int i = cell * points_.per_cell(); i < (cell + 1) * points_.per_cell(); ++i)
     {
       const double *const history = material_.history(i);
       data.insert(data.end(), history, history + material_.law().history_size());
@@ -74,8 +74,9 @@ namespace deltaform
   std::vector<double> Solid::inherit(const std::vector<double> &parent, const unsigned int child) const
   {
     // Displacements and places: exactly, since the parent's shape functions are among those of the children.
-    const dealii::FE_Q<2> shapes(degree_);
-    const std::size_t n = n_nodes_per_cell_, n_points = n_points_per_cell_, n_history = material_.law().history_size();
+    const dealii::FE_Q<2> shapes(space_.degree());
+    const std::size_t n = space_.n_nodes_per_cell(), n_points = points_.per_cell();
+    const std::size_t n_history = material_.law().history_size();
     const std::size_t n_state = n_history + n_tensors, n_vectors = (parent.size() - n_points * n_state) / (2 * n);
     std::vector<std::vector<double>> weights(n, std::vector<double>(n));
     for (unsigned int b = 0; b < n; ++b)
@@ -109,13 +110,13 @@ namespace deltaform
         mean[k] += states[p * n_state + k] / n_points;
     }
     const double middle = equivalent(mean.data());
-    const double first = quadrature_.front()[0], reach = .5 * first / (1. - 2. * first);
+    const double first = points_.unit_points().front()[0], reach = .5 * first / (1. - 2. * first);
     const double range = most - least;
     most += reach * range;
     least = std::max(0., least - reach * range);
     for (unsigned int p = 0; p < n_points; ++p)
     {
-      const auto w = point_weights(quadrature_, in_parent(quadrature_[p], child));
+      const auto w = point_weights(points_.unit_points(), in_parent(points_.unit_points()[p], child));
       std::fill(state.begin(), state.end(), 0.);
       for (unsigned int s = 0; s < n_points; ++s)
         for (unsigned int k = 0; k < n_state; ++k)
@@ -140,16 +141,16 @@ namespace deltaform
     const auto share = [&](const double plastic, const double flow_stress) {
       return plastic / (flow_stress / material_.law().young_modulus() + plastic);
     };
-    for (unsigned int c = 0; c < cells_.size(); ++c)
+    for (unsigned int c = 0; c < space_.cells().size(); ++c)
     {
       double plastic = 0., flow_stress = 0.;
-      for (unsigned int i = c * n_points_per_cell_; i < (c + 1) * n_points_per_cell_; ++i)
+      for (unsigned int i = c * points_.per_cell(); i < (c + 1) * points_.per_cell(); ++i)
       {
-        plastic += material_.equivalent_plastic_strain(i) / n_points_per_cell_;
-        flow_stress += material_.flow_stress(i) / n_points_per_cell_;
+        plastic += material_.equivalent_plastic_strain(i) / points_.per_cell();
+        flow_stress += material_.flow_stress(i) / points_.per_cell();
       }
       const double volume_share = share(plastic, flow_stress);
-      for (unsigned int i = c * n_points_per_cell_; i < (c + 1) * n_points_per_cell_; ++i)
+      for (unsigned int i = c * points_.per_cell(); i < (c + 1) * points_.per_cell(); ++i)
       {
         // The law got the sum of the elastic strain and the plastic one of its history.
         Mandel trial = material_.strain(i);
@@ -175,20 +176,21 @@ namespace deltaform
 
   void Solid::unpack(const std::vector<std::vector<double>> &data, std::vector<Vector> &fields)
   {
-    const std::size_t n = n_nodes_per_cell_, n_history = material_.law().history_size();
+    const std::size_t n = space_.n_nodes_per_cell(), n_history = material_.law().history_size();
     for (unsigned int v = 0; v < fields.size(); ++v)
     {
-      fields[v].reinit(n_free_);
-      for (unsigned int c = 0; c < cells_.size(); ++c)
+      fields[v].reinit(n_dofs());
+      for (unsigned int c = 0; c < space_.cells().size(); ++c)
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int k = 0; k < 2; ++k)
-            if (const DofIndex dof = node_dofs_[cells_[c][a]][k]; dof < n_free_ && owned_.is_element(dof))
+            if (const DofIndex dof = space_.dofs()[space_.cells()[c][a]][k]; dof < n_dofs() &&
+                                                                             space_.hanging().owned().is_element(dof))
               fields[v][dof] = data[c][2 * ((v + 1) * n + a) + k];
       ranks::sum(fields[v].begin(), fields[v].size());
     }
     const auto state_of = [&](const unsigned int point) {
-      return &data[point / n_points_per_cell_][2 * (fields.size() + 1) * n +
-                                               point % n_points_per_cell_ * (n_history + n_tensors)];
+      return &data[point / points_.per_cell()][2 * (fields.size() + 1) * n +
+                                               point % points_.per_cell() * (n_history + n_tensors)];
     };
     std::vector<double> history;
     for (unsigned int i = 0; i < points_.size(); ++i)
@@ -203,7 +205,7 @@ namespace deltaform
     material_.set_history(history);
 
     // Stresses of the law at the displacements as they came over, the scale of energies and the start of the next flow.
-    Vector q = fields.empty() ? Vector(n_free_) : fields.front();
+    Vector q = fields.empty() ? Vector(n_dofs()) : fields.front();
     update_stress(q);
     if (n_history > 0 && !fields.empty())
     {

@@ -100,18 +100,18 @@ namespace deltaform
     constexpr unsigned int quarters[4][4] = {{0, 6, 8, 4}, {6, 1, 5, 8}, {4, 8, 7, 2}, {8, 5, 3, 7}};
     constexpr unsigned int whole[4] = {0, 1, 3, 2};
     constexpr unsigned int corner_point[4] = {0, 2, 6, 8};
-    for (unsigned int c = 0; c < cells_.size(); ++c)
-      for (unsigned int part = 0; part < (degree_ == 1 ? 1 : 4); ++part)
+    for (unsigned int c = 0; c < space_.cells().size(); ++c)
+      for (unsigned int part = 0; part < (space_.degree() == 1 ? 1 : 4); ++part)
       {
-        for (const auto corner : degree_ == 1 ? whole : quarters[part])
-          drawing.cells.push_back(cells_[c][corner]);
+        for (const auto corner : space_.degree() == 1 ? whole : quarters[part])
+          drawing.cells.push_back(space_.cells()[c][corner]);
         CellValues values;
-        const unsigned int n = degree_ == 1 ? n_points_per_cell_ : 1;
-        const unsigned int first = degree_ == 1 ? 0 : corner_point[part];
+        const unsigned int n = space_.degree() == 1 ? points_.per_cell() : 1;
+        const unsigned int first = space_.degree() == 1 ? 0 : corner_point[part];
         for (unsigned int p = first; p < first + n; ++p)
         {
-          const unsigned int i = c * n_points_per_cell_ + p;
-          const Deformation F = deformation(q, c, p);
+          const unsigned int i = c * points_.per_cell() + p;
+          const Deformation F = points_.deformation(q, c, p);
           const Mandel e = total_strain(F);
           const Mandel e_p = plastic ? plastic_strain(i, F) : Mandel{};
           values.equivalent += material_.equivalent_plastic_strain(i) / n;
@@ -134,7 +134,7 @@ namespace deltaform
           append(*plastic, values.plastic);
         for (const auto &[field, drawn] : further)
         {
-          const auto own = remembered(field, c * n_points_per_cell_ + first, n);
+          const auto own = remembered(field, c * points_.per_cell() + first, n);
           drawn->insert(drawn->end(), own.begin(), own.end());
         }
       }
@@ -144,12 +144,12 @@ namespace deltaform
   Drawing Solid::draw(const Vector &state, const std::vector<DrawnField> &nodal) const
   {
     Vector storage;
-    const Vector &q = with_hanging(state, storage);
+    const Vector &q = space_.hanging().with_hanging(state, storage);
     Drawing drawing;
-    for (unsigned int i = 0; i < nodes_.size(); ++i)
-      drawing.points.push_back(position(q, i));
+    for (unsigned int i = 0; i < space_.nodes().size(); ++i)
+      drawing.points.push_back(space_.position(q, i));
     drawing.fields.push_back({"displacement", "length", true, 2, {}});
-    for (const auto &dofs : node_dofs_)
+    for (const auto &dofs : space_.dofs())
     {
       drawing.fields.back().values.push_back(q[dofs[0]]);
       drawing.fields.back().values.push_back(q[dofs[1]]);

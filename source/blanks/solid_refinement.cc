@@ -31,10 +31,10 @@ namespace deltaform
 
   bool Solid::mark(const std::array<std::vector<double>, 2> &longest_edges)
   {
-    auto &triangulation = mesh_.triangulation();
+    auto &triangulation = space_.triangulation();
     estimated_error_ = std::numeric_limits<double>::quiet_NaN();
-    const int highest_level = mesh_.first_level() + static_cast<int>(refinement_.levels);
-    std::vector<bool> marked(cells_.size(), false);
+    const int highest_level = space_.mesh().first_level() + static_cast<int>(refinement_.levels);
+    std::vector<bool> marked(space_.cells().size(), false);
     if (refinement_.by_error)
     {
       const ErrorEstimate estimate = estimate_error();
@@ -42,7 +42,7 @@ namespace deltaform
       if (estimate.relative > refinement_.target)
       {
         const double threshold = error_threshold(estimate.squares);
-        for (unsigned int c = 0; c < cells_.size(); ++c)
+        for (unsigned int c = 0; c < space_.cells().size(); ++c)
           marked[c] = estimate.squares[c] >= threshold;
       }
     }
@@ -50,10 +50,10 @@ namespace deltaform
       for (unsigned int e = 0; e < longest_edges[side].size(); ++e)
       {
         const auto &face = faces_[side];
-        const Point2 &A = nodes_[face.nodes[face.edges[e][0]]], &B = nodes_[face.nodes[face.edges[e][1]]];
-        const auto own = edge_cells_.find(std::minmax(face.nodes[face.edges[e][0]], face.nodes[face.edges[e][1]]));
-        if (own != edge_cells_.end() && A.distance(B) > longest_edges[side][e])
-          marked[own->second] = true;
+        const auto [a, b] = face.ends(face.edges()[e]);
+        const unsigned int own = boundary_.cell(a, b);
+        if (own != invalid_index && space_.nodes()[a].distance(space_.nodes()[b]) > longest_edges[side][e])
+          marked[own] = true;
       }
     unsigned int c = 0;
     for (const auto &cell : triangulation.active_cell_iterators())
@@ -69,15 +69,15 @@ namespace deltaform
   bool Solid::divisible(const unsigned int cell) const
   {
     // What the law is evaluated at in the children, in the parent's unit cell.
-    const dealii::FE_Q<2> shapes(degree_);
+    const dealii::FE_Q<2> shapes(space_.degree());
     for (unsigned int child = 0; child < 4; ++child)
-      for (const auto &point : quadrature_)
+      for (const auto &point : points_.unit_points())
       {
         const Point2 xi(.5 * (point[0] + child % 2), .5 * (point[1] + child / 2));
         Tensor2 jacobian;
-        for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
+        for (unsigned int a = 0; a < space_.n_nodes_per_cell(); ++a)
         {
-          const Point2 &x = committed_places_[cells_[cell][a]];
+          const Point2 &x = committed_places_[space_.cells()[cell][a]];
           const Tensor1 gradient = shapes.shape_grad(a, xi);
           for (unsigned int i = 0; i < 2; ++i)
             for (unsigned int j = 0; j < 2; ++j)
@@ -92,8 +92,8 @@ namespace deltaform
 
   bool Solid::flag_divisible(std::vector<bool> &marked)
   {
-    auto &triangulation = mesh_.triangulation();
-    for (unsigned int c = 0; c < cells_.size(); ++c)
+    auto &triangulation = space_.triangulation();
+    for (unsigned int c = 0; c < space_.cells().size(); ++c)
       marked[c] = marked[c] && divisible(c);
     for (bool again = true; again;)
     {
@@ -155,35 +155,33 @@ namespace deltaform
 
   void Solid::refine(std::vector<Vector> &fields)
   {
-    auto &triangulation = mesh_.triangulation();
+    auto &triangulation = space_.triangulation();
     passes_.emplace_back();
     triangulation.save_refine_flags(passes_.back());
-    std::array<std::vector<Point2>, 2> old_places;
-    for (const unsigned int side : {0, 1})
-      for (const auto node : faces_[side].nodes)
-        old_places[side].push_back(nodes_[node]);
+    const std::array<std::vector<Point2>, 2> old_places{{faces_[0].places(), faces_[1].places()}};
     for (auto &field : fields)
     {
       Vector storage;
-      field = Vector(with_hanging(field, storage));
+      field = Vector(space_.hanging().with_hanging(field, storage));
     }
 
     std::vector<CellData> old;
-    for (unsigned int c = 0; c < cells_.size(); ++c)
+    for (unsigned int c = 0; c < space_.cells().size(); ++c)
       old.push_back(pack(c, fields));
     const std::vector<CellData> data = divide_cells(old);
 
-    set_up_dofs([&](const unsigned int cell, const std::size_t a) {
+    space_.set_up([&](const unsigned int cell, const std::size_t a) {
       return Point2(data[cell][2 * a], data[cell][2 * a + 1]);
     });
-    set_up_points();
-    set_up_boundary();
+    points_.set_up();
+    set_up_state();
+    boundary_.set_up();
     for (unsigned int side = 0; side < 2; ++side)
     {
-      set_up_face(faces_[side], contact_boundaries_[side]);
-      set_up_heritage(static_cast<Side>(side), old_places[side]);
+      faces_[side].set_up(boundary_, contact_boundaries_[side]);
+      heritage_[side] = faces_[side].parents(old_places[side]);
+      faces_[side].set_up_areas(shortest_edge_);
     }
-    set_up_weightless();
     unpack(data, fields);
   }
 
@@ -191,7 +189,7 @@ namespace deltaform
   std::vector<std::vector<double>> Solid::divide_cells(const std::vector<std::vector<double>> &own)
   {
     using Cell = dealii::Triangulation<2>::cell_iterator;
-    auto &triangulation = mesh_.triangulation();
+    auto &triangulation = space_.triangulation();
     const auto divide = [this](const Cell &, const CellData &parent) {
       std::vector<CellData> children;
       for (unsigned int child = 0; child < 4; ++child)
@@ -228,34 +226,6 @@ namespace deltaform
       if (cell->is_locally_owned())
         result.push_back(std::move(all[cell->active_cell_index()]));
     return result;
-  }
-
-
-  void Solid::set_up_heritage(const Side side, const std::vector<Point2> &old_places)
-  {
-    // A new node lies half way between two neighbours of the old line of nodes, all others were there.
-    auto &heritage = heritage_[static_cast<unsigned int>(side)];
-    heritage.clear();
-    for (const auto node : faces_[static_cast<unsigned int>(side)].nodes)
-    {
-      std::array<unsigned int, 2> best{{0, 0}};
-      double nearest = std::numeric_limits<double>::infinity();
-      const auto consider = [&](const unsigned int a, const unsigned int b) {
-        const double distance = nodes_[node].distance(old_places[a] + .5 * (old_places[b] - old_places[a]));
-        if (distance < nearest)
-        {
-          nearest = distance;
-          best = {{a, b}};
-        }
-      };
-      for (unsigned int i = 0; i < old_places.size(); ++i)
-      {
-        consider(i, i);
-        if (i + 1 < old_places.size())
-          consider(i, i + 1);
-      }
-      heritage.push_back(best);
-    }
   }
 
 

@@ -41,7 +41,7 @@ namespace deltaform
   } // namespace
 
 
-  Solid::Deformation Solid::increment(const unsigned int point) const
+  Deformation Solid::increment(const unsigned int point) const
   {
     const auto &a = deformation_[point].f, &b = committed_deformation_[point].f;
     const double inverse = 1. / (b[0] * b[3] - b[1] * b[2]);
@@ -81,7 +81,8 @@ namespace deltaform
     {
       const double flow = material_.flow(i);
       const Mandel start =
-        finite_ && flow > 0. ? turned(material_.committed_stress(i), turn(increment(i).f)) : material_.committed_stress(i);
+        finite_ && flow > 0. ? turned(material_.committed_stress(i), turn(increment(i).f))
+                             : material_.committed_stress(i);
       error.add(points_[i].weight * flow, start, material_.stress(i));
     }
     error.astray = ranks::sum(error.astray);
@@ -93,13 +94,14 @@ namespace deltaform
   IncrementSize Solid::increment_size(const Vector &dq) const
   {
     Vector storage;
-    const Vector &du = linear_ ? with_hanging(dq, storage) : dq;
+    const Vector &du = linear_ ? space_.hanging().with_hanging(dq, storage) : dq;
     double strain = 0., most = 1.; // of small strains; of squared stretches and their inverses
     double sine = 0., cosine = 1.; // of the largest angle so far, times a length
     for (unsigned int i = 0; i < points_.size(); ++i)
     {
       // Where the law is linear points are visited at the commit only, and no strain is too large.
-      const Deformation d = linear_ ? deformation(du, i / n_points_per_cell_, i % n_points_per_cell_) : increment(i);
+      const Deformation d =
+        linear_ ? points_.deformation(du, i / points_.per_cell(), i % points_.per_cell()) : increment(i);
       const auto &f = d.f;
       const double own_sine = std::abs(f[2] - f[1]), own_cosine = f[0] + f[3];
       if (own_sine * cosine > sine * own_cosine)
@@ -199,52 +201,17 @@ namespace deltaform
   }
 
 
-  std::vector<double> Solid::to_nodes(const std::vector<double> &point_values) const
-  {
-    std::vector<double> result(nodes_.size(), 0.), volume(nodes_.size(), 0.);
-    for (unsigned int p = 0; p < points_.size(); ++p)
-      for (unsigned int a = 0; a < n_nodes_per_cell_; ++a)
-      {
-        const double share = std::abs(points_[p].shape[a]) * points_[p].weight;
-        const unsigned int node = cells_[p / n_points_per_cell_][a];
-        result[node] += share * point_values[p];
-        volume[node] += share;
-      }
-    ranks::sum(result.data(), result.size());
-    ranks::sum(volume.data(), volume.size());
-    for (unsigned int i = 0; i < result.size(); ++i)
-      result[i] /= volume[i];
-    return result;
-  }
-
-
-  double Solid::distance(const Vector &q, const Point2 &x, const Side side) const
-  {
-    const auto &face = faces_[static_cast<unsigned int>(side)];
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto &edge : face.edges)
-    {
-      const Point2 a = position(q, face.nodes[edge[0]]), b = position(q, face.nodes[edge[1]]);
-      const Tensor1 along = b - a;
-      const double t = std::clamp(((x - a) * along) / along.norm_square(), 0., 1.);
-      nearest = std::min(nearest, (x - (a + t * along)).norm_square());
-    }
-    return std::sqrt(nearest);
-  }
-
-
   void Solid::update_thickness(const Vector &q)
   {
     smallest_thickness_ = std::numeric_limits<double>::infinity();
-    for (const auto &[bottom, top] : columns_)
-      smallest_thickness_ = std::min(smallest_thickness_, position(q, top).distance(position(q, bottom)));
-    if (columns_.empty())
+    for (const auto &[bottom, top] : boundary_.columns())
+      smallest_thickness_ = std::min(smallest_thickness_, space_.position(q, top).distance(space_.position(q, bottom)));
+    if (boundary_.columns().empty())
     {
-      const auto &face = faces_[static_cast<unsigned int>(Side::top)];
-      for (const auto node : face.nodes)
-        smallest_thickness_ = std::min(smallest_thickness_, distance(q, position(q, node), Side::bottom));
+      for (const auto node : faces_[1].nodes())
+        smallest_thickness_ = std::min(smallest_thickness_, faces_[0].distance(q, space_.position(q, node)));
       if (!std::isfinite(smallest_thickness_))
-        smallest_thickness_ = mesh_.thickness();
+        smallest_thickness_ = space_.mesh().thickness();
     }
   }
 
@@ -264,32 +231,5 @@ namespace deltaform
   double Solid::smallest_thickness() const
   {
     return smallest_thickness_;
-  }
-
-
-  std::vector<Point2> Solid::positions(const Vector &q) const
-  {
-    std::vector<Point2> result;
-    Vector storage;
-    const Vector &u = with_hanging(q, storage);
-    for (unsigned int i = 0; i < nodes_.size(); ++i)
-      result.push_back(position(u, i));
-    return result;
-  }
-
-
-  void Solid::rigid_motion(const Vector &q,
-                           const Tensor1 &translation,
-                           const double rotation,
-                           const std::function<void(DofIndex, double)> &set) const
-  {
-    for (unsigned int i = 0; i < nodes_.size(); ++i)
-    {
-      if (node_dofs_[i][0] >= n_free_)
-        continue;
-      const Point2 x = position(q, i);
-      set(node_dofs_[i][0], translation[0] - rotation * x[1]);
-      set(node_dofs_[i][1], translation[1] + rotation * x[0]);
-    }
   }
 } // namespace deltaform

@@ -21,8 +21,8 @@ namespace deltaform
       state.put(pass_name(pass), std::vector<double>(passes_[pass].begin(), passes_[pass].end()));
     state.put("estimated error", estimated_error_);
     material_.put(state);
-    state.put("area of nodes, bottom", faces_[0].area);
-    state.put("area of nodes, top", faces_[1].area);
+    state.put("area of nodes, bottom", faces_[0].areas());
+    state.put("area of nodes, top", faces_[1].areas());
     state.put("smallest thickness", smallest_thickness_);
     state.put("rotation of the last increment", spin_);
     state.put("deformation", committed_deformation_);
@@ -45,13 +45,13 @@ namespace deltaform
         throw SceneError("The blank has been refined since, or in another way: it cannot go back to this state.");
       if (pass < passes_.size())
         continue;
-      mesh_.triangulation().load_refine_flags(cells);
+      space_.triangulation().load_refine_flags(cells);
       refine(none);
     }
     state.take("estimated error", estimated_error_);
     material_.take(state);
-    state.take("area of nodes, bottom", faces_[0].area);
-    state.take("area of nodes, top", faces_[1].area);
+    state.take("area of nodes, bottom", faces_[0].areas());
+    state.take("area of nodes, top", faces_[1].areas());
     state.take("smallest thickness", smallest_thickness_);
     state.take("rotation of the last increment", spin_);
     state.take("deformation", committed_deformation_);
