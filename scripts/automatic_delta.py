@@ -8,11 +8,12 @@ Force of the pressed plate at ten travels; contact error: `auto` against `active
 so that the result does not depend on the path. Standard library only, half a minute.
 """
 import argparse
-import csv
 import math
 import os
 import subprocess
 import tempfile
+
+from csv_file import rows_of
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ENTRIES = ["Output/Pictures=0", "Output/Travels=1,2,3,4,5,6,7,8,9,10", "Steps/form/First increment=0.2",
@@ -26,8 +27,7 @@ def run(program, folder, elements, choice):
     for entry in ENTRIES + [f"Blank/Elements={elements}", choice]:
         command += ["--set", entry]
     subprocess.run(command, check=True)
-    with open(os.path.join(folder, "history.csv"), encoding="utf-8") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    rows = rows_of(os.path.join(folder, "history.csv"))
     forces = [float(row["punch_force_z"]) for row in rows
               if abs(float(row["time"]) - round(float(row["time"]))) < 1e-9]
     largest = {key: max(float(row[key]) for row in rows) for key in ("max_penetration", "max_penetration_between_nodes")}

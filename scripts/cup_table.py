@@ -6,7 +6,6 @@
 Standard library only; about half a minute.
 """
 import argparse
-import csv
 import json
 import math
 import os
@@ -14,16 +13,12 @@ import subprocess
 import sys
 import tempfile
 
+from csv_file import rows_of
+
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ELEMENTS = [25, 50, 100, 200, 400]
 TRAVELS = [.2, .4, .6, .8, 1., 1.2]
 COMPARED = ["cup_constant_1e7", "cup_delta_1e-3", "cup_delta_1e-7"]
-
-
-def table(path):
-    """The rows of a CSV file of deltaform, each a dictionary."""
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 class Run:
@@ -39,8 +34,8 @@ class Run:
             done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
             if done.returncode != 0:
                 sys.exit(f"cup_table: {scene} {' '.join(sets)} ended with status {done.returncode}: {done.stderr.strip()}")
-            self.history = table(os.path.join(folder, "history.csv"))
-            self.profiles = {t: table(os.path.join(folder, f"profile_{t:g}.csv")) for t in TRAVELS}
+            self.history = rows_of(os.path.join(folder, "history.csv"))
+            self.profiles = {t: rows_of(os.path.join(folder, f"profile_{t:g}.csv")) for t in TRAVELS}
             with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
                 self.summary = json.load(file)
 

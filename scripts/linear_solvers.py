@@ -11,13 +11,14 @@
     linear_solvers.py PROGRAM speed --cells 316     1 and 2 processes
 """
 import argparse
-import csv
 import json
 import math
 import os
 import resource
 import subprocess
 import tempfile
+
+from csv_file import rows_of
 
 SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tests", "distributed")
 RULES = ["adaptive", "constant", "paper", "element stiffness", "proportional", "gap driven"]
@@ -48,8 +49,7 @@ def run(program, cells, solver, sets=(), processes=0, timeout=900, scene="hertz_
             return None
         used = processor_time() - before
         largest = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1e6
-        with open(os.path.join(folder, "history.csv")) as file:
-            row = list(csv.DictReader(line for line in file if not line.startswith("#")))[-1]
+        row = rows_of(os.path.join(folder, "history.csv"))[-1]
         with open(os.path.join(folder, "timing.json")) as file:
             timing = json.load(file)
         with open(os.path.join(folder, "summary.json")) as file:

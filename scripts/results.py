@@ -1,11 +1,12 @@
 """Reads the output folder of a run: its tables, with names and units of their columns."""
-import csv
 import glob
 import json
 import os
 import re
 
 import numpy as np
+
+from csv_file import CsvFile
 
 
 class NoResults(Exception):
@@ -17,18 +18,13 @@ class Table:
 
     def __init__(self, path):
         try:
-            with open(path, newline="", encoding="utf-8") as file:
-                lines = file.read().splitlines()
+            file = CsvFile(path)
         except OSError as error:
             raise NoResults(f"cannot read '{path}': {error.strerror}") from error
-        self.path = path
-        self.comments = [line[1:].strip() for line in lines if line.startswith("#")]
-        rows = list(csv.reader(line for line in lines if line and not line.startswith("#")))
-        if not rows:
-            raise NoResults(f"'{path}' has no line with the names of its columns")
-        self.names = rows[0]
-        rows = [row for row in rows[1:] if len(row) == len(self.names)]  # a killed run may leave half a row
-        self.rows = rows
+        except ValueError as error:
+            raise NoResults(str(error)) from error
+        self.path, self.comments, self.names = path, file.comments, file.names
+        self.rows = rows = [row for row in file.rows if len(row) == len(self.names)]  # a killed run may leave half a row
         self.columns = {name: _column([row[i] for row in rows]) for i, name in enumerate(self.names)}
         self.units = {}
         for comment in self.comments:

@@ -21,6 +21,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
+from csv_file import rows_of  # noqa: E402
 from plot import STYLE  # noqa: E402
 from results import NoResults, Table  # noqa: E402
 
@@ -61,10 +62,9 @@ def run(program, folder, scene, jobs):
         table_file = os.path.join(out, "sweep.csv")
         if not os.path.exists(table_file):
             sys.exit(f"rules: {done.stderr.strip()}")
-        with open(table_file, encoding="utf-8") as file:
-            for row in csv.DictReader(line for line in file if not line.startswith("#")):
-                parameter = "" if choice == "active set" else row[entry].replace("*thickness", "")
-                rows[(choice, parameter)] = dict(row, folder=os.path.join(out, row["folder"]))
+        for row in rows_of(table_file):
+            parameter = "" if choice == "active set" else row[entry].replace("*thickness", "")
+            rows[(choice, parameter)] = dict(row, folder=os.path.join(out, row["folder"]))
     return rows
 
 

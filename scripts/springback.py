@@ -8,18 +8,18 @@ its tangents at both ends are the directions of the wall:
   rho     radius of the circle: side-wall curl (length)
 Standard library only.
 """
-import csv
 import glob
 import math
 import os
 import sys
 
+from csv_file import rows_of
+
 MARGIN = 15.
 
 
 def table(path):
-    with open(path, encoding="utf-8") as file:
-        return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+    return [{name: float(value) for name, value in row.items()} for row in rows_of(path)]
 
 
 def solve(matrix, right):

@@ -10,7 +10,6 @@ has to be found.
 """
 import argparse
 import copy
-import csv
 import itertools
 import math
 import os
@@ -18,10 +17,12 @@ import re
 import subprocess
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts"))
+from csv_file import rows_of
+
 
 def history(folder):
-    with open(os.path.join(folder, "history.csv")) as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+    return rows_of(os.path.join(folder, "history.csv"))
 
 
 def factorizations(folder):

@@ -17,6 +17,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import reference_values as exact
 import solid_tables
+from run_files import rows_of
 
 
 class Runner:
@@ -40,14 +41,12 @@ class Runner:
 
     @staticmethod
     def read(path):
-        with open(path) as stream:
-            lines = [line.strip().split(",") for line in stream if not line.startswith("#")]
         def number(cell):
             try:
                 return float(cell)
             except ValueError:
                 return cell
-        return [dict(zip(lines[0], map(number, cells))) for cells in lines[1:]]
+        return [{name: number(cell) for name, cell in row.items()} for row in rows_of(path)]
 
 
 def markdown(head, rows):

@@ -5,10 +5,11 @@
 
 SCENE is release_force.prm: its holder presses 8000 and leaves over the second stage.
 """
-import csv
 import os
 import subprocess
 import sys
+
+from run_files import rows_of
 
 FORCE = 8000.
 VARIANTS = {
@@ -32,8 +33,7 @@ VARIANTS = {
 
 
 def history(folder):
-    with open(os.path.join(folder, "history.csv"), encoding="utf-8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+    return rows_of(os.path.join(folder, "history.csv"))
 
 
 def check(program, scene, folder, sets):

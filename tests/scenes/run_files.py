@@ -2,7 +2,6 @@
 
 Nothing of the program is used here, and nothing is judged: see check_run.py.
 """
-import csv
 import json
 import math
 import re
@@ -10,6 +9,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent / "scripts"))
+from csv_file import CsvFile, rows_of
 from vtu_file import VtuFile
 
 
@@ -27,13 +27,11 @@ class Table:
 
     def __init__(self, path):
         self.path = Path(path)
-        with open(path, newline="", encoding="utf-8") as file:
-            lines = file.read().splitlines()
-        self.comments = [line[1:].strip() for line in lines if line.startswith("#")]
-        rows = list(csv.reader(line for line in lines if line and not line.startswith("#")))
-        if not rows:
-            raise NoRun(f"'{path}' has no line with the names of its columns")
-        self.names, self.rows = rows[0], rows[1:]
+        try:
+            file = CsvFile(path)
+        except ValueError as error:
+            raise NoRun(str(error)) from error
+        self.comments, self.names, self.rows = file.comments, file.names, file.rows
         ragged = [row for row in self.rows if len(row) != len(self.names)]
         if ragged:
             raise NoRun(f"'{path}' has a row of {len(ragged[0])} cells, but {len(self.names)} columns")
@@ -166,13 +164,10 @@ def not_finite(folder):
     """Where in the tables or pictures of a folder a number is not finite: 'history.csv, tool_work', or None."""
     wrong = re.compile(r"[+-]?(nan|inf|infinity)", re.IGNORECASE)
     for path in sorted(Path(folder).glob("*.csv")):
-        names = None
-        with open(path, newline="", encoding="utf-8") as file:
-            for row in csv.reader(line for line in file if not line.startswith("#")):
-                names = names or row
-                for name, cell in zip(names, row):
-                    if wrong.fullmatch(cell.strip()) and name not in SOMETIMES_NAN:
-                        return f"{path.name}, {name}"
+        for row in rows_of(path):
+            for name, cell in row.items():
+                if wrong.fullmatch(cell.strip()) and name not in SOMETIMES_NAN:
+                    return f"{path.name}, {name}"
     for path in sorted(Path(folder).glob("*.vtu")):
         for label, values in floats_of(path):
             if not math.isfinite(sum(values)):

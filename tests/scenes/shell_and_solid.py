@@ -12,6 +12,8 @@ import os
 import subprocess
 import sys
 
+from run_files import Table
+
 # Mu = 0, forces in N at travels in mm, read from a graph: 5 to 10 % (Code_Aster V6.04.501 after Wagoner, Nakamachi, Lee 1990).
 PUBLISHED = [(10e3, 10.6), (20e3, 15.4), (30e3, 20.0), (40e3, 24.7), (50e3, 28.2), (60e3, 33.0), (70e3, 37.4)]
 TRAVELS = sorted({float(t) for t in range(2, 41)} | {travel for _, travel in PUBLISHED})
@@ -19,13 +21,8 @@ FORCE, STRAIN, GRAPH = 5e-3, 3e-3, .1
 
 
 def read(path):
-    with open(path) as stream:
-        lines = [line.strip().split(",") for line in stream if not line.startswith("#")]
-    columns = {name: [] for name in lines[0]}
-    for cells in lines[1:]:
-        for name, cell in zip(lines[0], cells):
-            columns[name].append(float(cell) if name != "stage" else cell)
-    return columns
+    table = Table(path)
+    return {name: table.column(name) for name in table.names}
 
 
 def interpolate(place, x, y):

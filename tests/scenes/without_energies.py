@@ -3,16 +3,16 @@
 
     without_energies.py DELTAFORM SCENE FOLDER [--set SECTION/ENTRY=VALUE]...
 """
-import csv
 import json
 import os
 import subprocess
 import sys
 
+from run_files import rows_of
+
 
 def history(folder):
-    with open(os.path.join(folder, "history.csv"), encoding="utf-8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+    return rows_of(os.path.join(folder, "history.csv"))
 
 
 def main():

@@ -14,7 +14,6 @@ random moments, and demands the same results from the resumed run. A scene is kn
 import argparse
 import collections
 import concurrent.futures
-import csv
 import json
 import math
 import os
@@ -32,7 +31,7 @@ import draw
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "scenes"))
 import check_run
 import resume
-from run_files import NoRun, Run, not_finite
+from run_files import CsvFile, NoRun, Run, not_finite
 
 BAD = ("crash", "hang", "NaN in a result", "promise broken silently", "status and message disagree", "wrong without a word",
        "resumed run differs")
@@ -41,8 +40,8 @@ THINNEST = 1 / 3  # of the initial thickness: below, no sheet metal is whole
 
 
 def csv_rows(path):
-    with open(path, newline="") as file:
-        return list(csv.reader(line for line in file if not line.startswith("#")))
+    file = CsvFile(path)
+    return [file.names] + file.rows
 
 
 def worst_promise(folder):
