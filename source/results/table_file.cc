@@ -1,7 +1,7 @@
 #include <deltaform/base/atomic_file.h>
 #include <deltaform/results/table_file.h>
 
-#include <cstdio>
+#include <fmt/core.h>
 
 namespace deltaform
 {
@@ -28,9 +28,7 @@ namespace deltaform
 
   std::string table_name(const std::string &stem, const double travel)
   {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%g", travel + 0.); // + 0. turns -0 into 0
-    return stem + "_" + buffer + ".csv";
+    return fmt::format("{}_{:g}.csv", stem, travel + 0.); // + 0. turns -0 into 0
   }
 
   void
