@@ -9,7 +9,7 @@ endif()
 
 add_library(deltaform_library SHARED $<TARGET_OBJECTS:deltaform_objects>)
 add_library(deltaform::deltaform ALIAS deltaform_library)
-target_link_libraries(deltaform_library PUBLIC ${_dependencies})
+target_link_libraries(deltaform_library PUBLIC ${_dependencies} PRIVATE fmt::fmt)
 target_compile_features(deltaform_library PUBLIC cxx_std_17)
 target_include_directories(deltaform_library INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                                        $<INSTALL_INTERFACE:include>)

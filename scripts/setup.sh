@@ -4,7 +4,7 @@
 set -euo pipefail
 
 packages=(git ca-certificates cmake ninja-build g++ python3 libdeal.ii-dev libboost-program-options-dev
-          libboost-serialization-dev libboost-test-dev libeigen3-dev nlohmann-json3-dev libspectra-dev
+          libboost-serialization-dev libboost-test-dev libeigen3-dev libfmt-dev nlohmann-json3-dev libspectra-dev
           libopenblas0-serial valgrind)
 # Further packages may be named: scripts/setup.sh python3-vtk9 xvfb
 packages+=("$@")

@@ -1,10 +1,11 @@
 #include <deltaform/base/text.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 namespace deltaform
@@ -60,20 +61,16 @@ namespace deltaform
 
     std::string format(const double value)
     {
-      char buffer[32];
       if (std::abs(value) < 1e7 && value == std::floor(value)) // 100000 rather than 1e5
-      {
-        std::snprintf(buffer, sizeof buffer, "%.0f", value);
-        return buffer;
-      }
+        return fmt::format("{:.0f}", value);
+      char buffer[32];
       // As many digits as the shortest number that is read back as the value.
       const char *const end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
       const auto digits = std::count_if(static_cast<const char *>(buffer),
                                         std::find(static_cast<const char *>(buffer), end, 'e'),
                                         [](const char c) { return c >= '0' && c <= '9'; });
-      std::snprintf(buffer, sizeof buffer, "%.*g", static_cast<int>(digits), value);
       // 1e7 rather than 1e+07.
-      std::string result = buffer;
+      std::string result = fmt::format("{:.{}g}", value, digits);
       const auto exponent = result.find('e');
       if (exponent != std::string::npos)
         result = result.substr(0, exponent + 1) + std::to_string(std::atoi(result.c_str() + exponent + 1));
@@ -82,9 +79,7 @@ namespace deltaform
 
     std::string rounded(const double value)
     {
-      char buffer[32];
-      std::snprintf(buffer, sizeof buffer, "%.3e", value);
-      return format(std::strtod(buffer, nullptr));
+      return format(std::strtod(fmt::format("{:.3e}", value).c_str(), nullptr));
     }
 
     unsigned int edit_distance(const std::string &a, const std::string &b)

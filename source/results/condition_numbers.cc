@@ -1,9 +1,9 @@
-#include "short_number.h"
-
 #include <deltaform/model/accepted_increment.h>
 #include <deltaform/results/condition_numbers.h>
 
 #include <Eigen/Dense>
+
+#include <fmt/core.h>
 
 #include <cmath>
 #include <utility>
@@ -73,9 +73,12 @@ namespace deltaform
   {
     if (due_)
       folder_.journal().detail(
-        "increment " + std::to_string(increment.number) + ": condition number " + short_number(numbers_.raw) +
-        ", scaled " + short_number(numbers_.scaled) + "; without contact " + short_number(numbers_.without_contact) +
-        (numbers_.rigid_modes.empty() ? ", no rigid mode" : " apart from " + numbers_.rigid_modes));
+        fmt::format("increment {}: condition number {:.4g}, scaled {:.4g}; without contact {:.4g}{}",
+                    increment.number,
+                    numbers_.raw,
+                    numbers_.scaled,
+                    numbers_.without_contact,
+                    numbers_.rigid_modes.empty() ? ", no rigid mode" : " apart from " + numbers_.rigid_modes));
     due_ = false;
   }
 

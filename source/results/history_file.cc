@@ -1,13 +1,15 @@
 #include "history_file.h"
 
+#include <deltaform/base/atomic_file.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <optional>
+#include <utility>
 
 namespace deltaform
 {
@@ -65,17 +67,19 @@ namespace deltaform
     // The new file gets the old one's name when it holds all that is kept; what follows still goes to it.
     if (!ranks::first())
       return CsvWriter(path, comments, columns);
-    const std::string draft = path + ".part";
-    CsvWriter file(draft, comments, columns);
-    while (std::getline(old, line) && !old.eof()) // a line without its end was being written when the run was killed
-    {
-      const auto cells = split_line(line);
-      if (cells.size() != columns.size() || std::strtoul(cells[0].c_str(), nullptr, 10) > last_increment)
-        break;
-      file.row_of_cells(parse(cells, columns));
-    }
-    if (std::rename(draft.c_str(), path.c_str()) != 0)
-      throw SceneError("Cannot write '" + path + "': " + std::strerror(errno) + ".");
-    return file;
+    std::optional<CsvWriter> file;
+    replace_file(path,
+                 [&](const std::string &draft) {
+                   file.emplace(draft, comments, columns);
+                   while (std::getline(old, line) && !old.eof()) // one without its end: the run was killed in it
+                   {
+                     const auto cells = split_line(line);
+                     if (cells.size() != columns.size() ||
+                         std::strtoul(cells[0].c_str(), nullptr, 10) > last_increment)
+                       break;
+                     file->row_of_cells(parse(cells, columns));
+                   }
+                 });
+    return std::move(*file);
   }
 } // namespace deltaform

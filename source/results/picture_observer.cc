@@ -9,9 +9,10 @@
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <utility>
 
@@ -152,9 +153,8 @@ namespace deltaform
       {
         const Blank &blank = problem.blank();
         const auto &all_tools = problem.actors().tools;
-        char number[16];
-        std::snprintf(number, sizeof number, "_%04u", n_pictures_++);
-        std::vector<PictureSeries::Part> parts{{std::string("blank") + number + ".vtu", "blank"}};
+        const unsigned int picture = n_pictures_++;
+        std::vector<PictureSeries::Part> parts{{fmt::format("blank_{:04}.vtu", picture), "blank"}};
         std::vector<Drawing> drawings{blank.draw(problem.committed(), nodal_fields(problem, stage, time))};
 
         double reach = 0.;
@@ -169,7 +169,7 @@ namespace deltaform
               const auto points = pair->tool().polyline(pair->travel(problem.committed()), reach);
               if (points.size() < 2)
                 continue;
-              parts.push_back({std::string("tools") + number + "_" + std::to_string(i) + ".vtu", pair->tool().name()});
+              parts.push_back({fmt::format("tools_{:04}_{}.vtu", picture, i), pair->tool().name()});
               drawings.push_back(outline(points, i));
             }
         last_picture_ = time;

@@ -2,10 +2,10 @@
 #include <deltaform/model/accepted_increment.h>
 #include <deltaform/results/observers.h>
 
-#include "short_number.h"
-
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
+
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -28,17 +28,18 @@ namespace deltaform
         if (!folder_.journal().wants_progress())
           return;
         const Model &model = increment.model;
-        std::string line = "increment " + std::to_string(increment.number) + "  " + increment.stage.name +
-                           " t = " + short_number(increment.time);
+        std::string line =
+          fmt::format("increment {}  {} t = {:.4g}", increment.number, increment.stage.name, increment.time);
         if (const auto main = output_.main_tool; main != invalid_index)
-          line += "  " + model.actors().tools[main]->name() + ": travel " + short_number(model.travel(main)) +
-                  ", force " + short_number(model.tool_forces()[main][1]);
-        line += "  iterations " + std::to_string(iterations_);
+          line += fmt::format("  {}: travel {:.4g}, force {:.4g}",
+                              model.actors().tools[main]->name(),
+                              model.travel(main),
+                              model.tool_forces()[main][1]);
+        line += fmt::format("  iterations {}", iterations_);
         if (model.keeps_promise())
-          line += "  p/delta <= " + short_number(worst_, "%.3f");
+          line += fmt::format("  p/delta <= {:.3f}", worst_);
         const double end = model.actors().stages.back().end, spent = folder_.timers().total();
-        line += "  left " + short_number(spent * (end - increment.time) / std::max(increment.time, 1e-300), "%.1f") +
-                " s";
+        line += fmt::format("  left {:.1f} s", spent * (end - increment.time) / std::max(increment.time, 1e-300));
         folder_.journal().progress(line);
       }
 

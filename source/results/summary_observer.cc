@@ -1,6 +1,4 @@
 // summary.json and timing.json, and the last lines on the console.
-#include "short_number.h"
-
 #include <deltaform/base/atomic_file.h>
 #include <deltaform/base/command_line.h>
 #include <deltaform/model/accepted_increment.h>
@@ -9,6 +7,7 @@
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -121,14 +120,19 @@ namespace deltaform
 
       std::string last_line(const Model &model, const RunOutcome &outcome) const
       {
-        std::string line = std::to_string(outcome.increments) + " increments, " + std::to_string(outcome.iterations) +
-                           " Newton iterations, " + short_number(folder_.timers().total(), "%.2f") + " s";
+        std::string line;
         if (const auto main = output_.main_tool; main != invalid_index && any_)
-          line = model.actors().tools[main]->name() + ": travel " + short_number(model.travel(main)) + ", force " +
-                 short_number(model.tool_forces()[main][1], "%.6g") + "; thinnest " + short_number(thinnest_) + "; " +
-                 line;
+          line = fmt::format("{}: travel {:.4g}, force {:.6g}; thinnest {:.4g}; ",
+                             model.actors().tools[main]->name(),
+                             model.travel(main),
+                             model.tool_forces()[main][1],
+                             thinnest_);
+        line += fmt::format("{} increments, {} Newton iterations, {:.2f} s",
+                            outcome.increments,
+                            outcome.iterations,
+                            folder_.timers().total());
         if (model.keeps_promise())
-          line += "; max p/delta " + short_number(promise_, "%.3f");
+          line += fmt::format("; max p/delta {:.3f}", promise_);
         return line;
       }
 

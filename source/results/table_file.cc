@@ -1,10 +1,7 @@
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/scene_error.h>
+#include <deltaform/base/atomic_file.h>
 #include <deltaform/results/table_file.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
+#include <fmt/core.h>
 
 namespace deltaform
 {
@@ -18,26 +15,20 @@ namespace deltaform
                      const Units &units,
                      const WriteRows &write_rows)
     {
-      if (!ranks::first())
-        return;
       for (auto &column : columns)
         column.unit = units.of(column.unit);
-      const std::string draft = path + ".part";
-      {
-        CsvWriter file(draft, comments, columns, CsvWriter::Flush::when_told);
-        write_rows(file);
-        file.flush();
-      }
-      if (std::rename(draft.c_str(), path.c_str()) != 0)
-        throw SceneError("Cannot write '" + path + "': " + std::strerror(errno) + ".");
+      replace_file(path,
+                   [&](const std::string &draft) {
+                     CsvWriter file(draft, comments, columns, CsvWriter::Flush::when_told);
+                     write_rows(file);
+                     file.flush();
+                   });
     }
   } // namespace
 
   std::string table_name(const std::string &stem, const double travel)
   {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%g", travel + 0.); // + 0. turns -0 into 0
-    return stem + "_" + buffer + ".csv";
+    return fmt::format("{}_{:g}.csv", stem, travel + 0.); // + 0. turns -0 into 0
   }
 
   void

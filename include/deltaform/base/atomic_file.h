@@ -12,4 +12,8 @@ namespace deltaform
    * @throws SceneError if the file cannot be written, naming it and the reason.
    */
   void write_file_atomically(const std::string &path, const std::function<void(std::ostream &)> &write);
+
+  /// The same for what opens its file itself: @p write gets the name of the file beside it. On the first process only.
+  /// @throws SceneError if the file cannot take its name.
+  void replace_file(const std::string &path, const std::function<void(const std::string &draft)> &write);
 } // namespace deltaform
