@@ -90,7 +90,7 @@ namespace deltaform
         for (unsigned int a = 0; a <= degree_; ++a)
           face.area[edge[a]] += weights[a];
       }
-      // Degree 2: the share of a node on the axis vanishes in the initial configuration, and with it the pair.
+      // Degree 2: the share of a node on the axis vanishes in the initial configuration: it has no contact.
       for (unsigned int i = 0; i < face.nodes.size(); ++i)
         if (face.weightless[i])
           face.area[i] = 0.;

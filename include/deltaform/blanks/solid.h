@@ -125,7 +125,7 @@ namespace deltaform
       std::vector<unsigned int> nodes;
       std::vector<Edge> edges; ///< numbers of contact nodes
       std::vector<double> arc; ///< S0
-      std::vector<bool> weightless; ///< the tributary area vanishes: no pair
+      std::vector<bool> weightless; ///< the tributary area vanishes: no contact
       mutable std::vector<double> area; ///< committed or last assembled
     };
 
