@@ -136,7 +136,7 @@ def below(runs, name, other):
 
 
 def loaded_ratios(out):
-    """p/delta of the loaded pairs (a force of at least a thousandth of the largest) at all travels."""
+    """p/delta of the loaded points (a force of at least a thousandth of the largest) at all travels."""
     ratios = []
     for travel in TRAVELS:
         table = Table(os.path.join(out, f"contact_{travel:g}.csv"))
@@ -149,7 +149,7 @@ def loaded_ratios(out):
 def page(runs, states):
     lines = ["# The paper's figures", "",
              "Made by `scripts/figures.py --write`; the CSV files beside the pictures are in `output/figures`. As in the paper, the "
-             "thickness of the sheet\nis rigid (`Squeeze = off`): with the default no pair is stiffer than the metal, and neither "
+             "thickness of the sheet\nis rigid (`Squeeze = off`): with the default no contact is stiffer than the metal, and neither "
              "condition number nor iterations grow\nwith the factor ([rules](rules.md)).", "",
              "| run | status | increments | Newton iterations | max p [in] | max p/delta | raw kappa median | scaled median | "
              "digits lost median, max |", "|---|---|---|---|---|---|---|---|---|"]
@@ -169,7 +169,7 @@ def page(runs, states):
     for name in runs:
         if name.startswith("delta"):
             lines.append(f"* {name}: {100 * below(runs, name, 'constant 1e7'):.0f} %")
-    lines += ["", "p/delta of the loaded pairs at travels .2 to 1 in, and the mean share of pairs whose factor is the floor:", "",
+    lines += ["", "p/delta of the loaded points at travels .2 to 1 in, and the mean share of points whose factor is the floor:", "",
               "| run | 10 % | median | 90 % | largest | floor share |", "|---|---|---|---|---|---|"]
     for name in runs:
         if name.startswith("delta"):

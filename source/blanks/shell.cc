@@ -99,7 +99,7 @@ namespace deltaform
           node_area_[cell.nodes[a]] += shape[a] * dA;
       }
     }
-    // The weight of a node on the axis vanishes for degree 2 in the initial configuration, and with it the pair.
+    // The weight of a node on the axis vanishes for degree 2 in the initial configuration: it has no contact.
     for (unsigned int i = 0; i < node_area_.size(); ++i)
       if (weightless_[i])
         node_area_[i] = 0.;

@@ -155,7 +155,7 @@ namespace deltaform
     std::vector<std::array<unsigned int, 3>> edges_;
     std::vector<double> node_angle_; ///< of the reference tangent, averaged at kinks
     std::vector<double> node_weight_;
-    std::vector<bool> weightless_; ///< nodes whose tributary area vanishes: no pair
+    std::vector<bool> weightless_; ///< nodes whose tributary area vanishes: no contact
     unsigned int n_points_per_cell_ = 1;
     std::vector<ShellPoint> points_; ///< cell by cell
     /// Point of the quadrature of loads: shape functions, their derivatives on the unit cell, weight.

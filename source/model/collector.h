@@ -4,7 +4,7 @@
 
 namespace deltaform
 {
-  /// Collects the residual of a part of the problem.
+  /// Collects the residual of a part of the equations.
   class Collector : public AssemblyTarget
   {
   public:

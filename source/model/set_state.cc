@@ -1,4 +1,4 @@
-// The committed state of a problem as a value, and going to one.
+// The committed state of a model as a value, and going to one.
 #include <deltaform/base/byte_stream.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/model/model.h>

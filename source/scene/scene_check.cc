@@ -155,7 +155,7 @@ namespace deltaform
     {
       const Tool &tool = *actors.tools[i];
       const Section section = root.sub("Tools").sub(tool.name());
-      // What comes later is checked when it comes: the blank has another shape then (Simulation).
+      // What comes later is checked when it comes: the blank has another shape then (Model::misplaced_tool).
       if (tool.exists_in(actors.stages.front().name))
       {
         if (const auto wrong = find_misplacement(*actors.blank, *actors.interfaces[i], zero, tool.travel(0.), 1e-9 * h))

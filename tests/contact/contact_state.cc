@@ -1,4 +1,4 @@
-// The state of a contact pair from increment to increment: rollback, promise, corrections, energies, results.
+// The state of contact points from increment to increment: rollback, promise, corrections, energies, results.
 #include "fake_surface.h"
 
 #include <deltaform/contact/contact_measures.h>
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
 
 BOOST_AUTO_TEST_CASE(what_happened_before_does_not_matter)
 {
-  // Warm starts and the skipping of distant nodes change no force: random walks against fresh pairs.
+  // Warm starts and the skipping of distant nodes change no force: random walks against fresh interfaces.
   const Entries hemisphere{"Shape=hemispherical punch", "Radius=1", "Side=top", "Position z=0", "Motion=t"};
   FakeSurface surface(4, 0., .05);
   for (unsigned int i = 0; i < 4; ++i)
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(the_promise)
 
 BOOST_AUTO_TEST_CASE(free_travel_is_the_gap_of_the_closest_node)
 {
-  // The node on the axis has no area and no pair: it says nothing of how far the tool is away.
+  // The node on the axis has no area and no contact: it says nothing of how far the tool is away.
   FakeSurface surface = row(3);
   surface.axis_node = 0;
   InterfaceFixture fixture(surface, {"Enforcement=penalty", "Allowed penetration=1e-3"}, flat);
@@ -211,7 +211,7 @@ BOOST_AUTO_TEST_CASE(the_next_factor_comes_from_the_reaction)
 
 BOOST_AUTO_TEST_CASE(who_touched_is_held_at_the_start)
 {
-  // Extrapolation opens the gap by more than the estimate of the force allows: the pair acts as a spring both ways
+  // Extrapolation opens the gap by more than the estimate of the force allows: the point acts as a spring both ways
   // until the first step has been made, and lets go if it still says so then. Resting on a tool without force is not
   // being held.
   for (const std::string enforcement : {"penalty", "active set"})

@@ -1,4 +1,4 @@
-// Residual and tangent of a contact pair on lines, arcs and corners of every registered shape, with every registered
+// Residual and tangent of a contact point on lines, arcs and corners of every registered shape, with every registered
 // enforcement: sticking, slipping, on both sides, for tools that are moved and tools that are driven by a force.
 #include "fake_surface.h"
 

@@ -1,4 +1,4 @@
-// Laws of friction by numbers, and what a contact pair makes of them.
+// Laws of friction by numbers, and what an interface makes of them.
 #include "fake_surface.h"
 
 #include <deltaform/contact/friction_law.h>

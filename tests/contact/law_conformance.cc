@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(penalty_factors_are_positive_and_finite)
 
 BOOST_AUTO_TEST_CASE(a_promise_is_kept_by_corrections)
 {
-  // A spring k against the pair, pressed by a given way: p = k w / (k + eps). Corrections must end with p <= delta if
+  // A spring k against a point, pressed by a given way: p = k w / (k + eps). Corrections must end with p <= delta if
   // the rule promises that, raise the factor only, and leave alone what is fine.
   for_all<PenaltyRule>({},
                        [](const PenaltyRule &rule) {
@@ -285,7 +285,7 @@ BOOST_AUTO_TEST_CASE(floors_bound_the_factor)
 
 BOOST_AUTO_TEST_CASE(rules_without_a_promise_end_their_corrections)
 {
-  // A spring k against the pair again: 'constant' stops at its goal, 'paper' and 'element stiffness' at once, the
+  // A spring k against a point again: 'constant' stops at its goal, 'paper' and 'element stiffness' at once, the
   // others where the penetration is near delta; within the rounds that a solve allows.
   for (const std::string kind : {"per node", "per area"})
     for_all<PenaltyRule>({"Penalty factor=3e5", "Penalty factor is=" + kind},

@@ -12,18 +12,18 @@ namespace deltaform
     double normal = 0; ///< work of the transverse normal stress so far; part of the above, but not of the virtual work
   };
 
-  /// Energies of contact since the start of the run, summed over the pairs.
+  /// Energies of contact since the start of the run, summed over the contact points.
   struct ContactEnergy
   {
     double stored = 0; ///< now in the penalty springs: eps p^2 / 2, and t^2 / (2 eps_t) of sticking friction
     double friction = 0; ///< dissipated so far
     /// Square of the error to be expected of it because increments are long, see friction_error()
     double friction_variance = 0;
-    double epsilon = 0; ///< work done on the pairs by changing eps, so far: (eps_1 - eps_0) p_0 p_1 / 2 per increment
-    double thickness = 0; ///< work done on the pairs by the thickness that is updated between increments, so far
+    double epsilon = 0; ///< work done on the springs by changing eps, so far: (eps_1 - eps_0) p_0 p_1 / 2 per increment
+    double thickness = 0; ///< work done on the springs by the thickness that is updated between increments, so far
 
     /// How far `friction` is to be expected from that of short increments, as a standard deviation: sqrt(sum of J^2/12)
-    /// over increments and tools, J = sum of (t_1 - t_0) ds over the pairs of a tool (doc/time_integration.md). About
+    /// over increments and tools, J = sum of (t_1 - t_0) ds over the points of a tool (doc/time_integration.md). About
     /// proportional to the length of the increments.
     double friction_error() const
     {

@@ -163,7 +163,8 @@ namespace deltaform
 
     void commit(const Vector &q);
 
-    /// After the blank's thickness was updated: new gaps at the same positions.
+    /// After the blank's thickness was updated: count the work that this does at the same positions. Gaps and forces
+    /// stay those of the accepted equilibrium.
     void refresh(const Vector &q);
     ///@}
 

@@ -23,8 +23,6 @@ namespace deltaform
     virtual ~Hardening() = default;
 
     virtual FlowStress evaluate(double equivalent_plastic_strain) const = 0;
-
-    /// Integral of s(e) de from 0 to e is not needed: dissipation is integrated along the path.
   };
 
 

@@ -21,7 +21,7 @@ namespace deltaform
     {
       std::string name;
       std::string dimension; ///< "length", "force", ...; "1" for pure numbers
-      std::string meaning; ///< for doc/output.md
+      std::string meaning; ///< for doc/columns.md
     };
 
     using Cell = std::variant<double, std::string>;

@@ -70,7 +70,7 @@ namespace deltaform
     /// Accept the trial state at @p q.
     void commit(const Vector &q);
 
-    /// The thickness has changed: new gaps, and the contact pressure that the blank sees in the next increments.
+    /// The thickness has changed: count its work, and tell the blank the contact pressure of the next increments.
     void refresh(const Vector &q);
 
     /// Of the committed state.

@@ -17,9 +17,9 @@
 namespace deltaform
 {
   /**
-   * The equations of one increment: blank, loads, released forces and the contact pairs of the current stage, assembled
-   * in this order, because penalty rules read the blank's stiffness before contact adds to it. Knows which unknowns are
-   * prescribed and what is committed.
+   * The equations of one increment: blank, loads, released forces and the contact interfaces of the current stage,
+   * assembled in this order, because penalty rules read the blank's stiffness before contact adds to it. Knows which
+   * unknowns are prescribed and what is committed.
    */
   class Model : public IncrementProblem
   {
@@ -216,7 +216,7 @@ namespace deltaform
     std::string stage_name_;
     bool energies_wanted_ = true;
 
-    ModelState state_; ///< committed; body and contact points are with the blank and the pairs
+    ModelState state_; ///< committed; body and contact points are with the blank and the interfaces
     double time_ = 0; ///< at the end of the increment that is tried
     Vector prescribed_;
     ContactSet contact_;
