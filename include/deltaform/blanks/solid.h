@@ -165,8 +165,8 @@ namespace deltaform
     /// The part of set_up_dofs() that several processes do together; @p number: of the unknowns.
     void set_up_distributed_dofs(const std::vector<DofIndex> &number, const CellPlaces &places);
 
-    /// Are the points of the children of a cell, at the committed displacements, not turned inside out? The points of the
-    /// cell itself may all be right where a corner of it is folded.
+    /// Are the points of the children of a cell, at the committed displacements, not turned inside out? The points of
+    /// the cell itself may all be right where a corner of it is folded.
     bool divisible(unsigned int cell) const;
 
     /// Flag the @p marked cells that can be divided, and with them what their neighbours need. @return whether any is
@@ -203,8 +203,8 @@ namespace deltaform
     /// C_p^-1 of a point whose logarithmic elastic strain has the deviator of @p elastic.
     void set_plastic_metric(unsigned int point, Mandel elastic);
 
-    /// Make the elastic strains of all points, at the displacements of the last pass, the @p wanted ones as far as metal
-    /// has flowed there: by the plastic strain and, for the volume, by volume_offset_.
+    /// Make the elastic strains of all points, at the displacements of the last pass, the @p wanted ones as far as
+    /// metal has flowed there: by the plastic strain and, for the volume, by volume_offset_.
     void keep_elastic_strain(const std::vector<Mandel> &wanted);
 
     Point2 position(const Vector &q, unsigned int node) const;
