@@ -48,8 +48,10 @@ BOOST_AUTO_TEST_CASE(how_an_earlier_run_ended)
     return earlier_exit_status(folder.path.string());
   };
   BOOST_TEST(!earlier_exit_status(folder.file("")).has_value());
-  BOOST_TEST(status_in("{\"title\": \"\\\"exit_status\\\": 0\",\n\"exit_status\": 2, \"time\": null}").value_or(-1) == 2);
-  for (const std::string nothing : {"", "[]", "2", "{\"exit_status\": 2", "{\"outcome\": \"done\"}", "{\"exit_status\": null}"})
+  BOOST_TEST(status_in("{\"title\": \"\\\"exit_status\\\": 0\",\n\"exit_status\": 2, \"time\": null}").value_or(-1) ==
+             2);
+  for (const std::string nothing : {"", "[]", "2", "{\"exit_status\": 2", "{\"outcome\": \"done\"}",
+                                    "{\"exit_status\": null}"})
     BOOST_TEST(!status_in(nothing).has_value());
 }
 
