@@ -40,7 +40,7 @@ namespace deltaform
    *       std::cout << analysis.model().tool_forces()[0];
    *     const int status = analysis.end();
    *
-   * It writes nothing; observers do.
+   * It writes nothing; observers do. It works on the actors themselves: of one scene, one analysis at a time.
    */
   class Analysis
   {
@@ -58,8 +58,8 @@ namespace deltaform
     /// The state after the last accepted increment, as a value.
     State state() const;
 
-    /// Go to @p state, forwards or back; also that of another analysis of the same scene. @throws SceneError if it does
-    /// not fit
+    /// Go to @p state, forwards or back, but not back over a refinement; also to that of another analysis whose scene
+    /// has the same entries. Observers are not told. @throws SceneError if it does not fit
     void set_state(const State &state);
 
     /// All stages. @return exit status: done, not_converged or promise_broken

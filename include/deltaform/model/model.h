@@ -183,8 +183,8 @@ namespace deltaform
     /// The committed state, as a value.
     ModelState state() const;
 
-    /// Go to @p state, in the middle or at the end of @p stage: forwards or back, to a state of this model or of
-    /// another one of the same scene. @throws SceneError if it does not fit
+    /// Go to @p state, in the middle or at the end of @p stage: forwards or back (but not over a refinement), to a
+    /// state of this model or of one whose scene has the same entries. @throws SceneError if it does not fit
     void set_state(const ModelState &state, const Stage &stage);
 
   private:
