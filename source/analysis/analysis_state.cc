@@ -40,9 +40,9 @@ namespace deltaform
                               text::format(stages[state.stage].end)
                           : "no more") +
                        " (Steps). Start again without --resume.");
+    problem_.set_state(state.model, stages[state.stage]);
     state_ = state;
     state_.model = ModelState();
-    problem_.set_state(state.model, stage());
     std::istringstream bytes(state.conditions);
     boost::archive::binary_iarchive archive(bytes);
     for (const auto &condition : conditions_)
@@ -53,6 +53,7 @@ namespace deltaform
     cost_ = IncrementCost();
     status_ = exit_status::done;
     message_.clear();
+    state_at_stop_.reset();
   }
 
 

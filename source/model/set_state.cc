@@ -30,16 +30,23 @@ namespace deltaform
   void Model::set_state(const ModelState &state, const Stage &stage)
   {
     const std::size_t n_before = state_.unknowns.size();
-    actors_.blank->set_state(state.body);
-    if (actors_.blank->refinement() != nullptr && state.unknowns.size() != n_before)
-    {
-      for (auto &pair : actors_.interfaces)
-        pair->resize();
-      renumber();
-    }
-    if (state.unknowns.size() != state_.unknowns.size() || state.interfaces.size() != actors_.interfaces.size())
+    const auto refuse = [&]() {
       throw SceneError("Cannot resume: the saved state has " + std::to_string(state.unknowns.size()) +
                        " unknowns, the scene has " + std::to_string(state_.unknowns.size()) + ".");
+    };
+    // Before anything changes, as far as it can be known.
+    if (state.interfaces.size() != actors_.interfaces.size() ||
+        (actors_.blank->refinement() == nullptr && state.unknowns.size() != n_before))
+      refuse();
+    actors_.blank->set_state(state.body);
+    if (state.unknowns.size() != n_before)
+    {
+      for (auto &interface : actors_.interfaces)
+        interface->resize();
+      renumber();
+    }
+    if (state.unknowns.size() != state_.unknowns.size())
+      refuse();
     state_ = state;
     state_.body = KeyedArrays();
     state_.interfaces.clear();

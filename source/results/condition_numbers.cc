@@ -71,7 +71,10 @@ namespace deltaform
 
   void ConditionReport::accepted(const AcceptedIncrement &increment)
   {
-    if (due_)
+    // A refinement gives a new matrix that nobody has measured.
+    if (!due_)
+      numbers_ = ConditionNumbers();
+    else
       folder_.journal().detail(
         fmt::format("increment {}: condition number {:.4g}, scaled {:.4g}; without contact {:.4g}{}",
                     increment.number,

@@ -1,6 +1,7 @@
 // A program outside of the tree: a block of 10 by 5 with Young's modulus 1000 is pressed by a plate, increment by
 // increment; no file is read or written. The force is 2000 times the travel, less what plate and bed penetrate.
 #include <deltaform/base/command_line.h>
+#include <deltaform/materials/hardening_laws.h>
 #include <deltaform/scene/scene.h>
 
 #include <deal.II/base/mpi.h>
@@ -70,6 +71,7 @@ main(int argc, char *argv[])
   Timers timers;
   Analysis analysis(scene.actors, scene.analysis_settings(), journal, timers);
   double error = 0; // of the force
+  std::printf("a law without a scene: flow stress %g\n", Swift{589., 1e-4, .216}(.1).value);
   analysis.begin();
   while (analysis.advance())
   {

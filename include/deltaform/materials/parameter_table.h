@@ -23,7 +23,7 @@ namespace deltaform
 
   /// What holds between the parameters of a law; @p parameter is the one to blame if it does not.
   template <typename Law>
-  struct Condition
+  struct ParameterCondition
   {
     std::string parameter, sentence;
     bool (*holds)(const Law &);
@@ -37,7 +37,7 @@ namespace deltaform
   struct ParameterTable
   {
     std::vector<Parameter<Law>> parameters;
-    std::vector<Condition<Law>> conditions = {};
+    std::vector<ParameterCondition<Law>> conditions = {};
 
     /// The law with its defaults and examples.
     Law example() const
