@@ -51,7 +51,7 @@ FAR_TOOL = ["Tools/Names=punch, other", "Tools/other/Shape=plate", "Tools/other/
 NO_FRICTION = [f"Tools/{tool}/Friction coefficient=0" for tool in ("punch", "die", "holder")]
 FEATURES = [
     Feature("friction", "prm/cup.prm", "form", (.1, .2), .01,
-            r"Coulomb::(update|limit)|Shape::slip|Shape::mean_curvature|Shape::curvature_change|tangential_factor", off=NO_FRICTION),
+            r"Coulomb::limit|FrictionLaw::update|InterfaceFriction::|Shape::mean_curvature|Shape::curvature_change", off=NO_FRICTION),
     Feature("plasticity", "prm/pressed_plate.prm", "form", (2, 4), .2,
             r"plane_stress_return|radial_return|PerfectlyPlastic|Elastoplastic::",
             on=["Material/Model=elastoplastic", "Material/Hardening/Law=perfectly plastic", "Material/Hardening/Flow stress=400"]),
@@ -62,14 +62,14 @@ FEATURES = [
     Feature("condition number", "prm/cup.prm", "form", (.05, .1), .01,
             r"ConditionReport::|condition::", on=["Output/Condition number every=1"]),
     Feature("pictures (VTU)", "prm/cup.prm", "form", (.1, .2), .01,
-            r"write_vtu|write_picture|::draw$|PictureSeries::add", output=["Output/Travels=", NO_CHECKPOINT],
+            r"write_vtu|PictureObserver::write|::draw$|PictureSeries::add", output=["Output/Travels=", NO_CHECKPOINT],
             on=["Output/Pictures=20"], off=["Output/Pictures=0"]),
     Feature("energies", "prm/cup.prm", "form", (.1, .2), .01,
-            r"elastic_energy|thickness_strain_work|update_stored_energy|add_energ", off=["Output/Energies=false"]),
+            r"elastic_energy|thickness_strain_work|stored_energy", off=["Output/Energies=false"]),
     Feature("tool driven by a force", "prm/cup.prm", "form", (.1, .2), .01,
             r"Tool::force$|bring_into_contact|add_elsewhere", on=["Tools/holder/Force=0.2"]),
     Feature("refinement", "prm/upsetting.prm", "press", (.2, .4), .05,
-            r"Solid::mark|Solid::refine$|estimate_error|inherit", on=["Blank/Refinement/Criterion=recovery"]),
+            r"Solid::mark|Solid::refine$|estimate_error|inherit|ContactInterface::transfer", on=["Blank/Refinement/Criterion=recovery"]),
     Feature("two processes", "prm/upsetting.prm", "press", (.2, .4), .05,
             r"System::Rows::|MPI_Alltoall|MPI_Allgatherv", ranks=2),
 ]
