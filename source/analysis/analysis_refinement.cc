@@ -49,6 +49,9 @@ namespace deltaform
         state_.since_refinement = 0;
       AcceptedIncrement increment = accepted(result.cost);
       increment.is_last_here = !marked;
+      increment.strain_at_rest = result.strain_at_rest;
+      for (const auto &condition : conditions_)
+        condition->observe(increment);
       notify(increment);
     }
     return true;

@@ -2,9 +2,6 @@
 #include <deltaform/base/percent.h>
 #include <deltaform/model/accepted_increment.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-
 #include <cmath>
 
 namespace deltaform
@@ -12,13 +9,9 @@ namespace deltaform
   namespace
   {
     /// Do works and energies agree at the end?
-    class EnergyBalance : public Condition
+    class EnergyBalance : public SavedCondition<EnergyBalance>
     {
     public:
-      explicit EnergyBalance(const Actors &)
-      {
-      }
-
       void observe(const AcceptedIncrement &increment) override
       {
         error_ = increment.energies().error();
@@ -33,22 +26,16 @@ namespace deltaform
                 " at the end. Set a smaller Largest increment in Steps/<stage>."};
       }
 
-      void save(boost::archive::binary_oarchive &archive) const override
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int)
       {
-        archive << error_;
-      }
-
-      void load(boost::archive::binary_iarchive &archive) override
-      {
-        archive >> error_;
+        archive &error_;
       }
 
     private:
       double error_ = 0.; ///< of the last increment
     };
 
-    const ConditionEntry entry("energy balance", [](const Actors &actors) -> std::unique_ptr<Condition> {
-      return std::make_unique<EnergyBalance>(actors);
-    });
+    const ConditionEntry entry("energy balance", make_condition<EnergyBalance>);
   } // namespace
 } // namespace deltaform

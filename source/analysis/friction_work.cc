@@ -2,9 +2,6 @@
 #include <deltaform/base/percent.h>
 #include <deltaform/model/accepted_increment.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-
 #include <algorithm>
 
 namespace deltaform
@@ -12,13 +9,9 @@ namespace deltaform
   namespace
   {
     /// How well is the work of friction known at the end (doc/time_integration.md)?
-    class FrictionWork : public Condition
+    class FrictionWork : public SavedCondition<FrictionWork>
     {
     public:
-      explicit FrictionWork(const Actors &)
-      {
-      }
-
       void observe(const AcceptedIncrement &increment) override
       {
         const EnergyAccount &account = increment.energies();
@@ -37,22 +30,16 @@ namespace deltaform
                 "increment in Steps/<stage>."};
       }
 
-      void save(boost::archive::binary_oarchive &archive) const override
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int)
       {
-        archive << friction_ << error_ << work_;
-      }
-
-      void load(boost::archive::binary_iarchive &archive) override
-      {
-        archive >> friction_ >> error_ >> work_;
+        archive &friction_ &error_ &work_;
       }
 
     private:
       double friction_ = 0., error_ = 0., work_ = 0.; ///< of the last increment
     };
 
-    const ConditionEntry entry("friction work", [](const Actors &actors) -> std::unique_ptr<Condition> {
-      return std::make_unique<FrictionWork>(actors);
-    });
+    const ConditionEntry entry("friction work", make_condition<FrictionWork>);
   } // namespace
 } // namespace deltaform

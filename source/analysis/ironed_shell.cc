@@ -2,8 +2,6 @@
 #include <deltaform/analysis/ironing.h>
 #include <deltaform/model/accepted_increment.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
@@ -12,13 +10,9 @@ namespace deltaform
   namespace
   {
     /// Do two tools iron a shell? It ends the run.
-    class IronedShell : public Condition
+    class IronedShell : public SavedCondition<IronedShell>
     {
     public:
-      explicit IronedShell(const Actors &)
-      {
-      }
-
       void observe(const AcceptedIncrement &increment) override
       {
         watch_.observe(increment.sections());
@@ -34,14 +28,10 @@ namespace deltaform
         return with_remedy(watch_.suspicion());
       }
 
-      void save(boost::archive::binary_oarchive &archive) const override
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int)
       {
-        archive << watch_;
-      }
-
-      void load(boost::archive::binary_iarchive &archive) override
-      {
-        archive >> watch_;
+        archive &watch_;
       }
 
     private:
@@ -57,8 +47,6 @@ namespace deltaform
       IroningWatch watch_;
     };
 
-    const ConditionEntry entry("ironed shell", [](const Actors &actors) -> std::unique_ptr<Condition> {
-      return std::make_unique<IronedShell>(actors);
-    });
+    const ConditionEntry entry("ironed shell", make_condition<IronedShell>);
   } // namespace
 } // namespace deltaform

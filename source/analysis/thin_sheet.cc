@@ -3,9 +3,6 @@
 #include <deltaform/base/text.h>
 #include <deltaform/model/accepted_increment.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-
 #include <algorithm>
 
 namespace deltaform
@@ -13,7 +10,7 @@ namespace deltaform
   namespace
   {
     /// Is the sheet thinner than any sheet metal that is whole?
-    class ThinSheet : public Condition
+    class ThinSheet : public SavedCondition<ThinSheet>
     {
     public:
       explicit ThinSheet(const Actors &actors)
@@ -35,14 +32,10 @@ namespace deltaform
                 text::percent(thinnest_ / initial_) + " of what it was. A real sheet has torn before."};
       }
 
-      void save(boost::archive::binary_oarchive &archive) const override
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int)
       {
-        archive << thinnest_;
-      }
-
-      void load(boost::archive::binary_iarchive &archive) override
-      {
-        archive >> thinnest_;
+        archive &thinnest_;
       }
 
     private:
@@ -50,8 +43,6 @@ namespace deltaform
       double initial_, thinnest_;
     };
 
-    const ConditionEntry entry("thin sheet", [](const Actors &actors) -> std::unique_ptr<Condition> {
-      return std::make_unique<ThinSheet>(actors);
-    });
+    const ConditionEntry entry("thin sheet", make_condition<ThinSheet>);
   } // namespace
 } // namespace deltaform

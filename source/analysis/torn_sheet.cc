@@ -2,8 +2,6 @@
 #include <deltaform/analysis/necking.h>
 #include <deltaform/model/accepted_increment.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
@@ -12,13 +10,9 @@ namespace deltaform
   namespace
   {
     /// Does the sheet tear? It ends the run, unless its stage says to go on.
-    class TornSheet : public Condition
+    class TornSheet : public SavedCondition<TornSheet>
     {
     public:
-      explicit TornSheet(const Actors &)
-      {
-      }
-
       void observe(const AcceptedIncrement &increment) override
       {
         watch_.observe(increment.sections());
@@ -49,14 +43,10 @@ namespace deltaform
         return {"necked: " + passed_over_ + ". What was computed after that depends on the mesh."};
       }
 
-      void save(boost::archive::binary_oarchive &archive) const override
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int)
       {
-        archive << watch_ << passed_over_;
-      }
-
-      void load(boost::archive::binary_iarchive &archive) override
-      {
-        archive >> watch_ >> passed_over_;
+        archive &watch_ &passed_over_;
       }
 
     private:
@@ -64,8 +54,6 @@ namespace deltaform
       std::string passed_over_; ///< the last neck with which the run went on
     };
 
-    const ConditionEntry entry("torn sheet", [](const Actors &actors) -> std::unique_ptr<Condition> {
-      return std::make_unique<TornSheet>(actors);
-    });
+    const ConditionEntry entry("torn sheet", make_condition<TornSheet>);
   } // namespace
 } // namespace deltaform

@@ -1,8 +1,6 @@
 #include <deltaform/analysis/conditions.h>
 #include <deltaform/model/accepted_increment.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/vector.hpp>
 
 namespace deltaform
@@ -10,7 +8,7 @@ namespace deltaform
   namespace
   {
     /// Has every tool touched the blank?
-    class UntouchedTools : public Condition
+    class UntouchedTools : public SavedCondition<UntouchedTools>
     {
     public:
       explicit UntouchedTools(const Actors &actors)
@@ -35,14 +33,10 @@ namespace deltaform
         return result;
       }
 
-      void save(boost::archive::binary_oarchive &archive) const override
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int)
       {
-        archive << touched_;
-      }
-
-      void load(boost::archive::binary_iarchive &archive) override
-      {
-        archive >> touched_;
+        archive &touched_;
       }
 
     private:
@@ -50,8 +44,6 @@ namespace deltaform
       std::vector<bool> touched_; ///< tool by tool
     };
 
-    const ConditionEntry entry("untouched tools", [](const Actors &actors) -> std::unique_ptr<Condition> {
-      return std::make_unique<UntouchedTools>(actors);
-    });
+    const ConditionEntry entry("untouched tools", make_condition<UntouchedTools>);
   } // namespace
 } // namespace deltaform

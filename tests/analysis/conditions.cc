@@ -164,6 +164,13 @@ BOOST_AUTO_TEST_CASE(snaps_are_counted)
   BOOST_TEST(one_has(said, "by up to 0.5 rad (the most at time 2)"));
 }
 
+BOOST_AUTO_TEST_CASE(strain_of_a_refinement_is_said)
+{
+  Fixture fixture;
+  fixture.increment.strain_at_rest = .3;
+  BOOST_TEST(one_has(fixture.warnings(), "after 1 refinements strained a point by up to 0.3"));
+}
+
 BOOST_AUTO_TEST_CASE(an_ironed_shell_ends_the_run_after_two_increments)
 {
   Fixture fixture;

@@ -234,8 +234,20 @@ BOOST_AUTO_TEST_CASE(at_the_same_time_any_rotation_will_do)
 {
   Fixture fixture({"Largest rotation increment=1e-3"});
   fixture.problem.q[0] = .3;
-  const auto result = fixture.increment.attempt({.1, 0., true, fixture.before}, 0., Effort::usual);
+  const IncrementStart start{.1, 0., true, fixture.before};
+  const auto result = fixture.increment.attempt(start, 0., Effort::usual);
   BOOST_TEST(!result.rejected);
+  BOOST_TEST(result.strain_at_rest == 0.);
+  // So may any strain, but it is remembered,
+  fixture.problem.strain = .7;
+  const auto far = fixture.increment.attempt(start, 0., Effort::last_resorts);
+  BOOST_TEST(!far.rejected);
+  BOOST_TEST(far.strain_at_rest == .7);
+  // and not in an equilibrium that only a last resort has found.
+  fixture.problem.q[0] = .4;
+  const auto snapped = fixture.increment.attempt({.4049, 0., true, fixture.before}, 0., Effort::last_resorts);
+  BOOST_REQUIRE(snapped.rejected.has_value());
+  BOOST_TEST((snapped.rejected->kind == Rejected::Kind::too_large));
 }
 
 BOOST_AUTO_TEST_CASE(a_broken_promise_is_no_solution)

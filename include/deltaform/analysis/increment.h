@@ -32,6 +32,7 @@ namespace deltaform
     IncrementCost cost; ///< of all strategies together
     unsigned int iterations_to_equilibrium = 0; ///< of these, without the corrections of the last solve
     double snap_rotation = 0; ///< rad; by how much a node has turned, if more than allowed in a snap that is accepted
+    double strain_at_rest = 0; ///< of a point, if more than allowed, in a new equilibrium at the same time
   };
 
   /// What may be tried to find an equilibrium.
@@ -55,8 +56,9 @@ namespace deltaform
     IncrementResult attempt(const IncrementStart &start, double length, Effort effort);
 
   private:
-    /// Is the step to @p result too large? Remembers a snap there.
-    std::optional<Rejected> too_large(double length, bool may_snap, IncrementResult &result) const;
+    /// Is the step to @p result too large? @param snapped a last resort has found it @param may_snap so that nodes may
+    /// turn by more than allowed; remembered in @p result
+    std::optional<Rejected> too_large(double length, bool snapped, bool may_snap, IncrementResult &result) const;
 
     /// Why a solve failed, in words.
     std::string explain(const NewtonResult &result) const;

@@ -20,6 +20,7 @@ namespace deltaform
     double time; ///< at its end
     unsigned int number; ///< counts from 1
     IncrementCost cost;
+    double strain_at_rest = 0; ///< of a point, if more than allowed, where a refinement had left no equilibrium
     double snap_rotation = 0; ///< rad; by how much a node has turned, if more than allowed because the blank snapped
     bool is_last_here = true; ///< else the mesh is refined, and another one ends at the same time
     bool ends_stage = false;

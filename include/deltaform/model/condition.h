@@ -1,13 +1,9 @@
 #pragma once
 
+#include <deltaform/base/archive_fwd.h>
+
 #include <string>
 #include <vector>
-
-namespace boost::archive
-{
-  class binary_oarchive;
-  class binary_iarchive;
-} // namespace boost::archive
 
 namespace deltaform
 {

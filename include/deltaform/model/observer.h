@@ -1,17 +1,12 @@
 #pragma once
 
+#include <deltaform/base/archive_fwd.h>
 #include <deltaform/base/types.h>
 #include <deltaform/model/checkpoint.h>
 
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace boost::archive
-{
-  class binary_oarchive;
-  class binary_iarchive;
-} // namespace boost::archive
 
 namespace deltaform
 {

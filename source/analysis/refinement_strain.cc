@@ -1,0 +1,43 @@
+#include "worst.h"
+
+#include <deltaform/analysis/conditions.h>
+#include <deltaform/base/text.h>
+#include <deltaform/model/accepted_increment.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Has a new equilibrium after a refinement strained a point by more than an increment may?
+    class RefinementStrain : public SavedCondition<RefinementStrain>
+    {
+    public:
+      void observe(const AcceptedIncrement &increment) override
+      {
+        worst_.tell(increment.strain_at_rest, increment.time);
+      }
+
+      std::vector<std::string> warnings(bool) const override
+      {
+        if (worst_.n == 0)
+          return {};
+        return {"refinement: restoring equilibrium after " + std::to_string(worst_.n) +
+                " refinements strained a point by up to " + text::rounded(worst_.value) + " (the most at time " +
+                text::rounded(worst_.time) +
+                "), more than Solver/Largest strain increment. The mesh was too coarse when it was refined: begin with "
+                "a finer one, or refine earlier (Blank/Refinement)."};
+      }
+
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int)
+      {
+        archive &worst_;
+      }
+
+    private:
+      Worst worst_;
+    };
+
+    const ConditionEntry entry("refinement strain", make_condition<RefinementStrain>);
+  } // namespace
+} // namespace deltaform
