@@ -16,6 +16,7 @@
 #include <deltaform/results/observers.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/scene.h>
+#include <deltaform/solver/linear_method.h>
 
 #include <deal.II/base/config.h>
 
@@ -122,6 +123,7 @@ namespace deltaform
       list<FrictionLaw>("Tools/<name>/Friction law");
       list<Enforcement>("Contact/Enforcement");
       list<PenaltyRule>("Contact/Penalty rule");
+      list<LinearMethod>("Solver/Linear solver");
       return exit_status::done;
     }
 

@@ -13,6 +13,8 @@ class Epetra_CrsMatrix;
 
 namespace deltaform
 {
+  class LinearMethod;
+
   /// Who solves the linear systems, and how well.
   struct LinearSolverSettings
   {
@@ -25,12 +27,15 @@ namespace deltaform
     /// front_width().
     void choose(std::size_t n, std::size_t width);
 
-
     std::string name;
     bool automatic = false; ///< name is the program's choice
+    std::shared_ptr<const LinearMethod> method; ///< of that name
     double tolerance = 1e-10;
     unsigned int max_iterations = 2000;
     bool linear_path = true; ///< a part of the tangent that does not change is factorized once
+
+  private:
+    static std::shared_ptr<const LinearMethod> method_called(const std::string &name);
   };
 
   /**
