@@ -149,7 +149,7 @@ def shares(program, empty, folder):
     """Of whole processes, all default outputs, what is not an iteration. Start-up (1): until the first increment; output (13): what the run
     waits for; bookkeeping: accepting increments (12) and what bears no name. The empty program stands for loading the libraries and MPI."""
     table = MeasuredTable(["scene", "whole process", "iterations (2 to 11)", "start-up (1)", "output (13)", "bookkeeping (12, rest)",
-                           "empty program", "share of 1, 12, 13 and rest"])
+                           "empty program", "share of 1, 12, 13 and rest", "with the empty program"])
     for scene, entries in LONG_RUNS:
         command = [program, scene, "--quiet", "--output", folder, *(word for entry in entries for word in ("--set", entry))]
         parts, nothing = [], []
@@ -163,7 +163,7 @@ def shares(program, empty, folder):
         steps, start_up, output, rest = (min(part) for part in zip(*parts))
         wall, loading = steps + start_up + output + rest, min(nothing)
         table.add(", ".join([scene, *entries]), f"{wall:.2f}", f"{steps:.2f}", f"{start_up:.3f}", f"{output:.3f}", f"{rest - loading:.3f}",
-                  f"{loading:.3f}", f"{100 * (start_up + output + rest - loading) / (wall - loading):.1f} %")
+                  f"{loading:.3f}", f"{100 * (start_up + output + rest - loading) / (wall - loading):.1f} %", f"{100 * (start_up + output + rest) / wall:.1f} %")
     return table
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws doc/gallery/against_calculix.png from doc/measured/calculix_*.csv: error of the force over processor time without start-up."""
+"""Plots doc/gallery/against_calculix.png from doc/measured/calculix_*.csv: error of the force over processor time without start-up."""
 import os
 
 from measured import FOLDER, ROOT

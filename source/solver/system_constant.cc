@@ -132,7 +132,7 @@ namespace deltaform
     auto &constant = *constant_;
     constant.condensed = false;
     // An iterative solver takes the whole matrix. Its preconditioner has to know the factors of contact: one that was
-    // kept took four times as long (doc/performance.md).
+    // kept took four times as long (doc/decisions/preconditioner.md).
     if (!constant.kept || symmetric_elimination_)
       return false;
     if (constant.prepared && constant.prescribed == prescribed_)

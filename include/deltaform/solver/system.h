@@ -17,27 +17,28 @@
 namespace deltaform
 {
   /**
-   * The linear system of a Newton iteration. Unknowns [0, n_sparse) live in an Epetra matrix whose pattern and symbolic
-   * factorization are kept for the whole run; the few behind them (travels of force-driven tools) couple to many others
-   * and are eliminated as blocks with the same factorization. Prescribed unknowns get a row of their own (d = value)
-   * and keep their column, so that a prescribed increment moves its neighbours in the same iteration.
+   * The linear system K d = -R of a Newton iteration. Unknowns [0, n_sparse) belong to an Epetra matrix, whose pattern
+   * and symbolic factorization are kept for the whole run. The few unknowns behind them, the border (travels of
+   * force-driven tools), couple to many others; they are eliminated with the same factorization. The row of a
+   * prescribed unknown becomes d = value; its column stays, so that a prescribed increment moves its neighbours in the
+   * same iteration. Derivation: doc/theory/solver.md.
    */
   class System : public AssemblyTarget, public StiffnessView
   {
   public:
     /**
      * @param pattern   couplings of the sparse unknowns, n_sparse x n_sparse
-     * @param n_border  number of unknowns behind them
-     * @param solver    who solves it, and how well
-     * @param owned     rows that this process keeps: consecutive, rising with the number of the process; all rows:
-     * every process has the whole system for itself
+     * @param n_border  number of unknowns in the border
+     * @param solver    linear solver and its tolerance
+     * @param owned     rows of this process: consecutive, rising with the number of the process. All rows: every
+     *                  process has the whole system for itself
      */
     System(dealii::DynamicSparsityPattern &&pattern,
            unsigned int n_border,
            const LinearSolverSettings &solver,
            const dealii::IndexSet &owned);
 
-    /// A system of this process alone.
+    /// A system for this process alone.
     System(dealii::DynamicSparsityPattern &&pattern, unsigned int n_border, const std::string &solver);
     ~System() override;
     System(System &&) noexcept;
@@ -46,25 +47,24 @@ namespace deltaform
     unsigned int size() const;
 
     /**
-     * What is added to the tangent up to sum_over_ranks() does not change from pass to pass (the stiffness of a linear
-     * blank): it is added in one pass with tangent, and none is wanted for it in later ones. A direct solver then
-     * factorizes it once; what is added behind it is an update of low rank, see LowRankUpdate.
-     * @param candidates   the sparse unknowns that may get entries behind it; with others the whole is factorized
-     * @param largest_rank so it is if more unknowns than this get entries
+     * The part of the tangent that is added before sum_over_ranks() is the same in every pass (the stiffness of a
+     * linear blank). It is added in the first pass with a tangent only. A direct solver factorizes it once; what is
+     * added after sum_over_ranks() is an update of low rank (LowRankUpdate). The whole matrix is factorized instead if
+     * unknowns outside of @p candidates get entries after sum_over_ranks(), or more than @p largest_rank do.
      */
     void keep_constant_part(std::vector<DofIndex> candidates, std::size_t largest_rank);
 
-    /// Let no earlier matrix have a say in how the next ones are factorized.
+    /// Discard what is kept from earlier factorizations (pivots): see LinearSolver::forget().
     void forget_factors();
 
-    /// Set everything to zero, but for a constant part, and start a pass.
+    /// Start a pass: set everything to zero but a constant part.
     void clear(bool tangent);
 
     void add(const DofIndex *dofs, unsigned int n, const double *matrix, const double *vector) override;
 
     /**
-     * The end of the part that each process has assembled for its cells: residuals are summed, rows of the matrix go to
-     * their owners. What is added from here on is the same on all processes, and counts once.
+     * Every process has assembled its own cells: sum the residuals, send rows of the matrix to their owners. What is
+     * added from here on is the same on all processes, and counts once.
      */
     void sum_over_ranks();
 
@@ -74,8 +74,7 @@ namespace deltaform
 
     void multiply(const Vector &direction, Vector &result) const override;
 
-    /// Motions that cost next to no energy (rigid ones), each over the sparse unknowns: an algebraic multigrid has to
-    /// represent them.
+    /// Rigid motions, each over the sparse unknowns: an algebraic multigrid has to represent them.
     void set_near_null_space(const std::vector<Vector> &motions);
 
     /// Which unknowns are prescribed.
@@ -111,9 +110,9 @@ namespace deltaform
     double largest_diagonal() const;
 
     /**
-     * Factorize the assembled tangent. @param shift is added to the diagonal (scaled by the diagonal), 0 in general; it
-     * changes the path to the solution, not the solution.
-     * @return false if the matrix is singular
+     * Factorize the assembled tangent. @return false if it is singular
+     * @param shift times the diagonal is added to the diagonal; 0 in general. It changes the path to the solution, not
+     *              the solution
      */
     bool factorize(double shift = 0.);
 
@@ -123,7 +122,7 @@ namespace deltaform
      */
     bool solve(const Vector &increments, Vector &d);
 
-    /// Why the last solve() failed, if it was not for a singular matrix: in words; otherwise empty.
+    /// Why the last solve() failed although the matrix was not singular, in words; empty if it did not.
     std::string linear_failure() const;
 
     /// Iterations of the linear solver since the start, 0 for a direct one.
@@ -134,14 +133,14 @@ namespace deltaform
       return n_factorizations_;
     }
 
-    /// Solves with the constant part alone for its compliance at the unknowns that have been in an update.
+    /// Number of solves with the constant part alone, one per unknown that has ever been in an update.
     unsigned int n_compliances() const;
 
   private:
     struct Rows;
     struct Constant;
 
-    /// Storage for the own rows and for those that own cells contribute to.
+    /// Storage for the rows of this process, and for the others that its cells contribute to.
     void distribute(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned);
 
     bool owns(const DofIndex row) const
@@ -149,12 +148,12 @@ namespace deltaform
       return !rows_ || (row >= first_ && row < end_);
     }
 
-    /// Place of an entry among the values, EntryPlaces::nowhere if it is not stored.
+    /// Index of an entry in the array of values; EntryPlaces::nowhere if it is not stored.
     int place(DofIndex row, DofIndex column) const;
 
     double *entry(DofIndex row, DofIndex column) const;
 
-    /// Places of the diagonal of the own rows: it is read in every iteration.
+    /// Find the places of the diagonal, which is read in every iteration.
     void find_diagonal();
 
     /// Add to an entry that is not stored here.
@@ -162,28 +161,28 @@ namespace deltaform
 
     bool solve_sparse(const Vector &right_side, Vector &solution);
 
-    /// The array in which a matrix for the solver is prepared, a copy of the tangent; the tangent itself where nobody
-    /// needs it any more.
+    /// The array in which the matrix for the solver is prepared: a copy of the tangent, or the tangent itself where it
+    /// is not needed any more.
     double *stage();
 
-    /// Rows (and columns, where the elimination is symmetric) of prescribed unknowns, and the shift of the diagonal, in
-    /// a staged matrix whose largest diagonal entry is @p scale.
+    /// Eliminate the rows (and columns, where the elimination is symmetric) of prescribed unknowns in a staged matrix,
+    /// whose largest diagonal entry is @p scale, and shift its diagonal.
     void eliminate(double *staged, double scale, double shift);
 
-    /// Give a staged matrix to the solver.
+    /// Give a staged matrix to the solver: distributed rows are copied, others are there already.
     void hand_over(const double *staged);
 
     bool factorize_whole(double shift);
 
-    /// The update is of low rank and the constant part is factorized.
+    /// Factorize constant part and update. @return false if the update is not of low rank, or singular
     bool factorize_constant();
 
-    /// Take back what has been added to the constant part.
+    /// Restore the constant part: remove what has been added to it.
     void restore_constant();
 
     bool solve_condensed(const Vector &increments, Vector &d);
 
-    /// -R, and what a solution lacks of it.
+    /// -R less the eliminated columns times their increments; in rows of prescribed unknowns the increment itself.
     void right_side(const Vector &increments, Vector &result) const;
 
     unsigned int n_sparse_, n_border_;
