@@ -71,7 +71,7 @@ FEATURES = [
     Feature("refinement", "prm/upsetting.prm", "press", (.2, .4), .05,
             r"Solid::mark|Solid::refine$|estimate_error|inherit|ContactInterface::transfer", on=["Blank/Refinement/Criterion=recovery"]),
     Feature("two processes", "prm/upsetting.prm", "press", (.2, .4), .05,
-            r"System::Rows::|MPI_Alltoall|MPI_Allgatherv", ranks=2),
+            r"DistributedRows::|MPI_Alltoall|MPI_Allgatherv", ranks=2),
 ]
 
 
