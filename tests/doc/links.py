@@ -13,7 +13,7 @@ import urllib.parse
 LINK = re.compile(r"(?<!\\)!?\[[^\]\[]*(?:\[[^\]]*\][^\]\[]*)*\]\(([^()\s]*(?:\([^()\s]*\))?[^()\s]*)\)")
 NAMED = re.compile(r"(?<![\w/])doc/[\w./-]*\w\.(?:md|csv|png)\b")
 OUTSIDE = re.compile(r"[a-z]+:")
-CODE = re.compile(r"```.*?```|`[^`\n]*`", re.DOTALL)
+CODE = re.compile(r"```.*?```|`(?:[^`\n]|\n(?!\n))*`", re.DOTALL)
 
 
 def pages(root):
