@@ -11,8 +11,8 @@ PAGES = {
     "doc/README.md": "# Index\n[a](a.md#a-heading-p--delta) [again](a.md#twice-1) [gone](b.md) [no heading](a.md#b) ![picture](c.png)\n[itself](#index) [own](a.md#here)\n",
     "doc/a.md": "# A heading: p & delta\n## Twice\n## Twice\n<a id=\"here\"></a>\n```\n# no heading\n[code](no.md)\n```\n[table](measured/t.csv) [up](../README.md#code)\n",
     "doc/lost.md": "# Lost\n",
-    "doc/measured/t.csv": "a\n1\n",
-    "doc/measured/unread.csv": "a\n1\n",
+    "doc/measured/t.csv": "# what\n# source/law.cc, deltaform 1\na\n1\n",
+    "doc/measured/unread.csv": "# what\n# scripts/gone.py, deltaform 1\na\n1\n",
     "source/law.cc": "// Derivation: doc/a.md, and doc/theory/none.md.\n",
 }
 EXPECTED = {
@@ -22,6 +22,7 @@ EXPECTED = {
     "doc/a.md: '../README.md#code': there is no such heading",
     "doc/lost.md: no way leads here from doc/README.md",
     "doc/measured/unread.csv: no page links this table",
+    "doc/measured/unread.csv: its second line names no script that exists",
     "source/law.cc: there is no 'doc/theory/none.md'",
 }
 

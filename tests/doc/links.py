@@ -2,7 +2,7 @@
 """Links of the pages lead somewhere: links.py [ROOT].
 
 Checks every page (*.md): relative links and pictures name files, anchors name headings, and code and scenes name pages that exist ('doc/...').
-Every page of doc/ can be reached from doc/README.md, and every measured table is linked from a page. Exit status 1 and a line per finding.
+Every page of doc/ can be reached from doc/README.md, and every measured table is linked from a page and names its script. Exit status 1 and a line per finding.
 Standard library only.
 """
 import pathlib
@@ -77,6 +77,9 @@ def check(root):
     for table in sorted((root / "doc" / "measured").glob("*")):
         if table not in linked:
             found.append(f"{table.relative_to(root)}: no page links this table")
+        script = re.match(r"# .*\n# (\S+), deltaform \S+\n", table.read_text(encoding="utf-8"))
+        if not script or not (root / script.group(1)).exists():
+            found.append(f"{table.relative_to(root)}: its second line names no script that exists")
     return found
 
 
