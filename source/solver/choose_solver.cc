@@ -1,4 +1,4 @@
-// Which direct solver is the faster one: measured in doc/distributed.md, "Which solver".
+// Which direct solver is the faster one: measured in doc/performance.md, "Which solver".
 #include <deltaform/base/ranks.h>
 #include <deltaform/solver/linear_solver.h>
 
