@@ -6,7 +6,8 @@ set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
 
-"$root/scripts/setup.sh" python3-dev pybind11-dev python3-numpy python3-scipy python3-matplotlib || exit 1
+"$root/scripts/setup.sh" python3-dev pybind11-dev python3-numpy python3-scipy python3-matplotlib \
+  python3-plotly python3-selenium chromium chromium-driver || exit 1
 "$root/scripts/build.sh" "$build" || exit 1
 # The packages may be newer than the build folder.
 cmake -S "$root" -B "$build" >/dev/null && "$root/scripts/build.sh" "$build" || exit 1
