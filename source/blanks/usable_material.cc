@@ -12,8 +12,6 @@ namespace deltaform
     const bool solid = third == ThirdDirection::strain_given;
     if (solid ? !traits.strain_given : !traits.stress_given)
       section.fail(model, std::string("this material is for ") + (solid ? "shells" : "solids") + " only.");
-    if (traits.needs_duration)
-      section.fail(model, "blanks do not tell a material yet how long an increment takes: no rate factor.");
     if (axisymmetric && traits.symmetry == Symmetry::orthotropic)
       section.sub("Yield surface")
         .fail("Law",
