@@ -20,4 +20,14 @@ namespace deltaform
                                    double *trial,
                                    Mandel &stress,
                                    double *tangent);
+
+  /// The same for Hill 1948 with normal anisotropy @p r > -1/2, direction 3 normal to the sheet.
+  PointOutcome plane_stress_return(double r,
+                                   const FlowLaw &law,
+                                   Mandel &strain,
+                                   double third_stress,
+                                   const double *committed,
+                                   double *trial,
+                                   Mandel &stress,
+                                   double *tangent);
 } // namespace deltaform
