@@ -3,7 +3,6 @@
 #include <deltaform/base/assembly_target.h>
 #include <deltaform/base/stiffness_view.h>
 #include <deltaform/base/types.h>
-#include <deltaform/solver/entry_places.h>
 #include <deltaform/solver/linear_solver.h>
 
 #include <deal.II/base/index_set.h>
@@ -16,6 +15,11 @@
 
 namespace deltaform
 {
+  class ConstantPart;
+  class Factorization;
+  class PrescribedRows;
+  class Tangent;
+
   /**
    * The linear system of a Newton iteration. Unknowns [0, n_sparse) live in an Epetra matrix whose pattern and symbolic
    * factorization are kept for the whole run; the few behind them (travels of force-driven tools) couple to many others
@@ -81,10 +85,7 @@ namespace deltaform
     /// Which unknowns are prescribed.
     void set_prescribed(const std::vector<bool> &prescribed);
 
-    bool prescribed(const DofIndex dof) const
-    {
-      return prescribed_[dof];
-    }
+    bool prescribed(DofIndex dof) const;
 
     /// Visit the entries (row, column, value) of the tangent as assembled, border included; not after factorize().
     void for_each_entry(const std::function<void(DofIndex, DofIndex, double)> &action) const;
@@ -129,89 +130,20 @@ namespace deltaform
     /// Iterations of the linear solver since the start, 0 for a direct one.
     unsigned int n_linear_iterations() const;
 
-    unsigned int n_factorizations() const
-    {
-      return n_factorizations_;
-    }
+    unsigned int n_factorizations() const;
 
     /// Solves with the constant part alone for its compliance at the unknowns that have been in an update.
     unsigned int n_compliances() const;
 
   private:
-    struct Rows;
-    struct Constant;
-
-    /// Storage for the own rows and for those that own cells contribute to.
-    void distribute(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned);
-
-    bool owns(const DofIndex row) const
-    {
-      return !rows_ || (row >= first_ && row < end_);
-    }
-
-    /// Place of an entry among the values, EntryPlaces::nowhere if it is not stored.
-    int place(DofIndex row, DofIndex column) const;
-
-    double *entry(DofIndex row, DofIndex column) const;
-
-    /// Places of the diagonal of the own rows: it is read in every iteration.
-    void find_diagonal();
-
-    /// Add to an entry that is not stored here.
-    void add_elsewhere(DofIndex row, DofIndex column, double value);
-
-    bool solve_sparse(const Vector &right_side, Vector &solution);
-
-    /// The array in which a matrix for the solver is prepared, a copy of the tangent; the tangent itself where nobody
-    /// needs it any more.
-    double *stage();
-
-    /// Rows (and columns, where the elimination is symmetric) of prescribed unknowns, and the shift of the diagonal, in
-    /// a staged matrix whose largest diagonal entry is @p scale.
-    void eliminate(double *staged, double scale, double shift);
-
-    /// Give a staged matrix to the solver.
-    void hand_over(const double *staged);
-
     bool factorize_whole(double shift);
 
-    /// The update is of low rank and the constant part is factorized.
-    bool factorize_constant();
-
-    /// Take back what has been added to the constant part.
-    void restore_constant();
-
-    bool solve_condensed(const Vector &increments, Vector &d);
-
-    /// -R, and what a solution lacks of it.
-    void right_side(const Vector &increments, Vector &result) const;
-
-    unsigned int n_sparse_, n_border_;
-    DofIndex first_ = 0, end_; ///< own rows
-    std::unique_ptr<LinearSolver> solver_;
-    std::unique_ptr<Rows> rows_; ///< null if all rows are here
-    std::unique_ptr<Constant> constant_; ///< null if the whole tangent changes from pass to pass
-    bool symmetric_elimination_; ///< of prescribed unknowns: what an iterative solver needs
+    std::unique_ptr<Tangent> tangent_;
+    std::unique_ptr<PrescribedRows> rows_;
+    std::unique_ptr<Factorization> factorization_;
+    std::unique_ptr<ConstantPart> constant_; ///< null if the whole tangent changes from pass to pass
+    bool wanted_ = true; ///< the tangent is assembled in this pass
     bool common_ = false; ///< what is added now is the same on all processes
-    double prescribed_row_ = 1.; ///< diagonal of the rows of prescribed unknowns
-    const int *row_start_ = nullptr;
-    const int *columns_ = nullptr;
-    double *values_ = nullptr;
-    double shift_ = 0; ///< of the last factorization
-    bool tangent_ = true;
-    EntryPlaces places_;
-    std::vector<int> diagonal_places_; ///< of the own rows
-    std::vector<bool> prescribed_;
     Vector residual_, magnitude_;
-    Vector diagonal_; ///< of distributed rows
-    struct Eliminated
-    {
-      DofIndex row, column;
-      double value;
-    };
-    std::vector<Eliminated> eliminated_; ///< entries in columns of prescribed unknowns
-    std::vector<Vector> border_columns_, border_rows_; ///< couplings of the border with the sparse unknowns
-    std::vector<double> border_block_;
-    unsigned int n_factorizations_ = 0;
   };
 } // namespace deltaform

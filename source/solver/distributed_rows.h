@@ -1,8 +1,13 @@
 #pragma once
-// Rows of a system that are distributed among processes; private to the files that implement System.
-#include <deltaform/solver/system.h>
+// Rows of a matrix that are distributed among processes; private to the solver.
+#include <deltaform/base/types.h>
 
+#include <deal.II/base/index_set.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 class Epetra_CrsMatrix;
 
@@ -13,10 +18,11 @@ namespace deltaform
    * owns. The pattern does not change, so that who sends how many numbers to whom is settled once: an exchange of
    * values needs no row or column numbers.
    */
-  struct System::Rows
+  class DistributedRows
   {
+  public:
     /// @param pattern in: couplings of the own cells; out: the own rows are complete
-    Rows(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned);
+    DistributedRows(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned);
 
     /// Where the places of values that are exchanged and of the Epetra matrix are; @p place finds that of an entry.
     void

@@ -1,5 +1,4 @@
-#include "system_rows.h"
-#include "system_constant.h"
+#include "distributed_rows.h"
 
 #include <deltaform/base/ranks.h>
 
@@ -21,7 +20,7 @@ namespace deltaform
   } // namespace
 
 
-  System::Rows::Rows(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned)
+  DistributedRows::DistributedRows(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned)
   {
     const unsigned int n_rows = pattern.n_rows(), n_ranks = ranks::count();
     n_owned_ = ranks::gather(std::vector<int>{static_cast<int>(owned.n_elements())});
@@ -94,9 +93,9 @@ namespace deltaform
   }
 
 
-  void System::Rows::connect(Epetra_CrsMatrix &matrix,
-                             const DofIndex first_row,
-                             const std::function<std::ptrdiff_t(DofIndex, DofIndex)> &place)
+  void DistributedRows::connect(Epetra_CrsMatrix &matrix,
+                                const DofIndex first_row,
+                                const std::function<std::ptrdiff_t(DofIndex, DofIndex)> &place)
   {
     for (std::size_t k = 0; k < received_rows_.size(); ++k)
       receive_.push_back(static_cast<std::size_t>(place(received_rows_[k], received_columns_[k])));
@@ -111,7 +110,7 @@ namespace deltaform
   }
 
 
-  void System::Rows::exchange()
+  void DistributedRows::exchange()
   {
     std::vector<double> out(send_.size()), in(receive_.size());
     for (std::size_t k = 0; k < out.size(); ++k)
@@ -131,14 +130,14 @@ namespace deltaform
   }
 
 
-  void System::Rows::hand_over(const double *const from) const
+  void DistributedRows::hand_over(const double *const from) const
   {
     for (std::size_t k = 0; k < handed_over_.size(); ++k)
       epetra_values_[k] = from[handed_over_[k]];
   }
 
 
-  void System::Rows::share(double *const vector) const
+  void DistributedRows::share(double *const vector) const
   {
     MPI_Allgatherv(MPI_IN_PLACE,
                    0,
@@ -148,42 +147,5 @@ namespace deltaform
                    first_owned_.data(),
                    MPI_DOUBLE,
                    ranks::communicator());
-  }
-
-
-  void System::distribute(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned)
-  {
-    rows_ = std::make_unique<Rows>(pattern, owned);
-    first_ = rows_->first;
-    end_ = rows_->end;
-    row_start_ = rows_->start.data();
-    columns_ = rows_->columns.data();
-    values_ = rows_->values.data();
-    diagonal_.reinit(n_sparse_);
-  }
-
-
-  void System::sum_over_ranks()
-  {
-    const bool had_constant = constant_ && constant_->kept;
-    if (constant_)
-    {
-      constant_->complete = true;
-      constant_->kept |= tangent_;
-    }
-    if (!rows_)
-      return;
-    ranks::sum(residual_.begin(), residual_.size());
-    ranks::sum(magnitude_.begin(), magnitude_.size());
-    common_ = true;
-    if (!tangent_ || had_constant)
-      return;
-    rows_->exchange();
-    diagonal_ = 0.;
-    for (DofIndex i = first_; i < end_; ++i)
-      diagonal_[i] = values_[diagonal_places_[i - first_]];
-    ranks::sum(diagonal_.begin(), diagonal_.size());
-    if (constant_)
-      constant_->diagonal = diagonal_;
   }
 } // namespace deltaform
