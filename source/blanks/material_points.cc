@@ -7,12 +7,12 @@
 
 namespace deltaform
 {
-  MaterialPoints::MaterialPoints(Section &blank, const ThirdDirection third)
+  MaterialPoints::MaterialPoints(Section &blank, const ThirdDirection third, const bool axisymmetric)
     : third_(third)
   {
     auto section = blank.root().sub("Material");
     law_ = Registry<Material>::choose(section, "Model", "elastoplastic", "Stress-strain law.");
-    check_usable(*law_, third, section);
+    check_usable(*law_, third, axisymmetric, section);
   }
 
 

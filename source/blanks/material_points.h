@@ -23,8 +23,8 @@ namespace deltaform
   {
   public:
     /// Read the law from the section Material beside @p blank.
-    /// @throws SceneError if it cannot serve a blank that asks for @p third
-    MaterialPoints(Section &blank, ThirdDirection third);
+    /// @throws SceneError if it cannot serve a blank of this symmetry that asks for @p third
+    MaterialPoints(Section &blank, ThirdDirection third, bool axisymmetric);
 
     /// @p n points of the undeformed body; energies remain.
     void reset(std::size_t n);

@@ -22,7 +22,8 @@ namespace deltaform
   Shell::Shell(Section &section)
     : settings_(section), space_(section, settings_), points_(section, settings_, space_),
       state_(settings_, space_, points_), surface_(section, space_, points_, material_, state_),
-      boundary_(space_, surface_, settings_.thickness), material_(section, ThirdDirection::stress_given),
+      boundary_(space_, surface_, settings_.thickness),
+      material_(section, ThirdDirection::stress_given, settings_.axisymmetric),
       kernel_(settings_, space_, points_, state_, material_), fields_(space_, points_, state_, surface_, material_)
   {
     material_.reset(static_cast<std::size_t>(points_.size()) * points_.n_layers());

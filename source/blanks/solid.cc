@@ -22,7 +22,8 @@ namespace deltaform
                        "Finite strain, or displacements so small that the undeformed body serves for equilibrium.") ==
         "finite"),
       refinement_settings_(section.sub("Refinement")), body_(section, degree_, axisymmetric_, motion_.finite()),
-      surface_(section, body_, material_, motion_.finite()), material_(section, ThirdDirection::strain_given),
+      surface_(section, body_, material_, motion_.finite()),
+      material_(section, ThirdDirection::strain_given, axisymmetric_),
       kernel_(body_, material_, motion_), transfer_(body_, material_, motion_, kernel_),
       refinement_(refinement_settings_, body_, surface_, material_, transfer_),
       fields_(body_, surface_, material_, motion_)

@@ -2,6 +2,7 @@
 #include <deltaform/model/reported_columns.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace deltaform
 {
@@ -118,9 +119,12 @@ namespace deltaform
                   "relative error in energy before the last refinement. A row with the time of the one before "
                   "is the new equilibrium after a refinement: tools stand still, its iterations are its cost"}},
                 [](const Increment &increment, Row &row) {
+                  // A blank that keeps its mesh does not say anything of it.
+                  const Adaptive *mesh = increment.model.blank().adaptive();
+                  const double unknown = std::numeric_limits<double>::quiet_NaN();
                   row.insert(row.end(), {number(increment.model.committed().size()),
-                                         number(increment.model.blank().adaptive()->n_cells()),
-                                         increment.model.blank().adaptive()->estimated_error()});
+                                         mesh != nullptr ? number(mesh->n_cells()) : Columns::Cell(unknown),
+                                         mesh != nullptr ? mesh->estimated_error() : unknown});
                 });
   }
 
@@ -133,7 +137,7 @@ namespace deltaform
                  {"plastic_energy", "force*length", "dissipated in the blank so far"},
                  {"friction_energy", "force*length",
                   "dissipated by slip so far; of a node that touches or lets go within an increment, by half "
-                  "its force over the increment's slip ([how exact](time_integration.md#work-of-friction))"},
+                  "its force over the increment's slip ([how exact](theory/friction.md#friction-work))"},
                  {"contact_energy", "force*length",
                   "stored in the penalty springs now: eps p²/2, and t²/(2 eps_t) of sticking friction"},
                  {"epsilon_work", "force*length",

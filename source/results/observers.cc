@@ -11,11 +11,12 @@ namespace deltaform
 {
   namespace
   {
-    std::vector<std::string> names_of_tools(const Model &model)
+    template <typename Named>
+    std::vector<std::string> names_of(const std::vector<std::unique_ptr<Named>> &all)
     {
       std::vector<std::string> result;
-      for (const auto &tool : model.actors().tools)
-        result.push_back(tool->name());
+      for (const auto &one : all)
+        result.push_back(one->name());
       return result;
     }
 
@@ -63,22 +64,24 @@ namespace deltaform
   }
 
 
-  std::vector<std::unique_ptr<Observer>> make_observers(const Model &model, const OutputSettings &output,
-                                                        ResultsFolder &folder, const Checkpoint *const start)
+  std::unique_ptr<ConditionReport> make_condition_report(const OutputSettings &output, Journal &journal, Timers &timers)
   {
-    std::vector<std::unique_ptr<Observer>> result;
+    if (output.condition_every == 0)
+      return nullptr;
+    return std::make_unique<ConditionReport>(output.condition_every, output.condition_method, journal, timers);
+  }
+
+
+  Columns history_columns(const Model &model, const OutputSettings &output, const ConditionReport *const condition)
+  {
     Columns columns;
     describe_increment(columns);
-    describe_tools(names_of_tools(model), columns);
+    describe_tools(names_of(model.actors().tools), columns);
     describe_cost(columns);
     describe_contact(columns);
     describe_thickness(columns);
-    if (output.condition_every > 0)
-    {
-      auto condition = std::make_unique<ConditionReport>(output.condition_every, output.condition_method, folder);
-      ConditionReport::describe(columns, condition.get());
-      result.push_back(std::move(condition));
-    }
+    if (condition != nullptr)
+      ConditionReport::describe(columns, condition);
     if (model.linear_solver().iterative())
       describe_linear_solver(columns);
     if (model.blank().adaptive() != nullptr)
@@ -88,7 +91,18 @@ namespace deltaform
     describe_supports(names_of(model.actors().supports), columns);
     describe_loads(names_of(model.actors().loads), columns);
     describe_balance(columns);
+    return columns;
+  }
 
+
+  std::vector<std::unique_ptr<Observer>> make_observers(const Model &model, const OutputSettings &output,
+                                                        ResultsFolder &folder, const Checkpoint *const start)
+  {
+    std::vector<std::unique_ptr<Observer>> result;
+    auto condition = make_condition_report(output, folder.journal(), folder.timers());
+    Columns columns = history_columns(model, output, condition.get());
+    if (condition != nullptr)
+      result.push_back(std::move(condition));
     result.push_back(make_history_observer(folder, std::move(columns), start));
     result.push_back(make_progress_observer(folder, output));
     result.push_back(make_table_observer(folder, output));

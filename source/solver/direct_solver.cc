@@ -2,6 +2,9 @@
 // good.
 #include "trilinos_matrix.h"
 
+#include <deltaform/base/registry.h>
+#include <deltaform/solver/linear_method.h>
+
 #include <Amesos.h>
 #include <Amesos_BaseSolver.h>
 #include <Teuchos_ParameterList.hpp>
@@ -18,8 +21,8 @@ namespace deltaform
     {
     public:
       DirectSolver(const std::string &name, std::unique_ptr<TrilinosMatrix> matrix)
-        : matrix_(std::move(matrix)), keeps_pivots_(name == "klu" && !matrix_->is_distributed),
-          factorization_(Amesos().Create(name == "mumps" ? "Mumps" : "Klu", *matrix_->problem))
+        : matrix_(std::move(matrix)), keeps_pivots_(name == "Klu" && !matrix_->is_distributed),
+          factorization_(Amesos().Create(name, *matrix_->problem))
       {
         AssertThrow(factorization_, dealii::ExcMessage("This Trilinos has no Amesos solver '" + name + "'."));
         Teuchos::ParameterList list;
@@ -124,12 +127,34 @@ namespace deltaform
       double *values_ = nullptr;
       std::vector<double> factored_; ///< values of the last good factorization; empty: there is none
     };
+
+    template <const char *library>
+    class Direct : public LinearMethod
+    {
+    public:
+      explicit Direct(Section &)
+      {
+      }
+
+      bool iterative() const override
+      {
+        return false;
+      }
+
+      std::unique_ptr<LinearSolver> make(const LinearSolverSettings &,
+                                         std::unique_ptr<TrilinosMatrix> matrix) const override
+      {
+        return std::make_unique<DirectSolver>(library, std::move(matrix));
+      }
+    };
+
+    constexpr char klu[] = "Klu", mumps[] = "Mumps";
+
+    const Registry<LinearMethod>::Entry klu_entry("klu",
+                                                  "Direct, for thin strips: left-looking, in one process",
+                                                  make_as<Direct<klu>, LinearMethod>);
+    const Registry<LinearMethod>::Entry mumps_entry("mumps",
+                                                    "Direct, for blocks: multifrontal, in all processes",
+                                                    make_as<Direct<mumps>, LinearMethod>);
   } // namespace
-
-
-  std::unique_ptr<LinearSolver> make_direct_solver(const LinearSolverSettings &settings,
-                                                   std::unique_ptr<TrilinosMatrix> matrix)
-  {
-    return std::make_unique<DirectSolver>(settings.name, std::move(matrix));
-  }
 } // namespace deltaform

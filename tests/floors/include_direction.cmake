@@ -23,6 +23,7 @@ set(floor_results 5)
 set(floor_scene 6)
 set(floor_app 7)
 set(floor_main 8)
+set(floor_python 8)
 
 set(violations)
 macro(violation text)

@@ -11,6 +11,8 @@
 
 namespace deltaform
 {
+  class ConditionReport;
+
   /// @name What a scene may ask for
   /// Every one writes into @p folder, which must live longer.
   ///@{
@@ -21,6 +23,13 @@ namespace deltaform
   std::unique_ptr<Observer> make_summary_observer(ResultsFolder &folder, const OutputSettings &output);
   std::unique_ptr<Observer> make_checkpoint_observer(ResultsFolder &folder, const OutputSettings &output);
   ///@}
+
+  /// Measures condition numbers; null where the scene does not ask for them.
+  std::unique_ptr<ConditionReport> make_condition_report(const OutputSettings &output, Journal &journal,
+                                                         Timers &timers);
+
+  /// What a run reports of every increment. @param condition must live as long as the columns are used; may be null
+  Columns history_columns(const Model &model, const OutputSettings &output, const ConditionReport *condition);
 
   /// The page on the columns of history.csv, in Markdown.
   void print_columns(std::ostream &out);
