@@ -1,9 +1,8 @@
 // Amesos: the symbolic phase is done once, because the pattern does not change; pivots are kept as long as they are
 // good.
-#include "trilinos_matrix.h"
+#include "direct_solver.h"
 
-#include <deltaform/base/registry.h>
-#include <deltaform/solver/linear_method.h>
+#include "trilinos_matrix.h"
 
 #include <Amesos.h>
 #include <Amesos_BaseSolver.h>
@@ -127,34 +126,12 @@ namespace deltaform
       double *values_ = nullptr;
       std::vector<double> factored_; ///< values of the last good factorization; empty: there is none
     };
-
-    template <const char *library>
-    class Direct : public LinearMethod
-    {
-    public:
-      explicit Direct(Section &)
-      {
-      }
-
-      bool iterative() const override
-      {
-        return false;
-      }
-
-      std::unique_ptr<LinearSolver> make(const LinearSolverSettings &,
-                                         std::unique_ptr<TrilinosMatrix> matrix) const override
-      {
-        return std::make_unique<DirectSolver>(library, std::move(matrix));
-      }
-    };
-
-    constexpr char klu[] = "Klu", mumps[] = "Mumps";
-
-    const Registry<LinearMethod>::Entry klu_entry("klu",
-                                                  "Direct, for thin strips: left-looking, in one process",
-                                                  make_as<Direct<klu>, LinearMethod>);
-    const Registry<LinearMethod>::Entry mumps_entry("mumps",
-                                                    "Direct, for blocks: multifrontal, in all processes",
-                                                    make_as<Direct<mumps>, LinearMethod>);
   } // namespace
+
+
+  std::unique_ptr<LinearSolver> DirectMethod::make(const LinearSolverSettings &,
+                                                   std::unique_ptr<TrilinosMatrix> matrix) const
+  {
+    return std::make_unique<DirectSolver>(library_, std::move(matrix));
+  }
 } // namespace deltaform

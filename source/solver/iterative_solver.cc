@@ -2,11 +2,11 @@
 // for elasticity the rigid ones: Vanek, Mandel, Brezina (1996), Computing 56, 179-196. A penalty along an inclined
 // normal makes both unknowns of a node stiff, and one combination of them soft: what smooths or scales must take them
 // together.
+#include "iterative_solver.h"
+
 #include "trilinos_matrix.h"
 
-#include <deltaform/base/registry.h>
 #include <deltaform/base/text.h>
-#include <deltaform/solver/linear_method.h>
 
 #include <AztecOO.h>
 #include <Ifpack.h>
@@ -19,13 +19,6 @@ namespace deltaform
 {
   namespace
   {
-    enum class Preconditioner
-    {
-      multigrid,
-      blocks,
-      diagonal
-    };
-
     class IterativeSolver : public LinearSolver
     {
     public:
@@ -162,46 +155,12 @@ namespace deltaform
       unsigned int n_iterations_ = 0;
       std::string failure_; ///< of the last solve
     };
-
-    template <Preconditioner preconditioner, bool symmetric>
-    class Iterative : public LinearMethod
-    {
-    public:
-      explicit Iterative(Section &)
-      {
-      }
-
-      bool iterative() const override
-      {
-        return true;
-      }
-
-      std::unique_ptr<LinearSolver> make(const LinearSolverSettings &settings,
-                                         std::unique_ptr<TrilinosMatrix> matrix) const override
-      {
-        return std::make_unique<IterativeSolver>(settings, preconditioner, symmetric, std::move(matrix));
-      }
-    };
-
-    using Entry = Registry<LinearMethod>::Entry;
-    const Entry cg_amg("cg amg",
-                       "Conjugate gradients (no friction) with algebraic multigrid, for large solids",
-                       make_as<Iterative<Preconditioner::multigrid, true>, LinearMethod>);
-    const Entry gmres_amg("gmres amg",
-                          "GMRES with algebraic multigrid, for large solids",
-                          make_as<Iterative<Preconditioner::multigrid, false>, LinearMethod>);
-    const Entry cg_blocks("cg blocks",
-                          "Conjugate gradients with the blocks of one node each, which do not care how contact is "
-                          "inclined",
-                          make_as<Iterative<Preconditioner::blocks, true>, LinearMethod>);
-    const Entry gmres_blocks("gmres blocks",
-                             "GMRES with the blocks of one node each",
-                             make_as<Iterative<Preconditioner::blocks, false>, LinearMethod>);
-    const Entry cg_diagonal("cg diagonal",
-                            "Conjugate gradients with the diagonal",
-                            make_as<Iterative<Preconditioner::diagonal, true>, LinearMethod>);
-    const Entry gmres_diagonal("gmres diagonal",
-                               "GMRES with the diagonal",
-                               make_as<Iterative<Preconditioner::diagonal, false>, LinearMethod>);
   } // namespace
+
+
+  std::unique_ptr<LinearSolver> IterativeMethod::make(const LinearSolverSettings &settings,
+                                                      std::unique_ptr<TrilinosMatrix> matrix) const
+  {
+    return std::make_unique<IterativeSolver>(settings, preconditioner_, symmetric_, std::move(matrix));
+  }
 } // namespace deltaform

@@ -2,7 +2,8 @@
 """Links of the pages lead somewhere: links.py [ROOT].
 
 Checks every page (*.md): relative links and pictures name files, anchors name headings, and code and scenes name pages that exist ('doc/...').
-Every page of doc/ can be reached from doc/README.md, and every measured table is linked from a page and names its script. Exit status 1 and a line per finding.
+Every page of doc/ can be reached from doc/README.md, every recipe links develop.md, every measured table is
+linked from a page and names its script. Exit status 1 and a line per finding.
 Standard library only.
 """
 import pathlib
@@ -74,6 +75,9 @@ def check(root):
     for page in pages(root):
         if page.is_relative_to(root / "doc") and page not in reached and page.parent.name != "changes":
             found.append(f"{page.relative_to(root)}: no way leads here from doc/README.md")
+    for recipe in sorted((root / "doc" / "recipes").glob("*.md")):
+        if root / "doc" / "develop.md" not in targets[recipe]:
+            found.append(f"{recipe.relative_to(root)}: a recipe links develop.md")
     for table in sorted((root / "doc" / "measured").glob("*")):
         if table not in linked:
             found.append(f"{table.relative_to(root)}: no page links this table")

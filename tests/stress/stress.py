@@ -220,8 +220,6 @@ def summary(results, arguments):
     if resumed:
         sentences.append(f"{len(resumed)} scenes were killed at random moments ({sum(r['resumed'] for r in resumed)} times) and resumed; "
                          f"{sum(r['outcome'] == 'resumed run differs' for r in resumed)} of them gave other results than the run left alone.")
-    done = [r for r in results if r["outcome"] == "done"]
-    sentences.append(f"{sum(bool(r.get('warnings')) for r in done)} of the {len(done)} scenes that are done carry a warning of the program.")
     return table, sentences, complete / max(1, len(sensible))
 
 
@@ -238,17 +236,25 @@ def kinds(results, kinds_of, seeds):
     return table
 
 
+def warned(results, seeds):
+    """How many scenes that are done carry warnings of the program, by kind. @return table and sentence"""
+    done = [r for r in results if r["outcome"] == "done"]
+    table = kinds(done, lambda r: {kind_of_warning(text) for text in r.get("warnings", [])}, seeds)
+    count = sum(bool(r.get("warnings")) for r in done)
+    return table, f"{count} of the {len(done)} scenes that are done carry a warning of the program."
+
+
 def tell(results, arguments):
     """Prints what came out; --write NAME: into doc/measured/NAME.csv and its companions. @return share of completed sensible scenes"""
     table, sentences, share = summary(results, arguments)
     seeds = table.rows[0][0]
-    warned = kinds([r for r in results if r["outcome"] == "done"],
-                   lambda r: {kind_of_warning(text) for text in r.get("warnings", [])}, seeds)
+    with_warning, sentence = warned(results, seeds)
+    sentences.append(sentence)
     failed = kinds([r for r in results if r["outcome"] != "done"], lambda r: [f"{r['outcome']}: {shorten(r['message'])}"], seeds)
-    print("\n\n".join(map(str, (table, warned, failed, "\n".join(sentences)))))
+    print("\n\n".join(map(str, (table, with_warning, failed, "\n".join(sentences)))))
     if arguments.write:
         table.write(arguments.write, "outcomes of the scenes drawn at random, by group. " + " ".join(sentences))
-        warned.write(arguments.write + "_warnings", "scenes that are done with a warning, by kind")
+        with_warning.write(arguments.write + "_warnings", "scenes that are done with a warning, by kind")
         failed.write(arguments.write + "_failures", "scenes that are not done, by kind")
     return share
 

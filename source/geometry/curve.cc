@@ -1,17 +1,14 @@
-#include <deltaform/tools/shape.h>
+// Closest point of a curve; the formulas are derived in doc/theory/tools.md.
+#include <deltaform/geometry/curve.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-// Closest point of a profile; the formulas are derived in doc/theory/tools.md.
-
 namespace deltaform
 {
   namespace
   {
-    using Segment = Shape::Segment;
-
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
     // A point on the common normal of two segments belongs to both: their regions overlap by this angle (arcs) or by
@@ -99,7 +96,7 @@ namespace deltaform
   } // namespace
 
 
-  Projection Shape::project(const Point2 &x, const unsigned int hint) const
+  Projection Curve::project(const Point2 &x, const unsigned int hint) const
   {
     const bool mirrored = x[0] < 0 && (start_ == End::axis || end_ == End::axis);
     if (!mirrored)
@@ -113,7 +110,7 @@ namespace deltaform
   }
 
 
-  Projection Shape::project_one_side(const Point2 &x, const unsigned int hint) const
+  Projection Curve::project_one_side(const Point2 &x, const unsigned int hint) const
   {
     const unsigned int n_segments = static_cast<unsigned int>(segments_.size());
     unsigned int closest = hint;
@@ -144,29 +141,19 @@ namespace deltaform
   }
 
 
-  double Shape::length() const
+  double Curve::length() const
   {
     return segments_.empty() ? 0. : segments_.back().arc_start + segments_.back().length;
   }
 
 
-  double Shape::slip(const double a, const double b) const
+  double Curve::slip(const double a, const double b) const
   {
     return closed_ ? std::remainder(b - a, length()) : b - a;
   }
 
 
-  double Shape::smallest_radius() const
-  {
-    double result = infinity;
-    for (const Segment &segment : segments_)
-      if (segment.kind == Segment::Kind::arc && segment.radius > 0)
-        result = std::min(result, segment.radius);
-    return result;
-  }
-
-
-  std::pair<Point2, Point2> Shape::bounding_box() const
+  std::pair<Point2, Point2> Curve::bounding_box() const
   {
     Point2 lower(infinity, infinity), upper(-infinity, -infinity);
     for (const Segment &segment : segments_)
@@ -181,7 +168,7 @@ namespace deltaform
   }
 
 
-  std::vector<Point2> Shape::polyline(const double angle, const double reach, const bool both_sides) const
+  std::vector<Point2> Curve::polyline(const double angle, const double reach, const bool both_sides) const
   {
     std::vector<Point2> points;
     if (segments_.empty())

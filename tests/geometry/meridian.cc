@@ -1,6 +1,6 @@
 #include "../base/messages.h"
 
-#include <deltaform/kinematics/meridian.h>
+#include <deltaform/geometry/meridian.h>
 
 #include <cmath>
 #include <random>
@@ -105,9 +105,10 @@ BOOST_AUTO_TEST_CASE(wrong_polylines)
     return message_of<std::invalid_argument>([&] { build_meridian(points, radii); });
   };
   check_contains(message({{0., 0.}}, {0.}), {"two points"});
-  check_contains(message({{0., 0.}, {1., 0.}}, {0.}), {"one fillet radius per point"});
-  check_contains(message({{0., 0.}, {1., 0.}, {1., 0.}}, {0., 0., 0.}), {"points 2 and 3 coincide"});
-  check_contains(message({{0., 0.}, {1., 0.}, {1., 1.}}, {0., 1.1, 0.}), {"fillets", "do not fit"});
+  check_contains(message({{0., 0.}, {1., 0.}}, {0.}), {"There are 2 points, but 1 fillet radii"});
+  check_contains(message({{0., 0.}, {1., 0.}, {1., 0.}}, {0., 0., 0.}), {"points 2 and 3 coincide at (1 0)"});
+  check_contains(message({{0., 0.}, {1., 0.}, {1., 1.}}, {0., 1.1, 0.}),
+                 {"fillet radius 1.1 at corner 2 (1 0) does not fit"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
