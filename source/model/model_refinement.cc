@@ -6,10 +6,10 @@ namespace deltaform
 {
   bool Model::mark()
   {
-    const RefinementSettings *settings = actors_.blank->refinement();
-    if (settings == nullptr || state_.released.any)
+    Adaptive *blank = actors_.blank->adaptive();
+    if (blank == nullptr || state_.released.any)
       return false;
-    return actors_.blank->mark(contact_.longest_edges(settings->edge_share, settings->rim));
+    return blank->mark(contact_.longest_edges(blank->settings().edge_share, blank->settings().rim));
   }
 
 
@@ -28,7 +28,7 @@ namespace deltaform
     std::vector<double> travels;
     for (const auto &interface : actors_.interfaces)
       travels.push_back(interface->tool().force_driven() ? state_.unknowns[interface->travel_dof()] : 0.);
-    actors_.blank->refine(fields);
+    actors_.blank->adaptive()->refine(fields);
     renumber();
     const unsigned int n_blank = actors_.blank->n_dofs();
     for (unsigned int i = 0; i < n_blank; ++i)
@@ -41,7 +41,7 @@ namespace deltaform
       auto &interface = *actors_.interfaces[p];
       if (interface.tool().force_driven())
         state_.unknowns[interface.travel_dof()] = travels[p];
-      interface.transfer(state_.unknowns, actors_.blank->heritage(interface.tool().side()));
+      interface.transfer(state_.unknowns, actors_.blank->adaptive()->parent_nodes(interface.tool().side()));
       interface.start_multipliers(state_.unknowns);
     }
     book_.renew_loads(state_);

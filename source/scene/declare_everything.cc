@@ -48,7 +48,7 @@ namespace deltaform
     tools_section.names("Names", "", "Names of the tools, one subsection each.");
     Section tool_section = tools_section.sub("<name>");
     tools.push_back(std::make_unique<Tool>("<name>", tool_section, constants, constants));
-    const ContactInterface pair(*blank, *tools.front(), contact, tool_section);
+    const ContactInterface pair(blank->surface(), *tools.front(), contact, tool_section);
     declare_each<Shape>(tool_section, "Shape");
     declare_each<FrictionLaw>(tool_section, "Friction law");
 
