@@ -11,23 +11,24 @@ namespace deltaform
 {
   bool Analysis::refinement_marked()
   {
-    const RefinementSettings *settings = actors_.blank->refinement();
-    return settings != nullptr && state_.since_refinement >= settings->every && problem_.mark();
+    const Adaptive *blank = std::as_const(*actors_.blank).adaptive();
+    return blank != nullptr && state_.since_refinement >= blank->settings().every && problem_.mark();
   }
 
 
   bool Analysis::refine()
   {
     Checkpoint unrefined = checkpoint();
-    const unsigned int passes = actors_.blank->refinement()->passes;
+    const Adaptive &blank = *actors_.blank->adaptive();
+    const unsigned int passes = blank.settings().passes;
     bool marked = true;
     for (unsigned int pass = 1; marked; ++pass)
     {
-      const unsigned int n_cells = actors_.blank->n_cells();
+      const unsigned int n_cells = blank.n_cells();
       const double energy = actors_.blank->energy().elastic;
       problem_.refine();
       journal_.detail("refined after increment " + std::to_string(state_.n_increments) + ": " +
-                      std::to_string(n_cells) + " cells to " + std::to_string(actors_.blank->n_cells()) + ", " +
+                      std::to_string(n_cells) + " cells to " + std::to_string(blank.n_cells()) + ", " +
                       std::to_string(problem_.committed().size()) + " unknowns, elastic energy " +
                       text::format(energy) + " to " + text::format(actors_.blank->energy().elastic));
       // No extrapolation over a change of the mesh.

@@ -25,7 +25,8 @@ namespace deltaform
 
     std::string read_boundary(Section &section, const Blank &blank)
     {
-      return section.choice("Boundary", blank.boundaries().front(), blank.boundaries(), "Part of the boundary.");
+      const auto parts = blank.boundary().parts();
+      return section.choice("Boundary", parts.front(), parts, "Part of the boundary.");
     }
 
     void check_dofs(Section &section, const std::string &boundary, const std::vector<DofIndex> &dofs)
@@ -51,7 +52,7 @@ namespace deltaform
                          "length or rad",
                          "Displacement (rotation) from the initial position as a function of time t, of thickness, and "
                          "of the initial place R, Z.",
-                         constants_at(blank, blank.boundary_points(boundary).front()))),
+                         constants_at(blank, blank.boundary().points(boundary).front()))),
       hold(section.flag("Hold", false, "Instead of Value: keep what the unknown has reached when the stage begins.")),
       stages(section.names("Stages",
                            "",
@@ -64,12 +65,12 @@ namespace deltaform
 
   void Support::renumber(const Blank &blank)
   {
-    dofs = blank.boundary_dofs(boundary, component);
+    dofs = blank.boundary().dofs(boundary, component);
     values.clear();
     const auto &text = value.text();
     if (text.find('R') == std::string::npos && text.find('Z') == std::string::npos)
       return;
-    for (const auto &X : blank.boundary_points(boundary))
+    for (const auto &X : blank.boundary().points(boundary))
       values.emplace_back(text, constants_at(blank, X));
   }
 
@@ -110,8 +111,8 @@ namespace deltaform
     else
     {
       kind = what == "pressure" ? Kind::pressure : Kind::dead_pressure;
-      face =
-        section.choice("Face", blank.faces().front(), blank.faces(), "What a pressure acts on (shell: the bottom).");
+      const auto faces = blank.boundary().faces();
+      face = section.choice("Face", faces.front(), faces, "What a pressure acts on (shell: the bottom).");
     }
     value = section.function(
       "Value",
@@ -129,14 +130,14 @@ namespace deltaform
   {
     if (kind == Kind::edge)
     {
-      dofs = blank.boundary_dofs(boundary, component);
-      weights = blank.boundary_weights(boundary);
+      dofs = blank.boundary().dofs(boundary, component);
+      weights = blank.boundary().weights(boundary);
     }
     if (kind != Kind::body)
       return;
     dofs.clear();
     weights.clear();
-    for (const auto &[dof, weight] : blank.volume_weights(component))
+    for (const auto &[dof, weight] : blank.boundary().volume_weights(component))
     {
       dofs.push_back(dof);
       weights.push_back(weight);
@@ -155,7 +156,7 @@ namespace deltaform
     const double now = value(time);
     if (!face.empty())
     {
-      blank.assemble_pressure(q, face, now, kind == Kind::pressure, target);
+      blank.boundary().assemble_pressure(q, face, now, kind == Kind::pressure, target);
       return;
     }
     for (unsigned int i = 0; i < dofs.size(); ++i)

@@ -187,7 +187,7 @@ namespace deltaform
       for (const Side side : {Side::bottom, Side::top})
       {
         auto &own = pressure[static_cast<unsigned int>(side)];
-        own.resize(actors_.blank->n_contact_nodes(side), 0.);
+        own.resize(actors_.blank->surface().n_contact_nodes(side), 0.);
         actors_.blank->set_contact_pressure(side, own);
       }
   }

@@ -9,10 +9,10 @@ namespace deltaform
 {
   bool Model::mark()
   {
-    const RefinementSettings *settings = actors_.blank->refinement();
-    if (settings == nullptr || state_.released.any)
+    Adaptive *blank = actors_.blank->adaptive();
+    if (blank == nullptr || state_.released.any)
       return false;
-    return actors_.blank->mark(contact_.longest_edges(settings->edge_share, settings->rim));
+    return blank->mark(contact_.longest_edges(blank->settings().edge_share, blank->settings().rim));
   }
 
 
@@ -32,7 +32,7 @@ namespace deltaform
     std::vector<double> travels;
     for (const auto &pair : actors_.interfaces)
       travels.push_back(pair->tool().force_driven() ? state_.unknowns[pair->travel_dof()] : 0.);
-    actors_.blank->refine(fields);
+    actors_.blank->adaptive()->refine(fields);
     renumber();
     set_prescribed();
     const unsigned int n_blank = actors_.blank->n_dofs();
@@ -46,7 +46,7 @@ namespace deltaform
       auto &pair = *actors_.interfaces[p];
       if (pair.tool().force_driven())
         state_.unknowns[pair.travel_dof()] = travels[p];
-      pair.transfer(state_.unknowns, actors_.blank->heritage(pair.tool().side()));
+      pair.transfer(state_.unknowns, actors_.blank->adaptive()->parent_nodes(pair.tool().side()));
       pair.start_multipliers(state_.unknowns);
     }
     // Forces of loads, of which the next commit takes the work; the supports do not move until then.

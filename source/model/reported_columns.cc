@@ -119,8 +119,8 @@ namespace deltaform
                   "is the new equilibrium after a refinement: tools stand still, its iterations are its cost"}},
                 [](const Increment &increment, Row &row) {
                   row.insert(row.end(), {number(increment.model.committed().size()),
-                                         number(increment.model.blank().n_cells()),
-                                         increment.model.blank().estimated_error()});
+                                         number(increment.model.blank().adaptive()->n_cells()),
+                                         increment.model.blank().adaptive()->estimated_error()});
                 });
   }
 

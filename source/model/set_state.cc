@@ -36,7 +36,7 @@ namespace deltaform
     };
     // Before anything changes, as far as it can be known.
     if (state.interfaces.size() != actors_.interfaces.size() ||
-        (actors_.blank->refinement() == nullptr && state.unknowns.size() != n_before))
+        (actors_.blank->adaptive() == nullptr && state.unknowns.size() != n_before))
       refuse();
     actors_.blank->set_state(state.body);
     if (state.unknowns.size() != n_before)

@@ -81,7 +81,7 @@ namespace deltaform
     }
     if (model.linear_solver().iterative())
       describe_linear_solver(columns);
-    if (model.blank().refinement() != nullptr)
+    if (model.blank().adaptive() != nullptr)
       describe_mesh(columns);
     if (output.energies)
       describe_energies(columns);

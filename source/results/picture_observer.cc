@@ -55,7 +55,7 @@ namespace deltaform
           on_face[load.face] += load.value(time);
       std::vector<double> result(n_nodes, 0.);
       for (const auto &[face, pressure] : on_face)
-        for (const auto node : actors.blank->face_nodes(face))
+        for (const auto node : actors.blank->boundary().face_nodes(face))
           if (std::abs(pressure) > std::abs(result[node]))
             result[node] = pressure;
       return result;
@@ -155,7 +155,7 @@ namespace deltaform
         const auto &all_tools = problem.actors().tools;
         const unsigned int picture = n_pictures_++;
         std::vector<PictureSeries::Part> parts{{fmt::format("blank_{:04}.vtu", picture), "blank"}};
-        std::vector<Drawing> drawings{blank.draw(problem.committed(), nodal_fields(problem, stage, time))};
+        std::vector<Drawing> drawings{blank.fields().draw(problem.committed(), nodal_fields(problem, stage, time))};
 
         double reach = 0.;
         for (const auto &x : blank.positions(problem.committed()))

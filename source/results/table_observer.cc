@@ -124,7 +124,7 @@ namespace deltaform
         auto head = folder_.comments();
         head.push_back("stage " + stage_ + ", travel of the main tool (or time): " + text::format(travel));
         folder_.behind().run([path = folder_.path("profile_" + label + ".csv"),
-                              profile = problem.blank().profile(problem.committed()), head,
+                              profile = problem.blank().fields().profile(problem.committed()), head,
                               units = folder_.units()]() { write_table(path, head, profile, units); });
         if (problem.actors().tools.empty())
           return;

@@ -54,9 +54,17 @@ namespace deltaform
       if (!active_)
         return false;
       const double share = ratio * ratio / (1. + 2. * ratio);
+      duration_share_ = (1. + ratio) / (1. + 2. * ratio);
       for (std::size_t i = 0; i < last_.size(); ++i)
         carried_[i] = share * last_[i];
       return true;
+    }
+
+    /// The factor before the rate in the formula: share of the increment's duration that counts for flow from what is
+    /// carried.
+    double duration_share() const
+    {
+      return active_ ? duration_share_ : 1.;
     }
 
     /// There is no last increment that the next one continues.
@@ -76,21 +84,23 @@ namespace deltaform
       return active_ ? carried_.data() + point * values_per_point_ : nullptr;
     }
 
-    /// Put the flow of the last increment into a state, or take it from there.
-    void put(KeyedArrays &state) const
+    /// Nothing is carried until carry() says so.
+    void pause()
     {
-      state.put("flow of the last increment", last_);
+      active_ = false;
     }
 
-    void take(const KeyedArrays &state)
+    /// Every array of the state with its name, for PutInto and TakeFrom; pause() after taking it.
+    template <typename Flow, typename Action>
+    static void each_array(Flow &flow, const Action &action)
     {
-      state.take("flow of the last increment", last_);
-      active_ = false;
+      action("flow of the last increment", flow.last_);
     }
 
   private:
     unsigned int values_per_point_ = 0;
     bool active_ = false;
+    double duration_share_ = 1.;
     std::vector<double> last_, carried_;
   };
 } // namespace deltaform
