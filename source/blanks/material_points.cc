@@ -4,6 +4,7 @@
 #include <deltaform/base/registry.h>
 
 #include <algorithm>
+#include <array>
 
 namespace deltaform
 {
@@ -13,6 +14,12 @@ namespace deltaform
     auto section = blank.root().sub("Material");
     law_ = Registry<Material>::choose(section, "Model", "elastoplastic", "Stress-strain law.");
     check_usable(*law_, third, axisymmetric, section);
+    if (third == ThirdDirection::stress_given)
+      return; // the axes of a shell are those of the sheet
+    has_axes_ = law_->traits().symmetry != Symmetry::isotropic;
+    for (const auto &field : law_->history_layout().fields())
+      has_axes_ = has_axes_ || (field.kind == HistoryKind::tensor && field.name != "plastic_strain");
+    law_->set_axes(PointAxes::section);
   }
 
 
@@ -24,6 +31,8 @@ namespace deltaform
     strain_.assign(n, Mandel{});
     stress_ = strain_;
     committed_stress_ = strain_;
+    axes_.assign(has_axes_ ? n : 0, MetalAxes());
+    stress_by_angle_.assign(axes_.size(), Mandel{});
   }
 
 
@@ -46,11 +55,47 @@ namespace deltaform
     batch.third_stress = third_stress;
     batch.committed = history_.committed(first);
     batch.duration = duration_;
+    batch.carried_share = carried_.duration_share();
     batch.carried = carried_.at(first);
     batch.trial = history_.trial(first);
     batch.stress = &stress_[first];
     batch.tangent = tangent;
-    return law_->update(batch);
+    return has_axes_ ? update_in_axes(batch, first) : law_->update(batch);
+  }
+
+
+  Status MaterialPoints::update_in_axes(MaterialBatch batch, const std::size_t first)
+  {
+    // The stress Q t(Q^T e Q) Q^T depends on the angle of Q through both: at a fixed elastic strain e of r and z its
+    // derivative is W t - t W - C : (W e - e W), W the spin.
+    constexpr unsigned int most_points = 16;
+    std::array<Mandel, most_points> strain;
+    Assert(batch.n_points <= most_points, dealii::ExcInternalError());
+    for (unsigned int p = 0; p < batch.n_points; ++p)
+      strain[p] = axes_[first + p].into(strain_[first + p]);
+    batch.strain = strain.data();
+    const Status status = law_->update(batch);
+    if (!status.good())
+      return status;
+    for (unsigned int p = 0; p < batch.n_points; ++p)
+    {
+      const std::size_t i = first + p;
+      stress_[i] = axes_[i].out_of(stress_[i]);
+      if (batch.tangent == nullptr)
+        continue;
+      double *const moduli = batch.tangent + 16 * p;
+      axes_[i].turn_out(moduli);
+      Mandel elastic = strain_[i];
+      const Mandel plastic = plastic_strain(i);
+      for (unsigned int k = 0; k < 4; ++k)
+        elastic[k] -= plastic[k];
+      const Mandel of_strain = MetalAxes::spin(elastic);
+      stress_by_angle_[i] = MetalAxes::spin(stress_[i]);
+      for (unsigned int k = 0; k < 4; ++k)
+        for (unsigned int j = 0; j < 4; ++j)
+          stress_by_angle_[i][k] -= moduli[4 * k + j] * of_strain[j];
+    }
+    return {};
   }
 
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "metal_axes.h"
+
 #include <deltaform/base/energy.h>
 #include <deltaform/base/keyed_arrays.h>
 #include <deltaform/base/section.h>
@@ -48,6 +50,34 @@ namespace deltaform
       return law_->history_size() > 0;
     }
 
+    /// @name Axes of the metal, for laws that have some in a solid
+    ///@{
+    /// Does the law know directions, or tensors that turn with the metal? Then the history is in the axes of the
+    /// points, strain and stress are those of r and z.
+    bool has_axes() const
+    {
+      return has_axes_;
+    }
+
+    void set_axes(const std::size_t point, const MetalAxes &axes)
+    {
+      axes_[point] = axes;
+    }
+
+    /// Derivative of the stress by the angle of the axes, of the last update() with a tangent.
+    const Mandel &stress_by_angle(const std::size_t point) const
+    {
+      return stress_by_angle_[point];
+    }
+
+    /// A tensor of the committed history, in r and z.
+    Mandel tensor(const std::size_t point, const HistoryField &field) const
+    {
+      const double *const values = history_.committed(point) + field.first;
+      return in_space(point, {{values[0], values[1], values[2], values[3]}});
+    }
+    ///@}
+
     /// @name Trial state
     ///@{
     /// Logarithmic strain (Mandel), which the blank sets before update().
@@ -76,7 +106,7 @@ namespace deltaform
 
     Mandel trial_plastic_strain(const std::size_t point) const
     {
-      return law_->plastic_strain(history_.trial(point));
+      return in_space(point, law_->plastic_strain(history_.trial(point)));
     }
 
     /// Growth of the equivalent plastic strain in this increment.
@@ -95,7 +125,7 @@ namespace deltaform
 
     Mandel plastic_strain(const std::size_t point) const
     {
-      return law_->plastic_strain(history_.committed(point));
+      return in_space(point, law_->plastic_strain(history_.committed(point)));
     }
 
     double equivalent_plastic_strain(const std::size_t point) const
@@ -177,6 +207,14 @@ namespace deltaform
     void take(const KeyedArrays &state);
 
   private:
+    Mandel in_space(const std::size_t point, const Mandel &t) const
+    {
+      return has_axes_ ? axes_[point].out_of(t) : t;
+    }
+
+    /// update() in the axes of the points.
+    Status update_in_axes(MaterialBatch batch, std::size_t first);
+
     /// Every array of the state with its name, but for the energies.
     template <typename Points, typename Action>
     static void each_array(Points &points, const Action &action)
@@ -189,6 +227,9 @@ namespace deltaform
     }
 
     std::unique_ptr<Material> law_;
+    bool has_axes_ = false;
+    std::vector<MetalAxes> axes_; ///< of no points if there are none
+    std::vector<Mandel> stress_by_angle_;
     ThirdDirection third_ = ThirdDirection::strain_given;
     PointHistory history_;
     double duration_ = 1.; ///< of the increment (time)

@@ -108,12 +108,16 @@ namespace deltaform
             g[1][1] += zeta * zeta * k11;
             if (axisymmetric)
             {
-              const double k12 = weight * t[1] * i1 * i2;
+              const double k12 = weight * t[1] * i1 * i2, k21 = weight * t[4] * i1 * i2;
               const double k22 = weight * (t[5] - tau[1]) * i2 * i2;
               g[0][2] += k12;
               g[0][3] += zeta * k12;
               g[1][2] -= zeta * k12;
               g[1][3] -= zeta * zeta * k12;
+              g[2][0] += k21;
+              g[3][0] += zeta * k21;
+              g[2][1] -= zeta * k21;
+              g[3][1] -= zeta * zeta * k21;
               g[2][2] += k22;
               g[2][3] += zeta * k22;
               g[3][3] += zeta * zeta * k22;
@@ -123,9 +127,8 @@ namespace deltaform
         const double shear = stiffness * point.weight * point.radius;
         n[ShellStrain::shear] = shear * (strain.gamma - point.gamma);
         g[4][4] = shear;
-        for (unsigned int i = 1; i < 4; ++i)
-          for (unsigned int j = 0; j < i; ++j)
-            g[i][j] = g[j][i];
+        g[1][0] = g[0][1];
+        g[3][2] = g[2][3];
 
         add_point<n_nodes, membrane>(point, strain, n, g, tangent, residual, matrix);
       }

@@ -30,6 +30,9 @@ namespace deltaform
   {
     if (section.documentation() && body_.space().mesh().boundaries().empty())
       return;
+    if (material_.law().traits().symmetry != Symmetry::isotropic && !body_.space().mesh().is_strip())
+      section.fail("File",
+                   "an anisotropic metal wants to know how the sheet lies: build the body on a meridian (Points).");
     body_.set_up();
     body_.check(section);
     kernel_.reset();
@@ -277,6 +280,7 @@ namespace deltaform
     SolidSurface::each_array(surface_, TakeFrom(state));
     SolidMotion::each_array(motion_, TakeFrom(state));
     motion_.start_from_committed();
+    kernel_.turn_axes();
   }
 
 

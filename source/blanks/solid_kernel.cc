@@ -44,6 +44,29 @@ namespace deltaform
     material_.reset(n);
     motion_.reset(n, material_.carries());
     linear_ = has_linear_law();
+    turn_axes();
+  }
+
+
+  MetalAxes SolidKernel::axes(const std::size_t point, const Deformation &F) const
+  {
+    // Axis 1 is at right angles to the direction across, clockwise; the angles of both complex numbers add up.
+    const bool strip = body_.space().mesh().is_strip();
+    const Tensor1 &across = body_.points()[point].across;
+    const double c0 = strip ? across[1] : 1., s0 = strip ? -across[0] : 0.;
+    if (!motion_.finite())
+      return MetalAxes(c0, s0);
+    const double c = F.f[0] + F.f[3], s = F.f[2] - F.f[1];
+    return MetalAxes(c * c0 - s * s0, c * s0 + s * c0);
+  }
+
+
+  void SolidKernel::turn_axes()
+  {
+    if (!material_.has_axes())
+      return;
+    for (std::size_t i = 0; i < material_.size(); ++i)
+      material_.set_axes(i, axes(i, motion_.now(i)));
   }
 
 
@@ -119,6 +142,8 @@ namespace deltaform
         Deformation &F = motion_.now(first + p);
         F.f = {{1. + h_rr, h_rz, h_zr, 1. + h_zz}};
         F.hoop = 1. + h_tt;
+        if (material_.has_axes())
+          material_.set_axes(first + p, axes(first + p, F));
         const double round_part = axisymmetric ? 1. / point.radius : 0.;
         Mandel &e = material_.strain(first + p);
         if (!finite)
@@ -199,7 +224,11 @@ namespace deltaform
       {
         derivative.project_volume(project);
         for (unsigned int p = 0; p < n_points; ++p)
+        {
           derivative.set_stress_rate(p, &moduli[16 * p], finite ? LogarithmicStrain::rate(b[p]) : small);
+          if (finite && material_.has_axes())
+            derivative.add_turning(p, material_.stress_by_angle(first + p), motion_.now(first + p).f);
+        }
         derivative.assemble(project, weight, stress, matrix.data());
       }
       if (linear_ && tangent)

@@ -184,7 +184,8 @@ namespace deltaform
   void SolidMotion::turn_flow(MaterialPoints &material, const double ratio) const
   {
     // The last flow is known in the axes of the last increment's end: they go on turning.
-    if (!finite_)
+    // What has axes of its own turns with them.
+    if (!finite_ || material.has_axes())
       return;
     for (std::size_t i = 0; i < turns_.size(); ++i)
     {

@@ -115,10 +115,14 @@ namespace deltaform
                                                const unsigned int n_points) const
   {
     std::vector<double> mean(field.size(), 0.);
+    const bool tensor = field.kind == HistoryKind::tensor;
     for (unsigned int i = first_point; i < first_point + n_points; ++i)
+    {
+      const Mandel turned = tensor ? material_.tensor(i, field) : Mandel{};
       for (unsigned int k = 0; k < field.size(); ++k)
-        mean[k] += material_.history(i)[field.first + k] / n_points;
-    if (field.kind == HistoryKind::tensor)
+        mean[k] += (tensor ? turned[k] : material_.history(i)[field.first]) / n_points;
+    }
+    if (tensor)
       mean[3] *= root_half;
     return mean;
   }

@@ -62,6 +62,7 @@ namespace deltaform
         for (unsigned int j = 0; j < 2; ++j)
           jacobian[i][j] += X[i] * unit.gradient[a][j];
     }
+    point.across = Tensor1({jacobian[0][1], jacobian[1][1]}); // cells of a strip stand upright in their columns
     const double determinant = dealii::determinant(jacobian);
     point.radius = space_.axisymmetric() ? radius : 1.;
     point.weight = (space_.axisymmetric() ? 2 * dealii::numbers::PI * radius : 1.) * determinant * unit.weight;

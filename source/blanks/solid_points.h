@@ -20,6 +20,7 @@ namespace deltaform
     std::array<double, 9> shape{}, gradient_r{}, gradient_z{}; ///< N_a, dN_a/dR, dN_a/dZ
     double radius = 1; ///< R (plane strain: 1)
     double weight = 0; ///< volume: 2 pi R dA (plane strain: dA)
+    Tensor1 across; ///< from bottom to top of a strip, of any length; of another body without meaning
   };
 
   /// The quadrature points of the own cells, cell by cell, and what is interpolated at or summed over them.

@@ -79,6 +79,24 @@ namespace deltaform
       }
     }
 
+    /// What comes to the derivatives where the law has axes that turn with the metal: @p by_angle is d stress / d
+    /// angle, the angle is that of the polar decomposition of the in-plane deformation @p f, tan = (f_zr - f_rz)/(f_rr
+    /// + f_zz).
+    void add_turning(const unsigned int p, const std::array<double, 4> &by_angle, const std::array<double, 4> &f)
+    {
+      const double c = f[0] + f[3], s = f[2] - f[1], inverse = 1. / (c * c + s * s);
+      const double rr = -c * f[1] - s * f[0], rz = -c * f[3] - s * f[2]; // d angle / d (du_r/dr), d (du_r/dz)
+      const double zr = c * f[0] - s * f[1], zz = c * f[2] - s * f[3]; // and of u_z
+      const Pair angle = {{inverse * (rr * g_[p].r + rz * g_[p].z), inverse * (zr * g_[p].r + zz * g_[p].z)}};
+      for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int k = 0; k < 2; ++k)
+        {
+          rate_[p][i][k] += by_angle[i] * angle[k];
+          if (i < 3)
+            trace_[p][k] += by_angle[i] * angle[k];
+        }
+    }
+
     /// The matrix (2 n_nodes squared, row-major, u_r and u_z of a node side by side).
     void assemble(const double *project,
                   const std::array<double, n_points> &weight,

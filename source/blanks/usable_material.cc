@@ -1,5 +1,8 @@
 #include "usable_material.h"
 
+#include <deltaform/base/text.h>
+#include <deltaform/base/units_label.h>
+
 namespace deltaform
 {
   void check_usable(const Material &material,
@@ -17,12 +20,12 @@ namespace deltaform
         .fail("Law",
               "a sheet that differs along and across the rolling direction does not stay a body of revolution: in an "
               "axisymmetric scene r must be the same in all directions of the sheet.");
-    if (!solid)
-      return;
-    if (traits.symmetry != Symmetry::isotropic)
-      section.fail(model, "a solid does not follow the axes of an anisotropic metal yet: use a shell.");
-    for (const auto &field : material.history_layout().fields())
-      if (field.kind == HistoryKind::tensor && field.name != "plastic_strain")
-        section.fail(model, "a solid does not turn '" + field.name + "' with the metal yet: use a shell.");
+    if (traits.needs_duration && text::split(read_units_label(section), ',').size() != 4)
+      section.sub("Rate factor")
+        .fail("Law",
+              "it wants to know in which unit the time of the scene is: name it as the fourth one in Units, for "
+              "example 'set Units = mm, N, MPa, s'.");
+    if (solid && !traits.section)
+      section.fail(model, "this material is for shells only: it is not defined across the thickness.");
   }
 } // namespace deltaform

@@ -7,8 +7,7 @@ namespace deltaform
 {
   /**
    * Can a blank that asks for @p third serve the material chosen in @p section? A body of revolution has no direction
-   * of rolling. Solids turn with the increment, but
-   * they keep neither the axes of an anisotropic metal nor tensors of the history other than the plastic strain.
+   * of rolling, a law with rates wants to know the unit of time.
    * @throws SceneError
    */
   void check_usable(const Material &material, ThirdDirection third, bool axisymmetric, const Section &section);

@@ -1,3 +1,5 @@
+#include "adiabatic_heat.h"
+
 #include <deltaform/base/registry.h>
 #include <deltaform/materials/plasticity.h>
 #include <deltaform/materials/read_law.h>
@@ -13,6 +15,31 @@ namespace deltaform
       return Registry<Kind>::choose(own, "Law", default_law, sentence);
     }
 
+    /// The rate factor with the heat that stays in the metal, if the scene wants it.
+    std::unique_ptr<RateFactor> heated(std::unique_ptr<RateFactor> cold, Section section)
+    {
+      const bool adiabatic = section.flag(
+        "Adiabatic", false, "Count the temperature: the heat of plastic flow stays where it is made.");
+      if (!adiabatic && !section.documentation())
+        return cold;
+      const double capacity = section.number("Heat capacity",
+                                             required(3.432),
+                                             Range::positive(),
+                                             "stress/temperature",
+                                             "Of the volume: density times specific heat, in mm, N, MPa: N/(mm^2 K). "
+                                             "Only with Adiabatic.");
+      const double share = section.number("Heated share",
+                                          .9,
+                                          Range::above_to(0., 1.),
+                                          "1",
+                                          "Of the plastic work, that becomes heat. Only with Adiabatic.");
+      auto softening = Registry<Softening>::choose(
+        section, "Softening", "none", "What the temperature leaves of the flow stress. Only with Adiabatic.");
+      if (!adiabatic)
+        return cold;
+      return std::make_unique<AdiabaticHeat>(std::move(cold), std::move(softening), share / capacity);
+    }
+
     std::unique_ptr<Material> make(Section &section)
     {
       const Elasticity elastic = read_elasticity(section);
@@ -25,7 +52,8 @@ namespace deltaform
       laws.back_stress = choose<BackStress>(back_stress, "none", "Kinematic hardening.");
       laws.rate_factor = choose<RateFactor>(
         section.sub("Rate factor"), "none", "What rate of strain and temperature make of the flow stress.");
-      const std::string objection = laws.back_stress->objection(*laws.yield_surface);
+      laws.rate_factor = heated(std::move(laws.rate_factor), section.sub("Heat"));
+      const std::string objection = laws.back_stress->objection(*laws.yield_surface, *laws.hardening);
       if (!objection.empty())
         back_stress.fail("Law", objection);
       const bool two_steps =

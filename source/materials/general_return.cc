@@ -191,7 +191,7 @@ namespace deltaform
 
   double GeneralReturn::largest_multiplier(const FlowLaw &law, const State &state) const
   {
-    if (laws_.back_stress)
+    if (laws_.back_stress || (laws_.rate_factor && laws_.rate_factor->softens()))
       return std::numeric_limits<double>::infinity();
     // The first equation times xi: mu q^2 = xi . C^-1 (xi_trial - xi) <= xi_trial . C^-1 xi_trial / 4, with q no less
     // than the initial flow stress. What is blind to the pressure needs no pressure.

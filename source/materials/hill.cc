@@ -93,6 +93,14 @@ namespace deltaform
     };
 
 
+    /// A sheet with the coefficients @p c, in the axes of a solid's section: 2 and 3 change places. To shear across the
+    /// thickness it resists as an isotropic one does, s/sqrt 3: the r of the sheet say nothing about it.
+    std::unique_ptr<YieldSurface> hill_in_section(const Hill::Coefficients &c)
+    {
+      return std::make_unique<Hill>(Hill::Coefficients{c.F, c.H, c.G, 1.5}, Symmetry::orthotropic);
+    }
+
+
     /// The coefficients of a sheet with @p r_along and @p r_across its direction of reference, 1.
     Hill::Coefficients sheet_coefficients(const double r_along, const double r_across)
     {
@@ -108,8 +116,14 @@ namespace deltaform
     {
     public:
       explicit NormalAnisotropy(const double r)
-        : Hill(sheet_coefficients(r, r), r == 1. ? Symmetry::isotropic : Symmetry::about_third_axis), shell_(r)
+        : Hill(sheet_coefficients(r, r), r == 1. ? Symmetry::isotropic : Symmetry::about_third_axis), r_(r),
+          shell_(r)
       {
+      }
+
+      std::unique_ptr<YieldSurface> in_section() const override
+      {
+        return hill_in_section(sheet_coefficients(r_, r_));
       }
 
       const ReturnMap *closed_form(const ThirdDirection third) const override
@@ -118,7 +132,27 @@ namespace deltaform
       }
 
     private:
+      double r_;
       NormalAnisotropyReturn shell_;
+    };
+
+
+    /// A sheet with a rolling direction, which is direction 1 or 2.
+    class PlanarAnisotropy final : public Hill
+    {
+    public:
+      explicit PlanarAnisotropy(const Coefficients &coefficients)
+        : Hill(coefficients, Symmetry::orthotropic), coefficients_(coefficients)
+      {
+      }
+
+      std::unique_ptr<YieldSurface> in_section() const override
+      {
+        return hill_in_section(coefficients_);
+      }
+
+    private:
+      Coefficients coefficients_;
     };
 
 
@@ -155,7 +189,7 @@ namespace deltaform
       Hill::Coefficients c = sheet_coefficients(r0, r90);
       if (!is_along)
         std::swap(c.F, c.G);
-      return std::make_unique<Hill>(c, Symmetry::orthotropic);
+      return std::make_unique<PlanarAnisotropy>(c);
     }
 
     const Registry<YieldSurface>::Entry entry("hill", "Hill 1948: anisotropy r-bar, or r0 and r90", make);

@@ -46,16 +46,23 @@ namespace deltaform
       history_(layout_of(laws_)), initial_flow_stress_(laws_.hardening->evaluate(0.).value)
   {
     const std::string objection =
-      laws_.back_stress ? laws_.back_stress->objection(*laws_.yield_surface) : std::string();
+      laws_.back_stress ? laws_.back_stress->objection(*laws_.yield_surface, *laws_.hardening) : std::string();
     if (!objection.empty())
       throw std::invalid_argument(objection);
     if (history_.size() > most_values)
       throw std::invalid_argument("the laws of a metal remember more than " + std::to_string(most_values) + " values");
+    choose_return_maps();
+  }
+
+
+  void Elastoplastic::choose_return_maps()
+  {
     for (const auto third : both)
     {
+      const std::size_t i = index(third);
+      map_[i] = nullptr;
       if (!laws_.yield_surface->serves(third))
         continue;
-      const std::size_t i = index(third);
       if (!laws_.back_stress && !laws_.rate_factor)
         map_[i] = laws_.yield_surface->closed_form(third);
       if (map_[i] == nullptr)
@@ -82,7 +89,20 @@ namespace deltaform
     traits.needs_duration = laws_.rate_factor && laws_.rate_factor->needs_duration();
     traits.strain_given = map_[0] != nullptr;
     traits.stress_given = map_[1] != nullptr;
+    traits.section = traits.strain_given && (traits.symmetry == Symmetry::isotropic ||
+                                             laws_.yield_surface->in_section() != nullptr);
     return traits;
+  }
+
+
+  void Elastoplastic::set_axes(const PointAxes axes)
+  {
+    if (axes == PointAxes::sheet || laws_.yield_surface->symmetry() == Symmetry::isotropic)
+      return;
+    auto surface = laws_.yield_surface->in_section();
+    AssertThrow(surface != nullptr, dealii::ExcMessage("This yield surface is defined in a sheet only."));
+    laws_.yield_surface = std::move(surface);
+    choose_return_maps();
   }
 
 
@@ -95,7 +115,7 @@ namespace deltaform
   template <typename Size>
   Status Elastoplastic::update_points(const MaterialBatch &batch, const ReturnMap &map, const Size n) const
   {
-    const FlowLaw law{elastic_, *laws_.hardening, initial_flow_stress_, batch.duration};
+    FlowLaw law{elastic_, *laws_.hardening, initial_flow_stress_, batch.duration};
     const bool third_stress = batch.third_direction == ThirdDirection::stress_given;
     for (unsigned int p = 0; p < batch.n_points; ++p)
     {
@@ -114,7 +134,9 @@ namespace deltaform
         std::array<double, most_values> start;
         for (std::size_t i = 0; i < n; ++i)
           start[i] = committed[i] + carried[i];
+        law.duration = batch.carried_share * batch.duration;
         outcome = return_from(start.data());
+        law.duration = batch.duration;
         double along = 0.;
         for (unsigned int i = 0; i < 4; ++i)
           along += carried[i] * (trial[i] - start[i]);

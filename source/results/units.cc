@@ -9,11 +9,13 @@ namespace deltaform
     : label_(label)
   {
     const auto pieces = text::split(label, ',');
-    if (pieces.size() != 3)
+    if (pieces.size() != 3 && pieces.size() != 4)
       return;
     length_ = pieces[0];
     force_ = pieces[1];
     stress_ = pieces[2];
+    if (pieces.size() == 4)
+      time_ = pieces[3];
   }
 
   std::string Units::of(const std::string &dimension) const
@@ -21,7 +23,11 @@ namespace deltaform
     // Word by word, so that a label which contains another dimension's name is left alone.
     std::string result, word;
     const auto finish_word = [&]() {
-      result += word == "length" ? length_ : (word == "force" ? force_ : (word == "stress" ? stress_ : word));
+      result += word == "length"   ? length_
+                : word == "force"  ? force_
+                : word == "stress" ? stress_
+                : word == "time"   ? time_
+                                   : word;
       word.clear();
     };
     for (const char c : dimension)

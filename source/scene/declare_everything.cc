@@ -1,9 +1,11 @@
 // The documentation of all parameters: every registered object declares its entries once.
 #include <deltaform/base/registry.h>
+#include <deltaform/base/units_label.h>
 #include <deltaform/materials/back_stress.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/rate_factor.h>
+#include <deltaform/materials/softening.h>
 #include <deltaform/materials/yield_surface.h>
 #include <deltaform/scene/scene.h>
 
@@ -27,7 +29,7 @@ namespace deltaform
   {
     Section root = tree.root();
     root.text("Title", Default<std::string>("a deltaform scene"), "What this scene is.");
-    root.text("Units", Default<std::string>("consistent"), "Label of the units, for example 'mm, N, MPa'.");
+    read_units_label(root);
     Section blank_section = root.sub("Blank");
     auto blank = Registry<Blank>::choose(blank_section, "Kind", "shell", "How the blank is modelled.");
     declare_each<Blank>(blank_section, "Kind");
@@ -36,6 +38,7 @@ namespace deltaform
     declare_each<YieldSurface>(root.sub("Material").sub("Yield surface"), "Law");
     declare_each<BackStress>(root.sub("Material").sub("Backstress"), "Law");
     declare_each<RateFactor>(root.sub("Material").sub("Rate factor"), "Law");
+    declare_each<Softening>(root.sub("Material").sub("Heat"), "Softening");
 
     const std::map<std::string, double> constants{{"thickness", blank->initial_thickness()}};
     Section contact_section = root.sub("Contact");

@@ -1,5 +1,6 @@
 #include <deltaform/base/registry.h>
 #include <deltaform/base/scene_error.h>
+#include <deltaform/base/units_label.h>
 #include <deltaform/scene/scene.h>
 
 namespace deltaform
@@ -9,7 +10,7 @@ namespace deltaform
   {
     Section root = tree.root();
     title = root.text("Title", Default<std::string>("a deltaform scene"), "What this scene is.");
-    units = root.text("Units", Default<std::string>("consistent"), "Label of the units, for example 'mm, N, MPa'.");
+    units = read_units_label(root);
 
     Section blank = root.sub("Blank");
     actors.blank = Registry<Blank>::choose(blank, "Kind", "shell", "How the blank is modelled.");

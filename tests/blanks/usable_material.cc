@@ -24,6 +24,7 @@ namespace
   std::unique_ptr<Blank> make(const std::string &kind, const std::string &law, const std::string &name)
   {
     Entries entries = curved(plastic);
+    entries.push_back("Units=mm, N, MPa, s");
     entries.push_back("Material/" + law + "/Law=" + name);
     return make_blank(kind, entries);
   }
@@ -43,8 +44,19 @@ BOOST_AUTO_TEST_SUITE(usable_material)
 BOOST_AUTO_TEST_CASE(solids)
 {
   check_refused("solid", "Yield surface", "test: plane stress", "shells only");
-  check_refused("solid", "Yield surface", "test: anisotropic", "axes of an anisotropic metal");
-  check_refused("solid", "Backstress", "test: Chaboche", "backstress_1");
+  check_refused("solid", "Yield surface", "test: anisotropic", "not defined across the thickness");
+}
+
+BOOST_AUTO_TEST_CASE(rates_want_a_unit_of_time)
+{
+  for (const std::string kind : {"shell", "solid"})
+  {
+    Entries entries = curved(plastic);
+    entries.push_back("Material/Rate factor/Law=test: rate");
+    BOOST_CHECK_EXCEPTION(make_blank(kind, entries), SceneError, [](const SceneError &error) {
+      return std::string(error.what()).find("Units = mm, N, MPa, s") != std::string::npos;
+    });
+  }
 }
 
 BOOST_AUTO_TEST_CASE(shells)

@@ -90,6 +90,35 @@ namespace deltaform
       return result;
     }
 
+    /// The hardening that a backstress goes together with: @p usual, or one that it asks for, whose entries are added.
+    inline std::string
+    hardening_for(const std::string &back_stress, const std::string &usual, std::vector<std::string> &entries)
+    {
+      if (back_stress != "yoshida-uemori")
+        return usual;
+      entries.emplace_back("Material/Hardening/Flow stress=337");
+      return "perfectly plastic";
+    }
+
+    /// Entries with every number multiplied by its own factor from .8 to 1.2.
+    inline std::vector<std::string> drawn(std::vector<std::string> entries, std::mt19937 &generator)
+    {
+      std::uniform_real_distribution<double> factor(.8, 1.2);
+      for (auto &entry : entries)
+      {
+        const auto equal = entry.find('=');
+        std::istringstream text(entry.substr(equal + 1));
+        double value = 0.;
+        const bool fixed = entry.find("/Yield stress=") != std::string::npos; // it is that of the hardening
+        if (fixed || !(text >> value) || !(text >> std::ws).eof())
+          continue;
+        std::ostringstream other;
+        other << entry.substr(0, equal + 1) << std::setprecision(17) << factor(generator) * value;
+        entry = other.str();
+      }
+      return entries;
+    }
+
     /// A material, and what is expected of it beyond its traits.
     struct MaterialCase
     {
@@ -114,9 +143,13 @@ namespace deltaform
         }
       const auto add_each = [&](const std::string &section, const auto &entries_of, const auto &laws) {
         for (const auto &law : laws)
+        {
+          auto entries = entries_of(section, law);
+          const std::string hardening = hardening_for(law, "swift", entries);
           cases.push_back({section + " " + law,
-                           make_material("elastoplastic", "swift", entries_of(section, law)),
+                           make_material("elastoplastic", hardening, entries),
                            section != "Yield surface" || law == "mises"});
+        }
       };
       add_each("Yield surface", law_entries<YieldSurface>, Registry<YieldSurface>::names());
       add_each("Backstress", law_entries<BackStress>, Registry<BackStress>::names());
@@ -164,10 +197,46 @@ namespace deltaform
       add("plane stress only",
           {hardening_of(swift), std::make_unique<PlaneStressOnly>(normal_anisotropy(1.4))},
           false);
+      for (const std::string law : {"hill", "hosford"}) // in the axes of a solid's section
+        for (const double r : {.5, 2.})
+        {
+          std::vector<std::string> entries = {"r-bar=" + std::to_string(r)};
+          if (law == "hosford")
+            entries.emplace_back("Exponent=6");
+          ParameterTree tree = ParameterTree::parse("", "test", entries);
+          Section section = tree.root();
+          add(law + " in a section, r = " + std::to_string(r),
+              {hardening_of(swift), Registry<YieldSurface>::make(law, section)->in_section()},
+              false);
+        }
       add("Mises, Chaboche", {hardening_of(voce), make_mises(), chaboche()}, true);
       add("Hill 1948, Chaboche", {hardening_of(swift), normal_anisotropy(.6), chaboche()}, false);
       add("Mises, rate and heat", {hardening_of(swift), make_mises(), nullptr, rate()}, true);
       add("Hill 1948, Chaboche, rate and heat", {hardening_of(voce), normal_anisotropy(2.), chaboche(), rate()}, false);
+    }
+
+    /// Every yield surface with every backstress and every rate factor, each with a hardening law in turn, all of drawn
+    /// parameters.
+    inline void add_combinations(std::vector<MaterialCase> &cases)
+    {
+      std::mt19937 generator(21);
+      const auto hardenings = Registry<Hardening>::names();
+      unsigned int next = 0;
+      for (const auto &yield : Registry<YieldSurface>::names())
+        for (const auto &back : Registry<BackStress>::names())
+          for (const auto &rate : Registry<RateFactor>::names())
+          {
+            auto entries = drawn(law_entries<YieldSurface>("Yield surface", yield), generator);
+            for (const auto &more : {drawn(law_entries<BackStress>("Backstress", back), generator),
+                                     drawn(law_entries<RateFactor>("Rate factor", rate), generator)})
+              entries.insert(entries.end(), more.begin(), more.end());
+            std::vector<std::string> own;
+            const std::string hardening = hardening_for(back, hardenings[next++ % hardenings.size()], own);
+            entries.insert(entries.end(), own.begin(), own.end());
+            cases.push_back({yield + ", " + hardening + ", " + back + ", " + rate,
+                             make_material("elastoplastic", hardening, entries),
+                             yield == "mises"});
+          }
     }
 
     /// All materials that the conformance tests ask: registered ones and those that the interfaces have to carry.
@@ -177,6 +246,7 @@ namespace deltaform
       std::vector<MaterialCase> cases;
       add_registered_cases(cases);
       add_composed_cases(cases);
+      add_combinations(cases);
       for (const auto &one : cases)
         BOOST_TEST_CONTEXT(one.name)
       body(one);

@@ -102,7 +102,8 @@ namespace
     if (third == ThirdDirection::strain_given)
       back[2] -= .2 * (e[2] - plastic[2]);
     check_tangent(point, back, third, third_stress);
-    if (flows && !point.material.traits().needs_duration) // what flows fast goes on for a while, more slowly
+    // What flows fast goes on for a while, more slowly; a backstress may be larger than the yield surface.
+    if (flows && !point.material.traits().needs_duration && point.material.traits().isotropic_hardening)
       BOOST_TEST_REQUIRE(point.equivalent_plastic_strain() ==
                          material.equivalent_plastic_strain(point.committed.data()));
   }

@@ -91,7 +91,8 @@ namespace deltaform
         batch.third_direction = third;
         batch.strain = &e;
         batch.third_stress = &third_stress;
-        batch.duration = .5;
+        batch.duration = duration;
+        batch.carried_share = carried.empty() ? 1. : 2. / 3.; // increments of the same length
         batch.committed = committed.data();
         batch.carried = carried.empty() ? nullptr : carried.data();
         batch.trial = trial.data();
@@ -121,6 +122,7 @@ namespace deltaform
 
       const Material &material;
       std::vector<double> committed, trial, carried;
+      double duration = .5;
       Status status;
     };
 

@@ -178,7 +178,7 @@ namespace deltaform
         return layout;
       }
 
-      std::string objection(const YieldSurface &surface) const override
+      std::string objection(const YieldSurface &surface, const Hardening &) const override
       {
         return surface.serves(ThirdDirection::strain_given) ? "" : "not with a surface for plane stress.";
       }

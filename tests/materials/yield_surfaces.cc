@@ -258,4 +258,60 @@ BOOST_AUTO_TEST_CASE(what_hosford_refuses)
   check_refused("hosford", {"Exponent=8", "r-bar=-.1"}, "r-bar");
 }
 
+// AA6022 with a = 8: yield stresses, r values and plane strain of the same alpha, published.
+BOOST_AUTO_TEST_CASE(yld2000)
+{
+  const std::vector<std::string> aluminium = {"Exponent=8",
+                                              "Alpha=1.0035 .9636 .8832 1.0481 1.0125 .9947 .9215 1.1918"};
+  const auto law = surface("yld2000-2d", aluminium);
+  const auto bar = [&](const double degrees) { // stress of a bar at an angle to the rolling direction, r
+    const double angle = degrees * std::acos(-1.) / 180., c = std::cos(angle), d = std::sin(angle);
+    const YieldPoint at = law->evaluate({{c * c, d * d, 0., std::sqrt(2.) * c * d}});
+    const double shear = std::sqrt(2.) * at.gradient[3] * c * d;
+    const double across = d * d * at.gradient[0] + c * c * at.gradient[1] - shear;
+    return std::array<double, 2>{{1. / at.value, across / at.gradient[2]}};
+  };
+  const double expected[3][3] = {{0., .9950, .800}, {45., .9678, .370}, {90., .9497, .540}};
+  for (const auto &[angle, stress, r] : expected)
+  {
+    require_close(bar(angle)[0], stress, 1e-4, "the yield stress of a bar");
+    require_close(bar(angle)[1], r, 1e-3, "r of a bar");
+  }
+  require_close(law->equivalent_stress({{1., 1., 0., 0.}}), 1., 1e-4, "equibiaxial q");
+  auto across = aluminium;
+  across.emplace_back("Rolling direction=across");
+  require_close(stretched(*metal(surface("yld2000-2d", aluminium)), 1., 0., 50)[0], 107.72, 6e-3, "along");
+  require_close(stretched(*metal(surface("yld2000-2d", across)), 1., 0., 50)[0], 105.75, 6e-3, "across");
+}
+
+// Planar isotropy is Logan and Hosford: alpha 1, 2, 7 = (2r/(1+r))^(1/a), the others (2/(1+r))^(1/a).
+BOOST_AUTO_TEST_CASE(yld2000_with_planar_isotropy)
+{
+  constexpr double r = .6;
+  std::ostringstream alpha;
+  alpha << std::setprecision(17) << "Alpha=";
+  for (const unsigned int i : {1, 2, 3, 4, 5, 6, 7, 8})
+    alpha << std::pow((i == 1 || i == 2 || i == 7 ? 2. * r : 2.) / (1. + r), 1. / 6.) << " ";
+  const auto law = surface("yld2000-2d", {"Exponent=6", alpha.str()});
+  const auto hosford = surface("hosford", {"Exponent=6", "r-bar=.6"});
+  std::mt19937 generator(16);
+  for (unsigned int k = 0; k < 50; ++k)
+  {
+    const Mandel t = random_strain(generator, 100.);
+    const YieldPoint one = law->evaluate(t), other = hosford->evaluate(t);
+    require_close(one.value, other.value, 1e-12 * s, "q");
+    require_close(one.gradient, other.gradient, 1e-11, "the gradient");
+    for (unsigned int i = 0; i < 16; ++i)
+      require_close(one.hessian[i], other.hessian[i], 1e-10, "the curvature");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_yld2000_refuses)
+{
+  check_refused("yld2000-2d", {"Exponent=8"}, "Alpha");
+  check_refused("yld2000-2d", {"Exponent=8", "Alpha=1 1 1"}, "Alpha");
+  check_refused("yld2000-2d", {"Exponent=8", "Alpha=1 1 1 1 1 1 1 -1"}, "Alpha");
+  check_refused("yld2000-2d", {"Exponent=8", "Alpha=1 1 1 1 1 1 1 1; 1 1 1 1 1 1 1 1"}, "Alpha");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/materials/hardening.h>
 #include <deltaform/materials/yield_surface.h>
 
 #include <array>
@@ -13,6 +14,25 @@ namespace deltaform
     Mandel value; ///< backstress alpha (Kirchhoff stress)
     std::array<double, 16> by_relative_stress; ///< d alpha/d xi at fixed x, 4 x 4, row-major (1)
     Mandel by_flow; ///< d alpha/dx at fixed xi (stress)
+  };
+
+
+  /// The direction dev(xi)/q in which a backstress follows the relative stress xi (Ziegler), with its derivative.
+  struct Direction
+  {
+    Mandel value; ///< 1
+    std::array<double, 16> by_relative_stress; ///< 4 x 4, row-major (1/stress)
+
+    Direction(const Mandel &xi, const YieldPoint &at)
+    {
+      const double mean = (xi[0] + xi[1] + xi[2]) / 3., inverse = 1. / at.value;
+      for (unsigned int i = 0; i < 4; ++i)
+        value[i] = (xi[i] - (i < 3 ? mean : 0.)) * inverse;
+      for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int j = 0; j < 4; ++j)
+          by_relative_stress[4 * i + j] =
+            ((i == j ? 1. : 0.) - (i < 3 && j < 3 ? 1. / 3. : 0.) - value[i] * at.gradient[j]) * inverse;
+    }
   };
 
 
@@ -42,8 +62,8 @@ namespace deltaform
       return false;
     }
 
-    /// Why the law does not go together with a yield surface; empty: it does.
-    virtual std::string objection(const YieldSurface &) const
+    /// Why the law does not go together with a yield surface and a flow curve; empty: it does.
+    virtual std::string objection(const YieldSurface &, const Hardening &) const
     {
       return {};
     }

@@ -55,9 +55,17 @@ namespace deltaform
       if (!active_)
         return false;
       const double share = ratio * ratio / (1. + 2. * ratio);
+      duration_share_ = (1. + ratio) / (1. + 2. * ratio);
       for (std::size_t i = 0; i < last_.size(); ++i)
         carried_[i] = share * last_[i];
       return true;
+    }
+
+    /// The factor before the rate in the formula: share of the increment's duration that counts for flow from what is
+    /// carried.
+    double duration_share() const
+    {
+      return active_ ? duration_share_ : 1.;
     }
 
     /// The next increment does not continue the last one: it is backward Euler.
@@ -93,6 +101,7 @@ namespace deltaform
   private:
     unsigned int values_per_point_ = 0;
     bool active_ = false;
+    double duration_share_ = 1.;
     std::vector<double> last_, carried_; ///< h_n - h_n-1 and h* - h_n of all points
   };
 } // namespace deltaform

@@ -10,7 +10,7 @@ namespace deltaform
 {
   /**
    * Components of a symmetric 3x3 tensor whose third axis is principal, in Mandel order (11, 22, 33, sqrt(2) 12).
-   * Shell: 1 meridional, 2 hoop, 3 normal. Solid: 1 r, 2 z, 3 hoop.
+   * Shell: 1 meridional, 2 hoop, 3 normal. Solid: 1 r, 2 z, 3 hoop, or, of a law with axes, as PointAxes says.
    */
   using Mandel = std::array<double, 4>;
 
@@ -29,6 +29,13 @@ namespace deltaform
     isotropic ///< any
   };
 
+  /// What the axes 1, 2, 3 of a point are: 3 is the one that the shear leaves alone.
+  enum class PointAxes : unsigned char
+  {
+    sheet, ///< meridional, hoop, normal to the sheet: shells, and isotropic laws anyway
+    section ///< meridional, normal to the sheet, hoop: the section of a solid
+  };
+
   /// What a law is and can be used for. Blanks refuse a law that they cannot serve, tests ask no more than this.
   struct MaterialTraits
   {
@@ -38,6 +45,7 @@ namespace deltaform
       ///< equivalent plastic strain
     bool needs_duration = false; ///< MaterialBatch::duration
     bool strain_given = true, stress_given = true; ///< what may be known of the third direction
+    bool section = true; ///< can it be used in the axes of a solid's section (PointAxes)?
   };
 
   /**
@@ -52,6 +60,7 @@ namespace deltaform
     const double *third_stress = nullptr; ///< in for stress_given: Kirchhoff stress along direction 3
     const double *committed = nullptr; ///< in: history at the last accepted increment
     double duration = 0.; ///< in: time that the increment takes (time), for laws that need it
+    double carried_share = 1.; ///< in: share of it that counts for flow from the carried history (CarriedFlow)
     double *carried = nullptr; ///< in, or null: what a law of two steps adds to the committed history before the flow
       ///< of this increment (CarriedFlow); out: zero where the flow did not go on
     double *trial = nullptr; ///< in: a starting guess from the last iteration; out: history at this strain
@@ -81,6 +90,11 @@ namespace deltaform
     virtual MaterialTraits traits() const
     {
       return {};
+    }
+
+    /// In which axes strains and stresses will be; before any update(). As long as nobody says so, those of the sheet.
+    virtual void set_axes(PointAxes)
+    {
     }
 
     /// Does the law want MaterialBatch::carried?

@@ -53,6 +53,7 @@ namespace deltaform
     const HistoryLayout &history_layout() const override;
     MaterialTraits traits() const override;
     bool two_steps() const override;
+    void set_axes(PointAxes axes) override;
     Status update(const MaterialBatch &batch) const override;
     Mandel elastic_strain(const Mandel &stress) const override;
     double elastic_energy(const Mandel &stress) const override;
@@ -66,6 +67,9 @@ namespace deltaform
   private:
     /// Values of the history of a point, for which there is room on the stack.
     static constexpr std::size_t most_values = 64;
+
+    /// Closed form or general return map, for each question about the third direction.
+    void choose_return_maps();
 
     /// All points, with @p n values of history: a number known to the compiler (closed forms) or not.
     template <typename Size>

@@ -29,6 +29,12 @@ namespace deltaform
       return true;
     }
 
+    /// Can the flow stress fall under that at no plastic strain?
+    virtual bool softens() const
+    {
+      return false;
+    }
+
     /**
      * @param slow flow stress at a vanishing rate and the initial temperature, and its slope, after @p flow
      * @param flow growth x of the equivalent plastic strain in this increment

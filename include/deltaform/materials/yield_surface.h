@@ -4,6 +4,7 @@
 #include <deltaform/materials/return_map.h>
 
 #include <array>
+#include <memory>
 #include <string>
 
 namespace deltaform
@@ -40,6 +41,12 @@ namespace deltaform
     virtual Symmetry symmetry() const
     {
       return Symmetry::orthotropic;
+    }
+
+    /// The same surface in the axes of a solid's section (PointAxes); null if it is isotropic, or not defined there.
+    virtual std::unique_ptr<YieldSurface> in_section() const
+    {
+      return nullptr;
     }
 
     /// May this be known of the third direction? A surface that is defined for plane stress only says no to

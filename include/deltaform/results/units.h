@@ -6,7 +6,8 @@ namespace deltaform
 {
   /**
    * Labels of the units. The program computes in any consistent system; the scene's label 'in, tonf, tonf/in^2'
-   * (length, force, stress) only names it in the results. A label of another form leaves the dimensions' names.
+   * (length, force, stress) only names it in the results; a fourth piece is the unit of time. A label of another form
+   * leaves the dimensions' names.
    */
   class Units
   {
@@ -22,6 +23,6 @@ namespace deltaform
     }
 
   private:
-    std::string label_, length_ = "length", force_ = "force", stress_ = "stress";
+    std::string label_, length_ = "length", force_ = "force", stress_ = "stress", time_ = "time";
   };
 } // namespace deltaform

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <deltaform/materials/rate_factor.h>
+#include <deltaform/materials/softening.h>
+
+#include <memory>
+
+namespace deltaform
+{
+  /**
+   * A rate factor with the heat of the flow, which stays where it is made (adiabatic): with the flow stress s at the
+   * end,
+   *
+   *     dT = (share/(rho c)) s dx,   s = f(T - T0) s_cold,
+   *
+   * rho c the heat capacity of the volume before deformation, s a Kirchhoff stress, s_cold that of the other laws, f
+   * the softening. By backward Euler the rise is T_n + share/(rho c) s x: one equation in s, which is solved in
+   * evaluate(). W.S. Farren, G.I. Taylor, The heat developed during plastic extension of metals, Proc. R. Soc. A 107
+   * (1925) 422.
+   */
+  class AdiabaticHeat final : public RateFactor
+  {
+  public:
+    /// @p heating share/(rho c) (temperature/stress)
+    AdiabaticHeat(std::unique_ptr<RateFactor> cold, std::unique_ptr<Softening> softening, double heating);
+
+    HistoryLayout history_layout() const override;
+    bool needs_duration() const override;
+    bool softens() const override;
+    FlowStress evaluate(
+      const FlowStress &slow, double flow, double duration, const double *start, double *end) const override;
+
+  private:
+    std::unique_ptr<RateFactor> cold_;
+    std::unique_ptr<Softening> softening_;
+    double heating_;
+    unsigned int rise_; ///< its place in the history, behind that of the rate factor
+  };
+} // namespace deltaform
