@@ -15,6 +15,15 @@ namespace deltaform
       return !result.converged() && result.outcome != NewtonResult::Outcome::not_corrected;
     }
 
+    /// Slack is about forces of the size of the tolerances. A damped solve that ended far from equilibrium has not
+    /// failed for want of it, and goes the same way with it.
+    bool is_pointless(const Strategy &strategy, const NewtonResult &last)
+    {
+      constexpr double far_from_equilibrium = 1e-2;
+      return strategy.variant() == NewtonVariant::with_slack && last.outcome == NewtonResult::Outcome::diverged &&
+             !last.residuals.empty() && last.residuals.back() > far_from_equilibrium;
+    }
+
     /// How it began and how it ended says what went wrong; there may be hundreds between.
     std::string listed(const std::vector<double> &residuals)
     {
@@ -56,6 +65,8 @@ namespace deltaform
     for (const auto &strategy : ladder_)
     {
       if (strategy->is_last_resort() && effort == Effort::usual)
+        continue;
+      if (is_pointless(*strategy, solved))
         continue;
       auto q = strategy->begin(problem_, start);
       if (!q)

@@ -23,6 +23,11 @@ namespace deltaform
     constexpr unsigned int damped_iterations = 200, most_extensions = 4;
     constexpr double on_its_way = .5;
 
+    // A damped solve has settled if the smallest residual of so many iterations is that of as many before, but for this
+    // share: in a state that is no equilibrium, or in one that points without force do not let be exact.
+    constexpr unsigned int settling_iterations = 25;
+    constexpr double settled_share = .01;
+
     constexpr unsigned int slack_iterations = 4; ///< before slack is allowed; three times as many: more
   } // namespace
 
@@ -149,7 +154,7 @@ namespace deltaform
 
     bool is_balanced()
     {
-      const bool late = iteration_ >= max_iterations_;
+      const bool late = iteration_ >= max_iterations_ || has_settled_;
       // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
       const double tolerance = late ? settings_.relaxed_tolerance : settings_.force_tolerance;
       if (variant_ == NewtonVariant::with_slack && iteration_ >= slack_iterations && active_set_ != nullptr)
@@ -166,6 +171,7 @@ namespace deltaform
     void begin_round()
     {
       iteration_ = 0;
+      has_settled_ = false;
       result_.residuals.clear();
       assemble();
       residual_ = relative_residual();
@@ -174,6 +180,9 @@ namespace deltaform
     bool is_hopeless() const
     {
       if (!std::isfinite(residual_))
+        return true;
+      // At rest far from the relaxed tolerance; close to it the next residuals may be below.
+      if (has_settled_ && smallest_residual() >= close_to_tolerance * settings_.relaxed_tolerance)
         return true;
       if (iteration_ < max_iterations_)
         return false;
@@ -262,6 +271,23 @@ namespace deltaform
       for (unsigned int i = 0; i < q_.size(); ++i)
         last_step_ = std::max(last_step_, factor_ * std::abs(d_[i]) * scale_[i]);
       result_.residuals.push_back(residual_);
+      if (variant_ != NewtonVariant::plain && result_.residuals.size() % settling_iterations == 0)
+        has_settled_ = is_at_rest();
+    }
+
+    /// Smallest of the residuals of a window of iterations, @p before how many windows ago.
+    double smallest_residual(const unsigned int before = 0) const
+    {
+      const auto end = result_.residuals.end() - before * settling_iterations;
+      return *std::min_element(end - settling_iterations, end);
+    }
+
+    bool is_at_rest() const
+    {
+      if (result_.residuals.size() < 2 * settling_iterations)
+        return false;
+      const double now = smallest_residual(), before = smallest_residual(1);
+      return std::abs(now - before) <= settled_share * before;
     }
 
     bool creeps()
@@ -288,6 +314,7 @@ namespace deltaform
     Damping damping_;
     Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
     unsigned int iteration_ = 0, n_creeping_ = 0;
+    bool has_settled_ = false; ///< a damped solve, at the end of the last window of iterations
     double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to
     double pending_ = 0., travelled_ = 0.;
     double factor_ = 1., work_start_ = 0.; ///< of the step that is taken, and of the residual along it at its start

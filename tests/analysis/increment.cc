@@ -55,7 +55,7 @@ namespace
 
     double limit_step(const Vector &, Vector &) const override
     {
-      return 1.;
+      return share_of_steps;
     }
 
     ActiveSet *active_set() override
@@ -133,6 +133,7 @@ namespace
     std::vector<bool> held{false, true};
     std::vector<double> visited;
     double time = 0., strain = 0., softened_to = 0.;
+    double share_of_steps = 1.; ///< that is admissible
     double first_touch = .01; ///< where a stiff first touch begins
     bool touches = false, is_stiff = false;
     unsigned int n_begun = 0, n_corrections = 0;
@@ -228,6 +229,17 @@ BOOST_AUTO_TEST_CASE(a_snap_needs_the_last_resorts)
   const auto strained = fixture.to(.4049, Effort::all);
   BOOST_REQUIRE(strained.rejected.has_value());
   BOOST_TEST(strained.rejected->sentence.find("Largest strain increment") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(slack_is_not_tried_far_from_equilibrium)
+{
+  // No step leads anywhere: plain, the soft first touch that the problem declines, damped, and nothing after it.
+  Fixture fixture;
+  fixture.problem.share_of_steps = 1e-7;
+  const auto result = fixture.to(.1, Effort::all);
+  BOOST_REQUIRE(result.rejected.has_value());
+  BOOST_TEST((result.rejected->kind == Rejected::Kind::not_solved));
+  BOOST_TEST(fixture.problem.n_begun == 3u);
 }
 
 BOOST_AUTO_TEST_CASE(at_the_same_time_any_rotation_will_do_and_a_large_strain_is_said)
