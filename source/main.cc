@@ -1,6 +1,7 @@
 // Arguments, MPI, one command, one catch.
 #include <deltaform/app/run.h>
 #include <deltaform/app/sweep.h>
+#include <deltaform/base/processes.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 
@@ -67,6 +68,7 @@ namespace
     start_alone_unless_launched();
     // Which processes a run has, and that they end together, is known only between the start and the end of MPI.
     const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    const ranks::Processes all(MPI_COMM_WORLD);
     return guarded([&]() {
       if (!ranks::first())
         std::cout.setstate(std::ios::failbit);

@@ -38,6 +38,11 @@ namespace deltaform
       {
       }
 
+      Turn turn() const override
+      {
+        return Turn::sums_up;
+      }
+
       void accepted(const AcceptedIncrement &increment) override
       {
         cost_ += increment.cost;
@@ -46,7 +51,7 @@ namespace deltaform
         remember(increment);
       }
 
-      void resumed(const AcceptedIncrement &increment) override
+      void moved(const AcceptedIncrement &increment) override
       {
         if (increment.number > 0)
           remember(increment);
@@ -131,7 +136,7 @@ namespace deltaform
                             outcome.increments,
                             outcome.iterations,
                             folder_.timers().total());
-        if (model.keeps_promise())
+        if (model.actors().keeps_promise())
           line += fmt::format("; max p/delta {:.3f}", promise_);
         return line;
       }
@@ -143,11 +148,8 @@ namespace deltaform
       bool any_ = false; ///< was any increment accepted?
       double time_ = 0., thinnest_ = 0., energy_error_ = 0.; ///< of the last accepted increment
     };
+
+    const ObserverMakers::Entry
+      entry("summary", "summary.json and timing.json", make_observer<SummaryObserver>);
   } // namespace
-
-
-  std::unique_ptr<Observer> make_summary_observer(ResultsFolder &folder, const OutputSettings &output)
-  {
-    return std::make_unique<SummaryObserver>(folder, output);
-  }
 } // namespace deltaform

@@ -32,17 +32,17 @@ namespace deltaform
                                                             {"status", "1"},
                                                             {"S0", "length"}};
 
-    Rows contact_rows(const Model &problem)
+    Rows contact_rows(const Model &model)
     {
       Rows rows;
-      for (const auto *pair : problem.interfaces())
-        for (unsigned int i = 0; i < pair->n_nodes(); ++i)
+      for (const auto *interface : model.interfaces())
+        for (unsigned int i = 0; i < interface->n_nodes(); ++i)
         {
-          const ContactPointState &state = pair->committed()[i];
+          const ContactPointState &state = interface->committed()[i];
           if (!state.touching)
             continue;
-          const ContactNode node = pair->node(problem.committed(), i);
-          rows.push_back({pair->tool().name(),
+          const ContactNode node = interface->node(model.committed(), i);
+          rows.push_back({interface->tool().name(),
                           node.reference_coordinate,
                           state.penetration(),
                           state.delta,
@@ -51,23 +51,23 @@ namespace deltaform
                           node.area > 0 ? state.force / node.area : 0.,
                           state.slip,
                           state.tangential_force,
-                          std::string(pair->friction() == nullptr ? "frictionless"
-                                      : state.sticking            ? "stick"
-                                                                  : "slip"),
+                          std::string(interface->friction() == nullptr ? "frictionless"
+                                      : state.sticking                 ? "stick"
+                                                                       : "slip"),
                           node.arc_coordinate});
         }
       return rows;
     }
 
-    Rows tool_rows(const Model &problem)
+    Rows tool_rows(const Model &model)
     {
       double reach = 0.;
-      for (const auto &x : problem.blank().positions(problem.committed()))
+      for (const auto &x : model.blank().positions(model.committed()))
         reach = std::max(reach, x.norm());
       Rows rows;
-      for (const auto *pair : problem.interfaces())
-        for (const auto &x : pair->tool().polyline(pair->travel(problem.committed()), reach))
-          rows.push_back({pair->tool().name(), x[0], x[1]});
+      for (const auto *interface : model.interfaces())
+        for (const auto &x : interface->tool().polyline(interface->travel(model.committed()), reach))
+          rows.push_back({interface->tool().name(), x[0], x[1]});
       return rows;
     }
 
@@ -90,7 +90,7 @@ namespace deltaform
             write(increment.model);
       }
 
-      void resumed(const AcceptedIncrement &increment) override
+      void moved(const AcceptedIncrement &increment) override
       {
         time_ = increment.time;
         stage_ = increment.stage.name;
@@ -114,9 +114,9 @@ namespace deltaform
       }
 
     private:
-      void write(const Model &problem)
+      void write(const Model &model)
       {
-        const double travel = output_.main_tool == invalid_index ? time_ : problem.travel(output_.main_tool);
+        const double travel = output_.main_tool == invalid_index ? time_ : model.travel(output_.main_tool);
         // A stage in which the main tool rests must not overwrite the tables of the one before.
         std::string label = text::format(std::round(travel * 1e6) / 1e6);
         if (!labels_.insert(label).second)
@@ -124,13 +124,13 @@ namespace deltaform
         auto head = folder_.comments();
         head.push_back("stage " + stage_ + ", travel of the main tool (or time): " + text::format(travel));
         folder_.behind().run([path = folder_.path("profile_" + label + ".csv"),
-                              profile = problem.blank().profile(problem.committed()), head,
+                              profile = model.blank().profile(model.committed()), head,
                               units = folder_.units()]() { write_table(path, head, profile, units); });
-        if (problem.actors().tools.empty())
+        if (model.actors().tools.empty())
           return;
         folder_.behind().run([contact_path = folder_.path("contact_" + label + ".csv"),
-                              contact = contact_rows(problem), tools_path = folder_.path("tools_" + label + ".csv"),
-                              tools = tool_rows(problem), head, units = folder_.units()]() {
+                              contact = contact_rows(model), tools_path = folder_.path("tools_" + label + ".csv"),
+                              tools = tool_rows(model), head, units = folder_.units()]() {
           write_table(contact_path, head, contact_columns, contact, units);
           write_table(tools_path, head, {{"tool", "1"}, {"r", "length"}, {"z", "length"}}, tools, units);
         });
@@ -142,11 +142,8 @@ namespace deltaform
       std::string stage_;
       std::set<std::string> labels_; ///< of the tables written so far
     };
+
+    const ObserverMakers::Entry
+      entry("tables", "profile_*.csv, contact_*.csv and tools_*.csv", make_observer<TableObserver>);
   } // namespace
-
-
-  std::unique_ptr<Observer> make_table_observer(ResultsFolder &folder, const OutputSettings &output)
-  {
-    return std::make_unique<TableObserver>(folder, output);
-  }
 } // namespace deltaform
