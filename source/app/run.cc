@@ -16,6 +16,7 @@
 #include <deltaform/results/observers.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/scene.h>
+#include <deltaform/solver/linear_method.h>
 
 #include <deal.II/base/config.h>
 
@@ -122,6 +123,7 @@ namespace deltaform
       list<Registry<FrictionLaw>>("Tools/<name>/Friction law");
       list<Registry<Enforcement>>("Contact/Enforcement");
       list<Registry<PenaltyRule>>("Contact/Penalty rule");
+      list<Registry<LinearMethod>>("Solver/Linear solver");
       list<LoadRegistry>("Loads/<name>/Kind");
       list<StrategyMakers>("Ways to solve an increment");
       list<ConditionMakers>("Conditions that every run is watched for");

@@ -69,7 +69,7 @@ namespace deltaform
   void Model::begin(const double time, const double ratio)
   {
     discard(time);
-    actors_.blank->begin_increment(ratio);
+    actors_.blank->begin_increment(time - state_.time, ratio);
   }
 
 

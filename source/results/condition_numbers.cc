@@ -45,8 +45,9 @@ namespace deltaform
   } // namespace
 
 
-  ConditionReport::ConditionReport(const unsigned int every, const condition::Method method, ResultsFolder &folder)
-    : every_(every), method_(method), folder_(folder), timer_(folder.timers().section("14 condition numbers"))
+  ConditionReport::ConditionReport(const unsigned int every, const condition::Method method, Journal &journal,
+                                   Timers &timers)
+    : every_(every), method_(method), journal_(journal), timers_(timers), timer_(timers.section("14 condition numbers"))
   {
   }
 
@@ -79,7 +80,7 @@ namespace deltaform
     if (!due_)
       numbers_ = ConditionNumbers();
     else
-      folder_.journal().detail(
+      journal_.detail(
         fmt::format("increment {}: condition number {:.4g}, scaled {:.4g}; without contact {:.4g}{}",
                     increment.number,
                     numbers_.raw,
@@ -107,7 +108,7 @@ namespace deltaform
 
   ConditionNumbers ConditionReport::measure(const Model &model, const Vector &q)
   {
-    Timers::Scope timer(folder_.timers(), timer_);
+    Timers::Scope timer(timers_, timer_);
     ConditionNumbers result;
     const System &system = model.discretization().system();
     const std::vector<int> numbers = condition::free_numbers(system);

@@ -38,13 +38,13 @@ namespace deltaform
     struct Group
     {
       const char *title; ///< on the page
-      bool (*wanted)(const Model &model, const OutputSettings &output);
+      bool (*wanted)(const Model &model, const OutputSettings &output, const ConditionReport *report);
       void (*describe)(const Names &names, const ConditionReport *report, Columns &columns);
     };
 
     const std::vector<Group> &groups()
     {
-      static const auto always = [](const Model &, const OutputSettings &) { return true; };
+      static const auto always = [](const Model &, const OutputSettings &, const ConditionReport *) { return true; };
       static const std::vector<Group> all = {
         {"Every scene", always,
          [](const Names &names, const ConditionReport *, Columns &columns) {
@@ -55,18 +55,22 @@ namespace deltaform
            describe_thickness(columns);
          }},
         {"With `Output/Condition number every`",
-         [](const Model &, const OutputSettings &output) { return output.condition_every > 0; },
+         [](const Model &, const OutputSettings &, const ConditionReport *report) { return report != nullptr; },
          [](const Names &, const ConditionReport *report, Columns &columns) {
            ConditionReport::describe(columns, report);
          }},
         {"With an iterative linear solver",
-         [](const Model &model, const OutputSettings &) { return model.discretization().linear_solver().iterative(); },
+         [](const Model &model, const OutputSettings &, const ConditionReport *) {
+           return model.discretization().linear_solver().iterative();
+         },
          [](const Names &, const ConditionReport *, Columns &columns) { describe_linear_solver(columns); }},
         {"With refinement",
-         [](const Model &model, const OutputSettings &) { return model.blank().refinement() != nullptr; },
+         [](const Model &model, const OutputSettings &, const ConditionReport *) {
+           return model.blank().refinement() != nullptr;
+         },
          [](const Names &, const ConditionReport *, Columns &columns) { describe_mesh(columns); }},
         {"Works and energies since the start; not with `Output/Energies = false`",
-         [](const Model &, const OutputSettings &output) { return output.energies; },
+         [](const Model &, const OutputSettings &output, const ConditionReport *) { return output.energies; },
          [](const Names &, const ConditionReport *, Columns &columns) { describe_energies(columns); }},
         {"Supports, loads and balance", always,
          [](const Names &names, const ConditionReport *, Columns &columns) {
@@ -96,19 +100,32 @@ namespace deltaform
   }
 
 
+  std::unique_ptr<ConditionReport> make_condition_report(const OutputSettings &output, Journal &journal, Timers &timers)
+  {
+    if (output.condition_every == 0)
+      return nullptr;
+    return std::make_unique<ConditionReport>(output.condition_every, output.condition_method, journal, timers);
+  }
+
+
+  Columns history_columns(const Model &model, const OutputSettings &output, const ConditionReport *const condition)
+  {
+    Columns columns;
+    for (const auto &group : groups())
+      if (group.wanted(model, output, condition))
+        group.describe(names_of(model.actors()), condition, columns);
+    return columns;
+  }
+
+
   std::vector<std::unique_ptr<Observer>> make_observers(const Model &model, const OutputSettings &output,
                                                         ResultsFolder &folder, const Checkpoint *const start)
   {
     std::vector<std::unique_ptr<Observer>> result;
-    std::unique_ptr<ConditionReport> report;
-    if (output.condition_every > 0)
-      report = std::make_unique<ConditionReport>(output.condition_every, output.condition_method, folder);
-    Columns columns;
-    for (const auto &group : groups())
-      if (group.wanted(model, output))
-        group.describe(names_of(model.actors()), report.get(), columns);
-    if (report)
-      result.push_back(std::move(report));
+    auto condition = make_condition_report(output, folder.journal(), folder.timers());
+    Columns columns = history_columns(model, output, condition.get());
+    if (condition != nullptr)
+      result.push_back(std::move(condition));
     result.push_back(make_history_observer(folder, std::move(columns), start));
     for (const auto &name : ObserverMakers::names())
       if (auto observer = ObserverMakers::make(name, folder, output))

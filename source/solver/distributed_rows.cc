@@ -22,15 +22,19 @@ namespace deltaform
 
   DistributedRows::DistributedRows(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned)
   {
-    const unsigned int n_rows = pattern.n_rows(), n_ranks = ranks::count();
     n_owned_ = ranks::gather(std::vector<int>{static_cast<int>(owned.n_elements())});
     first_owned_ = starts(n_owned_);
     first = static_cast<DofIndex>(first_owned_[ranks::mine()]);
     end = first + owned.n_elements();
     AssertThrow(owned.n_elements() == 0 || (owned.is_contiguous() && owned.nth_index_in_set(0) == first),
                 dealii::ExcMessage("Own rows are not consecutive."));
+    store(pattern, exchange_pattern(pattern));
+  }
 
-    // Rows of others: their couplings go to the owner.
+
+  std::vector<DofIndex> DistributedRows::exchange_pattern(dealii::DynamicSparsityPattern &pattern)
+  {
+    const unsigned int n_rows = pattern.n_rows(), n_ranks = ranks::count();
     std::vector<DofIndex> foreign;
     std::vector<std::vector<unsigned int>> rows(n_ranks), cols(n_ranks);
     for (DofIndex i = 0; i < n_rows; ++i)
@@ -73,22 +77,27 @@ namespace deltaform
                     ranks::communicator());
     for (int k = 0; k < n_received; ++k)
       pattern.add(received_rows_[k], received_columns_[k]);
+    return foreign;
+  }
 
-    // Storage: own rows, then those of others in the order in which they are sent.
-    local.assign(n_rows, dealii::numbers::invalid_dof_index);
+
+  void DistributedRows::store(const dealii::DynamicSparsityPattern &pattern, const std::vector<DofIndex> &foreign)
+  {
+    local.assign(pattern.n_rows(), dealii::numbers::invalid_dof_index);
     start.push_back(0);
-    const auto store = [&](const DofIndex i) {
+    const auto store_row = [&](const DofIndex i) {
       local[i] = start.size() - 1;
       for (auto column = pattern.begin(i); column != pattern.end(i); ++column)
         columns.push_back(static_cast<int>(column->column()));
       start.push_back(static_cast<int>(columns.size()));
     };
     for (DofIndex i = first; i < end; ++i)
-      store(i);
-    send_.resize(sent_rows.size());
-    std::iota(send_.begin(), send_.end(), columns.size());
+      store_row(i);
+    const std::size_t n_own = columns.size();
     for (const auto i : foreign)
-      store(i);
+      store_row(i);
+    send_.resize(columns.size() - n_own);
+    std::iota(send_.begin(), send_.end(), n_own);
     values.assign(columns.size(), 0.);
   }
 

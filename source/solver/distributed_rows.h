@@ -49,6 +49,12 @@ namespace deltaform
     std::vector<double> values;
 
   private:
+    /// Couplings in rows of others go to their owners. @return these rows
+    std::vector<DofIndex> exchange_pattern(dealii::DynamicSparsityPattern &pattern);
+
+    /// Storage: own rows, then those of others in the order in which they are sent.
+    void store(const dealii::DynamicSparsityPattern &pattern, const std::vector<DofIndex> &foreign);
+
     std::vector<int> n_owned_, first_owned_; ///< by process
     std::vector<int> n_send_, n_receive_; ///< values, by process
     std::vector<unsigned int> received_rows_, received_columns_;

@@ -31,11 +31,36 @@ namespace deltaform
   }
 
 
+  namespace
+  {
+    /// D by candidates.
+    using SparseSum = std::map<std::pair<unsigned int, unsigned int>, double>;
+
+    /// The block of every candidate in @p all, rising: unknowns that D couples get the same, that of the least of them.
+    std::vector<std::size_t> coupled_blocks(const SparseSum &sum, const std::vector<unsigned int> &all)
+    {
+      std::vector<std::size_t> block(all.size());
+      std::iota(block.begin(), block.end(), std::size_t(0));
+      const auto place_in = [](const std::vector<unsigned int> &list, const unsigned int candidate) {
+        return static_cast<std::size_t>(std::lower_bound(list.begin(), list.end(), candidate) - list.begin());
+      };
+      for (const auto &[place, value] : sum)
+        if (value != 0.)
+        {
+          const std::size_t one = block[place_in(all, place.first)], other = block[place_in(all, place.second)];
+          if (one != other)
+            std::replace(block.begin(), block.end(), std::max(one, other), std::min(one, other));
+        }
+      return block;
+    }
+  } // namespace
+
+
   bool LowRankUpdate::set(const std::vector<UpdateEntry> &entries,
                           const std::vector<DofIndex> &bordered,
                           const std::vector<bool> &prescribed)
   {
-    std::map<std::pair<unsigned int, unsigned int>, double> sum;
+    SparseSum sum;
     for (unsigned int i = 0; i < candidates_.size(); ++i)
       if (ground_[i] != 0.)
         sum[{i, i}] = -ground_[i];
@@ -62,19 +87,7 @@ namespace deltaform
     if (all.size() > largest_rank_ || (!all.empty() && all.back() == invalid_index))
       return false;
 
-    // Unknowns that D couples get the same block: that of the least of them.
-    std::vector<std::size_t> block(all.size());
-    std::iota(block.begin(), block.end(), std::size_t(0));
-    const auto place_in = [](const std::vector<unsigned int> &list, const unsigned int candidate) {
-      return static_cast<std::size_t>(std::lower_bound(list.begin(), list.end(), candidate) - list.begin());
-    };
-    for (const auto &[place, value] : sum)
-      if (value != 0.)
-      {
-        const std::size_t one = block[place_in(all, place.first)], other = block[place_in(all, place.second)];
-        if (one != other)
-          std::replace(block.begin(), block.end(), std::max(one, other), std::min(one, other));
-      }
+    const auto block = coupled_blocks(sum, all);
     active_.clear();
     blocks_.clear();
     for (std::size_t b = 0; b < all.size(); ++b)

@@ -11,6 +11,7 @@
 cmake_minimum_required(VERSION 3.16)
 
 set(floor_base 0)
+set(floor_geometry 1)
 set(floor_kinematics 1)
 set(floor_materials 2)
 set(floor_tools 2)
@@ -23,6 +24,7 @@ set(floor_results 5)
 set(floor_scene 6)
 set(floor_app 7)
 set(floor_main 8)
+set(floor_python 8)
 
 set(violations)
 macro(violation text)

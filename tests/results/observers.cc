@@ -9,6 +9,7 @@
 #include <deltaform/results/condition_numbers.h>
 #include <deltaform/results/earlier_run.h>
 #include <deltaform/results/observers.h>
+#include <deltaform/results/recorder.h>
 #include <deltaform/scene/scene.h>
 
 #include <filesystem>
@@ -181,7 +182,7 @@ BOOST_AUTO_TEST_CASE(a_saved_state_can_be_read)
 BOOST_AUTO_TEST_CASE(condition_numbers_are_those_of_the_last_increment)
 {
   Run run;
-  auto report = std::make_unique<ConditionReport>(5, condition::Method::dense, run.results);
+  auto report = std::make_unique<ConditionReport>(5, condition::Method::dense, run.journal, run.timers);
   Columns columns;
   describe_increment(columns);
   ConditionReport::describe(columns, report.get());
@@ -222,6 +223,45 @@ BOOST_AUTO_TEST_CASE(a_run_that_went_back_knows_where_it_is)
   BOOST_TEST(files.count("profile_0.025_press.csv") == 0u);
   BOOST_TEST(files.count("blank_0008.vtu") == 1u); // the undeformed one, five, and the last three again
   BOOST_TEST(files.count("blank_0009.vtu") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_record_is_what_the_files_are)
+{
+  Run run;
+  RunRecord record;
+  const auto columns = history_columns(run.analysis.model(), *run.scene.output, nullptr);
+  run.analysis.add(make_history_observer(run.results, columns, nullptr));
+  run.analysis.add(ObserverMakers::make("tables", run.results, *run.scene.output));
+  run.with(make_recorder(record, columns, *run.scene.output, Keep::asked, []() { return 1.5; }));
+  BOOST_TEST(record.history.size() == 10u);
+  BOOST_REQUIRE_EQUAL(record.snapshots.size(), 2u);
+  BOOST_TEST(record.snapshots[0].travel == .025, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(record.snapshots[1].stage == "press");
+  check_contains(record.summary, {"\"increments\": 10", "\"seconds\": 1.5"});
+
+  // The same rows, written by the same writer.
+  const std::string again = run.results.path("again.csv");
+  std::vector<CsvWriter::Column> heads;
+  for (const auto &column : record.columns)
+    heads.push_back({column.name, run.results.units().of(column.dimension)});
+  CsvWriter file(again, run.results.comments(), heads);
+  for (const auto &row : record.history)
+    file.row_of_cells(row);
+  BOOST_TEST(content_of(again) == content_of(run.results.path("history.csv")));
+  BOOST_TEST(content_of(run.results.path("contact_0.05.csv")).find("tool,R0,penetration") != std::string::npos);
+  BOOST_TEST(!record.snapshots[1].contact.rows.empty());
+
+  Run every;
+  RunRecord all;
+  every.with(make_recorder(all, columns, *every.scene.output, Keep::every_increment, []() { return 0.; }));
+  BOOST_TEST(all.snapshots.size() == 10u);
+  Run stopped({"Solver/Maximal increments=3"});
+  RunRecord part;
+  stopped.with(make_recorder(part, columns, *stopped.scene.output, Keep::asked, []() { return 0.; }));
+  BOOST_TEST(part.exit_status == exit_status::not_converged);
+  BOOST_TEST(part.message.find("3 increments are done") != std::string::npos);
+  BOOST_REQUIRE_EQUAL(part.snapshots.size(), 1u);
+  BOOST_TEST(part.snapshots[0].time == .3, boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(all_that_a_scene_asks_for)

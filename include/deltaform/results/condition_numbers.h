@@ -1,10 +1,10 @@
 #pragma once
 
+#include <deltaform/base/journal.h>
 #include <deltaform/base/timers.h>
 #include <deltaform/model/columns.h>
 #include <deltaform/model/model.h>
 #include <deltaform/model/observer.h>
-#include <deltaform/results/results_folder.h>
 #include <deltaform/solver/condition.h>
 
 #include <limits>
@@ -27,7 +27,7 @@ namespace deltaform
   class ConditionReport : public Observer
   {
   public:
-    ConditionReport(unsigned int every, condition::Method method, ResultsFolder &folder);
+    ConditionReport(unsigned int every, condition::Method method, Journal &journal, Timers &timers);
 
     Turn turn() const override
     {
@@ -58,7 +58,8 @@ namespace deltaform
 
     unsigned int every_;
     condition::Method method_;
-    ResultsFolder &folder_;
+    Journal &journal_;
+    Timers &timers_;
     Timers::Index timer_;
     bool due_ = false;
     ConditionNumbers numbers_; ///< of the last increment; unknown if it was none to measure

@@ -12,6 +12,8 @@
 
 namespace deltaform
 {
+  class ConditionReport;
+
   /// Observers of every run by their names, besides its history. The last line of an observer's file is an Entry. A
   /// maker gives null if the settings do not ask for it; folder and settings live longer than what it makes.
   using ObserverMakers = Makers<Observer, ResultsFolder &, const OutputSettings &>;
@@ -25,6 +27,13 @@ namespace deltaform
 
   /// history.csv with these columns. @param start the state that the run goes on from; null: it begins
   std::unique_ptr<Observer> make_history_observer(ResultsFolder &folder, Columns columns, const Checkpoint *start);
+
+  /// Measures condition numbers; null where the scene does not ask for them.
+  std::unique_ptr<ConditionReport> make_condition_report(const OutputSettings &output, Journal &journal,
+                                                         Timers &timers);
+
+  /// What a run reports of every increment. @param condition must live as long as the columns are used; may be null
+  Columns history_columns(const Model &model, const OutputSettings &output, const ConditionReport *condition);
 
   /// The page on the columns of history.csv, in Markdown.
   void print_columns(std::ostream &out);

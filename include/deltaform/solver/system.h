@@ -21,27 +21,28 @@ namespace deltaform
   class Tangent;
 
   /**
-   * The linear system of a Newton iteration. Unknowns [0, n_sparse) live in an Epetra matrix whose pattern and symbolic
-   * factorization are kept for the whole run; the few behind them (travels of force-driven tools) couple to many others
-   * and are eliminated as blocks with the same factorization. Prescribed unknowns get a row of their own (d = value)
-   * and keep their column, so that a prescribed increment moves its neighbours in the same iteration.
+   * The linear system K d = -R of a Newton iteration. Unknowns [0, n_sparse) belong to an Epetra matrix, whose pattern
+   * and symbolic factorization are kept for the whole run. The few unknowns behind them, the border (travels of
+   * force-driven tools), couple to many others; they are eliminated with the same factorization. The row of a
+   * prescribed unknown becomes d = value; its column stays, so that a prescribed increment moves its neighbours in the
+   * same iteration. Derivation: doc/theory/solver.md.
    */
   class System : public AssemblyTarget, public StiffnessView
   {
   public:
     /**
      * @param pattern   couplings of the sparse unknowns, n_sparse x n_sparse
-     * @param n_border  number of unknowns behind them
-     * @param solver    who solves it, and how well
-     * @param owned     rows that this process keeps: consecutive, rising with the number of the process; all rows:
-     * every process has the whole system for itself
+     * @param n_border  number of unknowns in the border
+     * @param solver    linear solver and its tolerance
+     * @param owned     rows of this process: consecutive, rising with the number of the process. All rows: every
+     *                  process has the whole system for itself
      */
     System(dealii::DynamicSparsityPattern &&pattern,
            unsigned int n_border,
            const LinearSolverSettings &solver,
            const dealii::IndexSet &owned);
 
-    /// A system of this process alone.
+    /// A system for this process alone.
     System(dealii::DynamicSparsityPattern &&pattern, unsigned int n_border, const std::string &solver);
     ~System() override;
     System(System &&) noexcept;
@@ -50,25 +51,24 @@ namespace deltaform
     unsigned int size() const;
 
     /**
-     * What is added to the tangent up to sum_over_ranks() does not change from pass to pass (the stiffness of a linear
-     * blank): it is added in one pass with tangent, and none is wanted for it in later ones. A direct solver then
-     * factorizes it once; what is added behind it is an update of low rank, see LowRankUpdate.
-     * @param candidates   the sparse unknowns that may get entries behind it; with others the whole is factorized
-     * @param largest_rank so it is if more unknowns than this get entries
+     * The part of the tangent that is added before sum_over_ranks() is the same in every pass (the stiffness of a
+     * linear blank). It is added in the first pass with a tangent only. A direct solver factorizes it once; what is
+     * added after sum_over_ranks() is an update of low rank (LowRankUpdate). The whole matrix is factorized instead if
+     * unknowns outside of @p candidates get entries after sum_over_ranks(), or more than @p largest_rank do.
      */
     void keep_constant_part(std::vector<DofIndex> candidates, std::size_t largest_rank);
 
-    /// Let no earlier matrix have a say in how the next ones are factorized.
+    /// Discard what is kept from earlier factorizations (pivots): see LinearSolver::forget().
     void forget_factors();
 
-    /// Set everything to zero, but for a constant part, and start a pass.
+    /// Start a pass: set everything to zero but a constant part.
     void clear(bool tangent);
 
     void add(const DofIndex *dofs, unsigned int n, const double *matrix, const double *vector) override;
 
     /**
-     * The end of the part that each process has assembled for its cells: residuals are summed, rows of the matrix go to
-     * their owners. What is added from here on is the same on all processes, and counts once.
+     * Every process has assembled its own cells: sum the residuals, send rows of the matrix to their owners. What is
+     * added from here on is the same on all processes, and counts once.
      */
     void sum_over_ranks();
 
@@ -78,8 +78,7 @@ namespace deltaform
 
     void multiply(const Vector &direction, Vector &result) const override;
 
-    /// Motions that cost next to no energy (rigid ones), each over the sparse unknowns: an algebraic multigrid has to
-    /// represent them.
+    /// Rigid motions, each over the sparse unknowns: an algebraic multigrid has to represent them.
     void set_near_null_space(const std::vector<Vector> &motions);
 
     /// Which unknowns are prescribed.
@@ -112,9 +111,9 @@ namespace deltaform
     double largest_diagonal() const;
 
     /**
-     * Factorize the assembled tangent. @param shift is added to the diagonal (scaled by the diagonal), 0 in general; it
-     * changes the path to the solution, not the solution.
-     * @return false if the matrix is singular
+     * Factorize the assembled tangent. @return false if it is singular
+     * @param shift times the diagonal is added to the diagonal; 0 in general. It changes the path to the solution, not
+     *              the solution
      */
     bool factorize(double shift = 0.);
 
@@ -124,7 +123,7 @@ namespace deltaform
      */
     bool solve(const Vector &increments, Vector &d);
 
-    /// Why the last solve() failed, if it was not for a singular matrix: in words; otherwise empty.
+    /// Why the last solve() failed although the matrix was not singular, in words; empty if it did not.
     std::string linear_failure() const;
 
     /// Iterations of the linear solver since the start, 0 for a direct one.
@@ -132,7 +131,7 @@ namespace deltaform
 
     unsigned int n_factorizations() const;
 
-    /// Solves with the constant part alone for its compliance at the unknowns that have been in an update.
+    /// Number of solves with the constant part alone, one per unknown that has ever been in an update.
     unsigned int n_compliances() const;
 
   private:

@@ -1,0 +1,106 @@
+#include "run_summary.h"
+
+#include <deltaform/base/command_line.h>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace deltaform
+{
+  namespace
+  {
+    const char *in_words(const int status)
+    {
+      switch (status)
+      {
+      case exit_status::done:
+        return "done";
+      case exit_status::not_converged:
+        return "not converged";
+      default:
+        return "promise p <= delta could not be kept";
+      }
+    }
+  } // namespace
+
+
+  void RunSummary::accepted(const AcceptedIncrement &increment)
+  {
+    cost_ += increment.cost;
+    promise_ = std::max(promise_, increment.contact().max_penetration_over_delta);
+    between_ = std::max(between_, increment.contact().max_penetration_between_nodes);
+    remember(increment);
+  }
+
+
+  void RunSummary::moved(const AcceptedIncrement &increment)
+  {
+    if (increment.number > 0)
+      remember(increment);
+  }
+
+
+  void RunSummary::remember(const AcceptedIncrement &increment)
+  {
+    any_ = true;
+    time_ = increment.time;
+    thinnest_ = increment.smallest_thickness();
+    if (output_.energies)
+      energy_error_ = increment.energies().error();
+  }
+
+
+  std::string RunSummary::json(const Model &model, const RunOutcome &outcome, const std::string &title,
+                               const std::string &units_label, const double seconds) const
+  {
+    nlohmann::ordered_json summary{{"title", title},
+                                   {"units", units_label},
+                                   {"version", DELTAFORM_VERSION},
+                                   {"exit_status", outcome.exit_status},
+                                   {"outcome", in_words(outcome.exit_status)}};
+    if (!outcome.message.empty())
+      summary["message"] = outcome.message;
+    summary["warnings"] = outcome.warnings;
+    summary["unknowns"] = model.committed().size();
+    summary["increments"] = outcome.increments;
+    summary["newton_iterations"] = outcome.iterations;
+    summary["penalty_rounds"] = cost_.rounds;
+    summary["penalty_iterations"] = cost_.correction_iterations;
+    summary["cutbacks"] = cost_.cutbacks;
+    summary["time"] = time_;
+    summary["tools"] = nlohmann::ordered_json::object();
+    for (unsigned int i = 0; any_ && i < model.actors().tools.size(); ++i)
+      summary["tools"][model.actors().tools[i]->name()] = {{"travel", model.travel(i)},
+                                                           {"force_z", model.tool_forces()[i][1]},
+                                                           {"force_r", model.tool_forces()[i][0]}};
+    summary["min_thickness"] = thinnest_;
+    summary["max_penetration_over_delta"] = promise_;
+    summary["max_penetration_between_nodes"] = between_;
+    if (output_.energies)
+      summary["energy_error"] = energy_error_;
+    summary["seconds"] = seconds;
+    // Names of scenes may be in another encoding than UTF-8: their bytes must not spoil the file.
+    return summary.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  }
+
+
+  std::string RunSummary::last_line(const Model &model, const RunOutcome &outcome, const double seconds) const
+  {
+    std::string line;
+    if (const auto main = output_.main_tool; main != invalid_index && any_)
+      line = fmt::format("{}: travel {:.4g}, force {:.6g}; thinnest {:.4g}; ",
+                         model.actors().tools[main]->name(),
+                         model.travel(main),
+                         model.tool_forces()[main][1],
+                         thinnest_);
+    line += fmt::format("{} increments, {} Newton iterations, {:.2f} s",
+                        outcome.increments,
+                        outcome.iterations,
+                        seconds);
+    if (model.actors().keeps_promise())
+      line += fmt::format("; max p/delta {:.3f}", promise_);
+    return line;
+  }
+} // namespace deltaform

@@ -1,0 +1,53 @@
+#pragma once
+// What summary.json says; private to the results.
+#include <deltaform/model/accepted_increment.h>
+#include <deltaform/model/observer.h>
+#include <deltaform/results/output_settings.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
+#include <string>
+
+namespace deltaform
+{
+  /// The outcome of a run in a page: what its last increment left, and what all of them cost.
+  class RunSummary
+  {
+  public:
+    explicit RunSummary(const OutputSettings &output)
+      : output_(output)
+    {
+    }
+
+    void accepted(const AcceptedIncrement &increment);
+    void moved(const AcceptedIncrement &increment);
+
+    /// Title and label of the units stand in it, and the seconds that the run took. Numbers that are not finite become
+    /// null, bytes that are no UTF-8 a question mark.
+    std::string json(const Model &model, const RunOutcome &outcome, const std::string &title,
+                     const std::string &units_label, double seconds) const;
+
+    /// The last line for the user.
+    std::string last_line(const Model &model, const RunOutcome &outcome, double seconds) const;
+
+    void save(boost::archive::binary_oarchive &archive) const
+    {
+      archive << cost_.rounds << cost_.correction_iterations << cost_.cutbacks << promise_ << between_;
+    }
+
+    void load(boost::archive::binary_iarchive &archive)
+    {
+      archive >> cost_.rounds >> cost_.correction_iterations >> cost_.cutbacks >> promise_ >> between_;
+    }
+
+  private:
+    void remember(const AcceptedIncrement &increment);
+
+    const OutputSettings &output_;
+    IncrementCost cost_; ///< of the run
+    double promise_ = 0., between_ = 0.; ///< largest p/delta and penetration between nodes of the run
+    bool any_ = false; ///< was any increment accepted?
+    double time_ = 0., thinnest_ = 0., energy_error_ = 0.; ///< of the last accepted increment
+  };
+} // namespace deltaform
