@@ -69,7 +69,7 @@ FEATURES = [
     Feature("tool driven by a force", "prm/cup.prm", "form", (.1, .2), .01,
             r"Tool::force$|bring_into_contact|add_elsewhere", on=["Tools/holder/Force=0.2"]),
     Feature("refinement", "prm/upsetting.prm", "press", (.2, .4), .05,
-            r"Solid::mark|Solid::refine$|estimate_error|inherit|ContactInterface::transfer", on=["Blank/Refinement/Criterion=recovery"]),
+            r"SolidRefinement::mark|SolidRefinement::refine$|estimate_error|SolidTransfer::|ContactInterface::transfer", on=["Blank/Refinement/Criterion=recovery"]),
     Feature("two processes", "prm/upsetting.prm", "press", (.2, .4), .05,
             r"DistributedRows::|MPI_Alltoall|MPI_Allgatherv", ranks=2),
 ]

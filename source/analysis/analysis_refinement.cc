@@ -14,7 +14,7 @@ namespace deltaform
     /// @param n_cells, energy before
     std::string change_in_words(const unsigned int n_cells, const double energy, const Model &model)
     {
-      return std::to_string(n_cells) + " cells to " + std::to_string(model.blank().n_cells()) + ", " +
+      return std::to_string(n_cells) + " cells to " + std::to_string(model.blank().adaptive()->n_cells()) + ", " +
              std::to_string(model.committed().size()) + " unknowns, elastic energy " + text::format(energy) + " to " +
              text::format(model.blank().energy().elastic);
     }
@@ -23,19 +23,20 @@ namespace deltaform
 
   bool Analysis::refinement_marked()
   {
-    const RefinementSettings *settings = actors_.blank->refinement();
-    return settings != nullptr && state_.since_refinement >= settings->every && model_.mark();
+    const Adaptive *blank = std::as_const(*actors_.blank).adaptive();
+    return blank != nullptr && state_.since_refinement >= blank->settings().every && model_.mark();
   }
 
 
   bool Analysis::refine()
   {
     Checkpoint unrefined = checkpoint();
-    const unsigned int passes = actors_.blank->refinement()->passes;
+    const Adaptive &blank = *actors_.blank->adaptive();
+    const unsigned int passes = blank.settings().passes;
     bool marked = true;
     for (unsigned int pass = 1; marked; ++pass)
     {
-      const unsigned int n_cells = actors_.blank->n_cells();
+      const unsigned int n_cells = blank.n_cells();
       const double energy = actors_.blank->energy().elastic;
       model_.refine();
       journal_.detail("refined after increment " + std::to_string(state_.n_increments) + ": " +

@@ -14,7 +14,7 @@ namespace deltaform
     {
     public:
       explicit ThinSheet(const Actors &actors)
-        : is_sheet_(actors.blank->is_sheet()), initial_(actors.blank->initial_thickness()), thinnest_(initial_)
+        : is_sheet_(actors.blank->fields().is_sheet()), initial_(actors.blank->initial_thickness()), thinnest_(initial_)
       {
       }
 

@@ -27,6 +27,13 @@ namespace deltaform
   }
 
 
+  double MaterialPoints::initial_flow_stress() const
+  {
+    const std::vector<double> history(law_->history_size(), 0.);
+    return law_->flow_stress(history.data());
+  }
+
+
   Status MaterialPoints::update(const std::size_t first,
                                 const unsigned int n,
                                 double *const tangent,
@@ -78,22 +85,15 @@ namespace deltaform
   void MaterialPoints::put(KeyedArrays &state) const
   {
     const BlankEnergy total = energy();
-    history_.put(state);
-    carried_.put(state);
-    if (law_->traits().needs_duration)
-      state.put("duration of the last increment", duration_);
-    state.put("stress", committed_stress_);
+    each_array(*this, PutInto(state));
     state.put("energies", std::vector<double>{total.elastic, total.plastic, total.normal});
   }
 
 
   void MaterialPoints::take(const KeyedArrays &state)
   {
-    history_.take(state);
-    carried_.take(state);
-    if (law_->traits().needs_duration)
-      state.take("duration of the last increment", duration_);
-    state.take("stress", committed_stress_);
+    each_array(*this, TakeFrom(state));
+    carried_.pause();
     stress_ = committed_stress_;
     std::vector<double> energies = state.at("energies");
     energies.resize(3); // states of solids once held two

@@ -22,8 +22,6 @@ namespace deltaform
   class MaterialPoints
   {
   public:
-    MaterialPoints() = default;
-
     /// Read the law from the section Material beside @p blank.
     /// @throws SceneError if it cannot serve a blank of this symmetry that asks for @p third
     MaterialPoints(Section &blank, ThirdDirection third, bool axisymmetric);
@@ -40,6 +38,9 @@ namespace deltaform
     {
       return *law_;
     }
+
+    /// Of an undeformed point; infinite if it is elastic.
+    double initial_flow_stress() const;
 
     /// Can points flow?
     bool plastic() const
@@ -176,6 +177,17 @@ namespace deltaform
     void take(const KeyedArrays &state);
 
   private:
+    /// Every array of the state with its name, but for the energies.
+    template <typename Points, typename Action>
+    static void each_array(Points &points, const Action &action)
+    {
+      PointHistory::each_array(points.history_, action);
+      CarriedFlow::each_array(points.carried_, action);
+      action("stress", points.committed_stress_);
+      if (points.law_->traits().needs_duration)
+        action("duration of the last increment", points.duration_);
+    }
+
     std::unique_ptr<Material> law_;
     ThirdDirection third_ = ThirdDirection::strain_given;
     PointHistory history_;

@@ -1,315 +1,284 @@
-// Set-up of the shell and what it hands to contact and solver; assembly and results stand in files of their own.
 #include "shell.h"
 
-
 #include <deltaform/base/registry.h>
-#include <deltaform/kinematics/shell_strain.h>
+#include <deltaform/materials/flow_error.h>
 
-#include <deal.II/base/quadrature_lib.h>
-#include <stdexcept>
+#include <algorithm>
+#include <cmath>
 
 namespace deltaform
 {
-  using dealii::numbers::PI;
+  namespace
+  {
+    /// log(a / b) to the last digits; of neighbours by the series of atanh, a quarter of the time.
+    double log_of_ratio(const double a, const double b)
+    {
+      const double x = (a - b) / (a + b), square = x * x;
+      return square < 1e-5 ? 2. * x * (1. + square * (1. / 3. + square * (1. / 5. + square / 7.))) : std::log(a / b);
+    }
+  } // namespace
+
 
   Shell::Shell(Section &section)
-    : degree_(section.integer("Degree",
-                              1,
-                              1,
-                              2,
-                              "Polynomial degree: 1 with one-point, 2 with two-point reduced integration.")),
-      axisymmetric_(
-        section.choice("Symmetry",
-                       "axisymmetric",
-                       {"axisymmetric", "plane strain"},
-                       "Axisymmetric about r = 0 (forces for the full circumference) or plane strain (per unit "
-                       "width).") == "axisymmetric"),
-      membrane_(section.flag("Membrane", false, "No bending: one layer, no rotations. Needs tension to be stable.")),
-      transverse_normal_stress_(
-        section.flag("Transverse normal stress",
-                     true,
-                     "Put the mean of the contact pressures of both faces into the yield condition of the layers.")),
-      thickness_(
-        section.number("Thickness", required(1.), Range::positive(), "length", "Initial thickness of the blank.")),
-      shear_factor_(section.number("Shear correction factor",
-                                   5. / 6.,
-                                   Range::positive(),
-                                   "1",
-                                   "Factor of the transverse shear stiffness.")),
-      n_layers_(section.integer("Layers", 7, 1, 15, "Points through the thickness (membrane: one).")),
-      mesh_(section, degree_), triangulation_(dealii::Triangulation<1, 2>::none), dof_handler_(triangulation_)
+    : settings_(section), space_(section, settings_), points_(section, settings_, space_),
+      state_(settings_, space_, points_), surface_(section, space_, points_, material_, state_),
+      boundary_(space_, surface_, settings_.thickness),
+      material_(section, ThirdDirection::stress_given, settings_.axisymmetric),
+      kernel_(settings_, space_, points_, state_, material_), fields_(space_, points_, state_, surface_, material_)
   {
-    const std::string rule =
-      section.choice("Layer rule", "gauss", {"gauss", "lobatto"}, "Integration through the thickness.");
-    contact_point_ =
-      section.choice("Contact point",
-                     "normal offset",
-                     {"normal offset", "outer fibre"},
-                     "Where a node touches: half a thickness away along the tool's normal, or on the outer "
-                     "fibre along the director (the force then has a moment).") == "normal offset"
-        ? ContactPoint::normal_offset
-        : ContactPoint::outer_fibre;
-
-    material_ = MaterialPoints(section, ThirdDirection::stress_given, axisymmetric_);
-
-    if (membrane_)
-      n_layers_ = 1;
-    else if (n_layers_ < 2)
-      section.fail("Layers", "one layer has no bending stiffness: set Membrane = true, or use at least 2");
-    if (membrane_ && contact_point_ == ContactPoint::outer_fibre)
-      section.fail("Contact point", "a membrane has no director: use 'normal offset'");
-    for (const auto &X : mesh_.nodes())
-      if (axisymmetric_ && X[0] < 0)
-        section.fail("Points", "an axisymmetric meridian must lie at r >= 0");
-
-    const dealii::Quadrature<1> layers = rule == "gauss" || n_layers_ < 2
-                                           ? dealii::Quadrature<1>(dealii::QGauss<1>(n_layers_))
-                                           : dealii::Quadrature<1>(dealii::QGaussLobatto<1>(n_layers_));
-    for (unsigned int l = 0; l < n_layers_; ++l)
-    {
-      layer_position_.push_back(thickness_ * (layers.point(l)[0] - .5));
-      layer_weight_.push_back(thickness_ * layers.weight(l));
-    }
-    set_up_dofs();
-    set_up_points();
-    set_up_nodes();
+    material_.reset(static_cast<std::size_t>(points_.size()) * points_.n_layers());
   }
 
 
-  void Shell::update_areas(const Vector &q) const
+  const ContactSurface &Shell::surface() const
   {
-    const double factor = axisymmetric_ ? 2 * PI : 1.;
-    std::fill(node_area_.begin(), node_area_.end(), 0.);
-    for (const auto &cell : mesh_.cells())
-    {
-      std::array<Point2, 3> x;
-      for (unsigned int a = 0; a <= degree_; ++a)
-        x[a] = position(q, cell.nodes[a]);
-      for (const auto &[shape, gradient, weight] : load_quadrature_)
-      {
-        Tensor1 x_xi;
-        double r = 0;
-        for (unsigned int a = 0; a <= degree_; ++a)
-        {
-          x_xi += gradient[a] * x[a];
-          r += shape[a] * x[a][0];
-        }
-        const double dA = factor * (axisymmetric_ ? r : 1.) * x_xi.norm() * weight;
-        for (unsigned int a = 0; a <= degree_; ++a)
-          node_area_[cell.nodes[a]] += shape[a] * dA;
-      }
-    }
-    // The weight of a node on the axis vanishes for degree 2 in the initial configuration: it has no contact.
-    for (unsigned int i = 0; i < node_area_.size(); ++i)
-      if (weightless_[i])
-        node_area_[i] = 0.;
+    return surface_;
+  }
+
+
+  const Boundary &Shell::boundary() const
+  {
+    return boundary_;
+  }
+
+
+  const Fields &Shell::fields() const
+  {
+    return fields_;
   }
 
 
   unsigned int Shell::n_dofs() const
   {
-    return dof_handler_.n_dofs();
+    return space_.n_dofs();
   }
 
 
   void Shell::add_couplings(dealii::DynamicSparsityPattern &pattern) const
   {
-    for (const auto &cell : mesh_.cells())
-      for (unsigned int a = 0; a <= degree_; ++a)
-        for (unsigned int b = 0; b <= degree_; ++b)
-          for (const auto i : node_dofs_[cell.nodes[a]])
-            for (const auto j : node_dofs_[cell.nodes[b]])
-              pattern.add(i, j);
+    space_.add_couplings(pattern);
   }
 
 
   std::vector<DofIndex> Shell::fixed_dofs() const
   {
-    std::vector<DofIndex> result;
-    for (unsigned int i = 0; i < node_dofs_.size(); ++i)
-    {
-      const bool on_axis = axisymmetric_ && mesh_.nodes()[i][0] < 1e-12 * thickness_;
-      if (on_axis)
-        result.push_back(node_dofs_[i][0]);
-      if (on_axis || membrane_)
-        result.push_back(node_dofs_[i][2]);
-    }
-    return result;
-  }
-
-
-  std::vector<std::string> Shell::boundaries() const
-  {
-    return {"start", "end"};
-  }
-
-
-  std::vector<DofIndex> Shell::boundary_dofs(const std::string &boundary, const Component component) const
-  {
-    const unsigned int k = static_cast<unsigned int>(component);
-    if (boundary == "start")
-      return {node_dofs_.front()[k]};
-    if (boundary == "end")
-      return {node_dofs_.back()[k]};
-    throw std::invalid_argument("a shell has no boundary '" + boundary + "', only 'start' and 'end'");
-  }
-
-
-  std::vector<Point2> Shell::boundary_points(const std::string &boundary) const
-  {
-    return {boundary == "start" ? mesh_.nodes().front() : mesh_.nodes().back()};
-  }
-
-
-  std::vector<double> Shell::boundary_weights(const std::string &boundary) const
-  {
-    return {axisymmetric_ ? 2 * PI * boundary_points(boundary).front()[0] : 1.};
-  }
-
-
-  std::vector<std::string> Shell::faces() const
-  {
-    return {"bottom"};
-  }
-
-
-  std::vector<std::pair<DofIndex, double>> Shell::volume_weights(const Component component) const
-  {
-    if (component == Component::rotation)
-      return {};
-    // The areas are those of the configuration that is assembled: ask for the initial ones, then go back to them.
-    const auto now = node_area_;
-    update_areas(Vector(n_dofs()));
-    std::vector<std::pair<DofIndex, double>> result;
-    for (unsigned int i = 0; i < node_dofs_.size(); ++i)
-      result.emplace_back(node_dofs_[i][static_cast<unsigned int>(component)], thickness_ * node_area_[i]);
-    node_area_ = now;
-    return result;
+    return space_.fixed_dofs();
   }
 
 
   double Shell::dof_scale(const DofIndex dof) const
   {
-    return is_rotation_[dof] ? thickness_ : 1.;
+    return space_.is_rotation(dof) ? settings_.thickness : 1.;
   }
 
 
-  double Shell::initial_flow_stress() const
+  std::string Shell::describe_dof(const DofIndex dof) const
   {
-    const std::vector<double> history(material_.law().history_size(), 0.);
-    return material_.law().flow_stress(history.data());
+    return space_.describe(dof);
   }
 
 
-  double Shell::stiffness_scale() const
+  std::vector<Point2> Shell::positions(const Vector &q) const
   {
-    return material_.law().young_modulus() * thickness_;
+    return space_.positions(q);
   }
 
 
-  unsigned int Shell::n_cells() const
+  void Shell::rigid_motion(const Vector &q,
+                           const Tensor1 &translation,
+                           const double rotation,
+                           const std::function<void(DofIndex, double)> &set) const
   {
-    return mesh_.cells().size();
+    space_.rigid_motion(q, translation, rotation, set);
   }
 
 
   bool Shell::axisymmetric() const
   {
-    return axisymmetric_;
+    return settings_.axisymmetric;
   }
 
 
   double Shell::initial_thickness() const
   {
-    return thickness_;
+    return settings_.thickness;
   }
 
 
   double Shell::typical_length() const
   {
-    return thickness_;
+    return settings_.thickness;
   }
 
 
-  Point2 Shell::position(const Vector &q, const unsigned int node) const
+  double Shell::stiffness_scale() const
   {
-    return mesh_.nodes()[node] + Tensor1({q[node_dofs_[node][0]], q[node_dofs_[node][1]]});
+    return material_.law().young_modulus() * settings_.thickness;
   }
 
 
-  double Shell::rotation(const Vector &q, const unsigned int node) const
+  double Shell::initial_flow_stress() const
   {
-    return q[node_dofs_[node][2]];
+    return material_.initial_flow_stress();
+  }
+
+
+  Status Shell::assemble(const Vector &q, AssemblyTarget &target)
+  {
+    return kernel_.assemble(q, target);
   }
 
 
   double Shell::admissible_step(const Vector &q, const Vector &dq) const
   {
-    constexpr double largest_stretch = .3, largest_rotation = .3;
-    double factor = 1.;
-    for (const auto &cell : mesh_.cells())
+    return space_.admissible_step(q, dq);
+  }
+
+
+  void Shell::begin_increment(const double duration, const double ratio)
+  {
+    material_.begin_increment(duration, ratio);
+  }
+
+
+  double Shell::flow_error() const
+  {
+    const unsigned int n_layers = points_.n_layers();
+    MeanFlowError error;
+    for (unsigned int i = 0; i < material_.size(); ++i)
+      error.add(points_[i / n_layers].weight * points_.layer_weight(i % n_layers) * material_.flow(i),
+                material_.committed_stress(i),
+                material_.stress(i));
+    return error.value();
+  }
+
+
+  IncrementSize Shell::increment_size(const Vector &dq) const
+  {
+    IncrementSize largest;
+    for (unsigned int i = 0; i < material_.size(); ++i)
+      for (unsigned int k = 0; k < 2; ++k)
+        largest.strain = std::max(largest.strain, std::abs(material_.strain(i)[k] - state_.strain(i)[k]));
+    for (const auto &dofs : space_.dofs())
+      largest.rotation = std::max(largest.rotation, std::abs(dq[dofs[2]]));
+    return largest;
+  }
+
+
+  double Shell::trial_thickness(const unsigned int place) const
+  {
+    double thickness = 0.;
+    for (unsigned int l = 0; l < points_.n_layers(); ++l)
+      thickness += points_.layer_weight(l) * std::exp(material_.strain(place * points_.n_layers() + l)[2]);
+    return thickness;
+  }
+
+
+  double Shell::thickness_strain_work(const unsigned int place,
+                                      const ShellStrain &strain,
+                                      const double new_ratio,
+                                      const double *volume) const
+  {
+    // Moving the layers of a curved shell to the new thickness strains them at fixed displacements.
+    const double ratio = state_.thickness_ratio(place);
+    if (new_ratio == ratio)
+      return 0.;
+    double work = 0.;
+    for (unsigned int l = 0; l < points_.n_layers(); ++l)
     {
-      const auto a = cell.nodes[0], b = cell.nodes[1];
-      const double length = (position(q, b) - position(q, a)).norm();
-      const Tensor1 du({dq[node_dofs_[b][0]] - dq[node_dofs_[a][0]], dq[node_dofs_[b][1]] - dq[node_dofs_[a][1]]});
-      factor = std::min(factor, largest_stretch * length / std::max(du.norm(), 1e-300));
-      if (axisymmetric_)
-        factor = std::min(factor,
-                          largest_stretch * std::max(position(q, b)[0], length) /
-                            std::max(std::abs(dq[node_dofs_[b][0]]), 1e-300));
+      const double before = ratio * points_.layer_position(l), after = new_ratio * points_.layer_position(l);
+      const auto &tau = material_.stress(place * points_.n_layers() + l);
+      work += volume[l] * tau[0] *
+              log_of_ratio(strain.lambda - after * strain.theta_prime, strain.lambda - before * strain.theta_prime);
+      if (settings_.axisymmetric)
+        work += volume[l] * tau[1] * log_of_ratio(strain.r + after * strain.d_r(), strain.r + before * strain.d_r());
     }
-    for (const auto &dofs : node_dofs_)
-      factor = std::min(factor, largest_rotation / std::max(std::abs(dq[dofs[2]]), 1e-300));
-    return factor;
+    return work;
   }
 
 
-  unsigned int Shell::n_contact_nodes(Side) const
+  void Shell::add_energy(const Vector &q,
+                         const unsigned int cell,
+                         const unsigned int place,
+                         const double new_ratio,
+                         BlankEnergy &sum) const
   {
-    return node_dofs_.size();
-  }
-
-
-  const std::vector<std::array<unsigned int, 3>> &Shell::contact_edges(Side) const
-  {
-    return edges_;
-  }
-
-
-  void Shell::contact_node(const Vector &q,
-                           const Side side,
-                           const unsigned int node,
-                           const ContactThickness thickness,
-                           ContactNode &result) const
-  {
-    const double h = thickness == ContactThickness::current   ? node_thickness_[node]
-                     : thickness == ContactThickness::initial ? thickness_
-                                                              : 0.;
-    result.node = node;
-    result.dofs = node_dofs_[node];
-    result.x = position(q, node);
-    result.area = node_area_[node];
-    result.reference_coordinate = mesh_.nodes()[node][0];
-    result.arc_coordinate = mesh_.arc_length()[node];
-    result.thickness = node_thickness_[node];
-    result.compliance = result.area > 0 ? .5 * h / (modulus() * result.area) : 0.;
-    result.recovery = thickness == ContactThickness::current ? node_relief_[node] : 0.;
-    result.jacobian[0] = Tensor1({1., 0.});
-    result.jacobian[1] = Tensor1({0., 1.});
-    if (contact_point_ == ContactPoint::normal_offset)
+    const ShellPoint &point = points_[place];
+    const unsigned int n_layers = points_.n_layers();
+    const double sine = settings_.axisymmetric ? std::sin(point.angle) : 0.;
+    std::array<double, ShellSettings::most_layers> volumes;
+    for (unsigned int l = 0, i = place * n_layers; l < n_layers; ++l, ++i)
     {
-      result.n_dofs = 2;
-      result.offset = .5 * h;
-      return;
+      const double volume = volumes[l] = points_.layer_volume(point, sine, l);
+      const Mandel before = material_.plastic_strain(i);
+      const Mandel after = material_.trial_plastic_strain(i);
+      const Mandel &start = material_.committed_stress(i), &end = material_.stress(i);
+      double work = 0.;
+      for (unsigned int k = 0; k < 4; ++k)
+        work += (end[k] + start[k]) * (after[k] - before[k]);
+      sum.plastic += .5 * volume * work;
+      sum.normal += .5 * volume * (end[2] + start[2]) * (material_.strain(i)[2] - state_.strain(i)[2]);
+      sum.elastic += volume * material_.law().elastic_energy(end);
     }
-    const double theta = node_angle_[node] + rotation(q, node);
-    const double arm = side == Side::top ? .5 * h : -.5 * h;
-    const Tensor1 d({-std::sin(theta), std::cos(theta)}), t({std::cos(theta), std::sin(theta)});
-    result.n_dofs = 3;
-    result.offset = 0.;
-    result.x += arm * d;
-    result.jacobian[2] = -arm * t;
-    result.second[2] = -arm * d;
+    const ShellStrain strain = points_.strain(q, cell, place);
+    const double gamma = strain.gamma - point.gamma;
+    sum.normal += thickness_strain_work(place, strain, new_ratio, volumes.data());
+    sum.elastic += .5 * kernel_.shear_stiffness() * point.weight * point.radius * gamma * gamma;
+  }
+
+
+  void Shell::commit(const Vector &q)
+  {
+    BlankEnergy sum;
+    for (unsigned int place = 0; place < points_.size(); ++place)
+    {
+      const double ratio = trial_thickness(place) / settings_.thickness;
+      if (material_.counts_energy())
+        add_energy(q, place / points_.per_cell(), place, ratio, sum);
+      state_.set_thickness_ratio(place, ratio);
+    }
+    material_.add_energy(sum.elastic, sum.plastic, sum.normal);
+    material_.commit();
+    state_.commit(material_.strains(), surface_.modulus());
+    surface_.update(q);
+  }
+
+
+  void Shell::set_contact_pressure(const Side side, const std::vector<double> &pressure)
+  {
+    state_.set_contact_pressure(side, pressure, surface_.areas());
+  }
+
+
+  BlankEnergy Shell::energy() const
+  {
+    return material_.energy();
+  }
+
+
+  void Shell::forget_energy()
+  {
+    material_.forget_energy();
+  }
+
+
+  KeyedArrays Shell::state() const
+  {
+    KeyedArrays state;
+    material_.put(state);
+    ShellState::each_array(state_, PutInto(state));
+    ShellSurface::each_array(surface_, PutInto(state));
+    return state;
+  }
+
+
+  void Shell::set_state(const KeyedArrays &state)
+  {
+    material_.take(state);
+    ShellState::each_array(state_, TakeFrom(state));
+    ShellSurface::each_array(surface_, TakeFrom(state));
+    for (unsigned int i = 0; i < material_.size(); ++i)
+      material_.strain(i) = state_.strain(i);
   }
 
 

@@ -1,5 +1,5 @@
 // Picture of the accepted state of the shell.
-#include "shell.h"
+#include "shell_fields.h"
 
 #include <deal.II/base/utilities.h>
 
@@ -42,25 +42,24 @@ namespace deltaform
   } // namespace
 
 
-  Drawing Shell::draw(const Vector &q, const std::vector<DrawnField> &nodal) const
+  Drawing ShellFields::draw(const Vector &q, const std::vector<DrawnField> &nodal) const
   {
     // One quadrilateral per element and layer interval: the layers' surfaces are their midpoints, the outermost ones
     // the faces.
-    std::vector<double> level(n_layers_ + 1);
-    level[0] = -.5;
-    for (unsigned int l = 0; l < n_layers_; ++l)
-      level[l + 1] = level[l] + layer_weight_[l] / thickness_;
+    std::vector<double> level{-.5};
+    for (unsigned int l = 0; l < points_.n_layers(); ++l)
+      level.push_back(level[l] + points_.layer_weight(l) / points_.thickness());
 
     Drawing drawing;
-    const unsigned int n_nodes = node_dofs_.size(), n_levels = level.size();
+    const unsigned int n_nodes = space_.n_nodes(), n_levels = level.size();
     drawing.points.reserve(static_cast<std::size_t>(n_nodes) * n_levels);
     for (unsigned int i = 0; i < n_nodes; ++i)
     {
-      const double theta = membrane_ ? membrane_angle(q, i) : node_angle_[i] + rotation(q, i);
+      const double theta = surface_.director_angle(q, i);
       const Tensor1 d({-std::sin(theta), std::cos(theta)});
-      const Point2 x = position(q, i);
+      const Point2 x = space_.position(q, i);
       for (const double s : level)
-        drawing.points.push_back(x + s * node_thickness_[i] * d);
+        drawing.points.push_back(x + s * state_.node_thickness(i) * d);
     }
     const std::size_t n_points = drawing.points.size();
     double *displacement = add_field(drawing, "displacement", "length", true, 2, n_points);
@@ -68,12 +67,12 @@ namespace deltaform
     double *thinning = add_field(drawing, "thickness_strain", "1", true, 1, n_points);
     for (unsigned int i = 0; i < n_nodes; ++i)
     {
-      const double strain = std::log(node_thickness_[i] / thickness_);
+      const double strain = std::log(state_.node_thickness(i) / points_.thickness());
       for (unsigned int l = 0; l < n_levels; ++l)
       {
-        *displacement++ = q[node_dofs_[i][0]];
-        *displacement++ = q[node_dofs_[i][1]];
-        *thickness++ = node_thickness_[i];
+        *displacement++ = q[space_.dofs()[i][0]];
+        *displacement++ = q[space_.dofs()[i][1]];
+        *thickness++ = state_.node_thickness(i);
         *thinning++ = strain;
       }
     }
@@ -88,10 +87,10 @@ namespace deltaform
   }
 
 
-  void Shell::draw_cells(const Vector &q, Drawing &drawing) const
+  void ShellFields::draw_cells(const Vector &q, Drawing &drawing) const
   {
     // Cells of degree 2 are drawn in two halves, each with the values of the nearer quadrature point.
-    const std::size_t n_cells = mesh_.cells().size() * degree_ * n_layers_;
+    const std::size_t n_cells = space_.mesh().cells().size() * space_.degree() * points_.n_layers();
     const auto add = [&](const char *name, const char *unit, const unsigned int components) {
       return add_field(drawing, name, unit, false, components, n_cells);
     };
@@ -109,30 +108,30 @@ namespace deltaform
       if (field.name != "plastic_strain" && field.name != "equivalent_plastic_strain")
         further.emplace_back(field, add(field.name.c_str(), field.unit.c_str(), field.size()));
 
-    const unsigned int n_levels = n_layers_ + 1;
+    const unsigned int n_layers = points_.n_layers(), n_levels = n_layers + 1;
     drawing.cells.reserve(4 * n_cells);
-    for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
-      for (unsigned int part = 0; part < degree_; ++part)
+    for (unsigned int c = 0; c < space_.mesh().cells().size(); ++c)
+      for (unsigned int part = 0; part < space_.degree(); ++part)
       {
-        const auto &nodes = mesh_.cells()[c].nodes;
+        const auto &nodes = space_.mesh().cells()[c].nodes;
         const unsigned int a = part == 0 ? nodes[0] : nodes[2];
-        const unsigned int b = part + 1 == degree_ ? nodes[1] : nodes[2];
-        const Tensor1 chord = position(q, b) - position(q, a), along = chord / chord.norm();
-        for (unsigned int l = 0; l < n_layers_; ++l)
+        const unsigned int b = part + 1 == space_.degree() ? nodes[1] : nodes[2];
+        const Tensor1 chord = space_.position(q, b) - space_.position(q, a), along = chord / chord.norm();
+        for (unsigned int l = 0; l < n_layers; ++l)
         {
           for (const unsigned int corner :
                {a * n_levels + l, b * n_levels + l, b * n_levels + l + 1, a * n_levels + l + 1})
             drawing.cells.push_back(corner);
-          const unsigned int i = (c * n_points_per_cell_ + part) * n_layers_ + l;
+          const unsigned int i = (c * points_.per_cell() + part) * n_layers + l;
           const Mandel &tau = material_.committed_stress(i);
-          *strain_1++ = committed_strain_[i][0];
-          *strain_2++ = committed_strain_[i][1];
+          *strain_1++ = state_.strain(i)[0];
+          *strain_2++ = state_.strain(i)[1];
           *equivalent++ = material_.equivalent_plastic_strain(i);
           *stress_1++ = tau[0];
           *stress_2++ = tau[1];
           *mises++ = mises_of(tau);
           *pressure++ = -(tau[0] + tau[1] + tau[2]) / 3.;
-          strain = write_turned(committed_strain_[i], along, strain);
+          strain = write_turned(state_.strain(i), along, strain);
           if (plastic)
             plastic = write_turned(material_.plastic_strain(i), along, plastic);
           for (auto &[field, values] : further)

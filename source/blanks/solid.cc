@@ -1,14 +1,10 @@
-// The solid as read, and what it tells solver and scene about itself; set-up, assembly and results have their own
-// files.
 #include "solid.h"
-
 
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/registry.h>
-#include <deltaform/base/text.h>
+#include <deltaform/materials/flow_error.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace deltaform
 {
@@ -19,193 +15,82 @@ namespace deltaform
                                    {"axisymmetric", "plane strain"},
                                    "Axisymmetric about r = 0 (forces for the full circumference) or plane strain (per "
                                    "unit width).") == "axisymmetric"),
-      finite_(
+      motion_(
         section.choice("Kinematics",
                        "finite",
                        {"finite", "small"},
                        "Finite strain, or displacements so small that the undeformed body serves for equilibrium.") ==
         "finite"),
-      refinement_(section.sub("Refinement")), space_(section, degree_, axisymmetric_), points_(space_),
-      boundary_(space_), faces_{{SolidFace(space_), SolidFace(space_)}}
+      refinement_settings_(section.sub("Refinement")), body_(section, degree_, axisymmetric_, motion_.finite()),
+      surface_(section, body_, material_, motion_.finite()),
+      material_(section, ThirdDirection::strain_given, axisymmetric_),
+      kernel_(body_, material_, motion_), transfer_(body_, material_, motion_, kernel_),
+      refinement_(refinement_settings_, body_, surface_, material_, transfer_),
+      fields_(body_, surface_, material_, motion_)
   {
-    auto bottom =
-      section.names("Contact bottom",
-                    "bottom",
-                    "Parts of the boundary that tools with Side = bottom touch; 'bottom, end' goes around the "
-                    "corner.");
-    auto top = section.names("Contact top", "top", "Parts of the boundary that tools with Side = top touch.");
-    material_ = MaterialPoints(section, ThirdDirection::strain_given, axisymmetric_);
-    if (section.documentation() && space_.mesh().boundaries().empty())
+    if (section.documentation() && body_.space().mesh().boundaries().empty())
       return;
-
-    space_.set_up();
-    for (const auto &X : space_.nodes())
-      if (space_.axisymmetric() && X[0] < -1e-9 * space_.mesh().thickness())
-        section.fail("Symmetry",
-                     "an axisymmetric body must lie at r >= 0: a node is at r = " + text::format(X[0]) +
-                       ", z = " + text::format(X[1]));
-    for (const auto &X : space_.nodes())
+    body_.set_up();
+    body_.check(section);
+    kernel_.reset();
+    surface_.set_up(section);
+    refinement_.update(Vector(n_dofs()));
+    for (const auto &X : body_.space().nodes())
       outermost_ = std::max(outermost_, X[0]);
-    points_.set_up();
-    set_up_state();
-    std::vector<unsigned int> bad; // a node of the first bad cell of each process
-    for (unsigned int p = 0; p < points_.size() && bad.empty(); ++p)
-      if (!(points_[p].weight > 0))
-        bad.push_back(space_.cells()[p / points_.per_cell()][0]);
-    for (const auto node : ranks::gather(bad))
-      section.fail(
-        space_.mesh().is_strip() ? "Thickness" : "File",
-        "the cell near r = " + text::format(space_.nodes()[node][0]) +
-          ", z = " + text::format(space_.nodes()[node][1]) +
-          " is turned inside out: the strip is thicker than its meridian is curved, or the mesh is clockwise");
-    boundary_.set_up();
-    for (const auto &[names, entry, face] :
-         {std::tuple(bottom, "Contact bottom", 0), std::tuple(top, "Contact top", 1)})
-      for (const auto &name : names)
-        if (boundary_.has(name))
-          contact_boundaries_[face].push_back(name);
-        else if (section.given(entry) || space_.mesh().is_strip())
-          section.fail(entry,
-                       "there is no boundary '" + name + "'; there are " +
-                         text::join(space_.mesh().boundaries(), ", "));
-    for (unsigned int side = 0; side < 2; ++side)
-      faces_[side].set_up(boundary_, contact_boundaries_[side]);
-    shortest_edge_ = std::min(faces_[0].shortest_edge(), faces_[1].shortest_edge());
-    if (!std::isfinite(shortest_edge_))
-      shortest_edge_ = space_.mesh().thickness();
-    for (auto &face : faces_)
-      face.set_up_areas(shortest_edge_);
-    update_thickness(Vector(n_dofs()));
-    update_places(Vector(n_dofs()));
+  }
+
+
+  const ContactSurface &Solid::surface() const
+  {
+    return surface_;
+  }
+
+
+  const Boundary &Solid::boundary() const
+  {
+    return body_.boundary();
+  }
+
+
+  const Fields &Solid::fields() const
+  {
+    return fields_;
+  }
+
+
+  Adaptive *Solid::adaptive()
+  {
+    return refinement_settings_.active ? &refinement_ : nullptr;
+  }
+
+
+  const Adaptive *Solid::adaptive() const
+  {
+    return refinement_settings_.active ? &refinement_ : nullptr;
   }
 
 
   unsigned int Solid::n_dofs() const
   {
-    return space_.hanging().n_unknowns();
+    return body_.space().hanging().n_unknowns();
   }
 
 
   dealii::IndexSet Solid::locally_owned_dofs() const
   {
-    return space_.hanging().owned();
+    return body_.space().hanging().owned();
   }
 
 
   void Solid::add_couplings(dealii::DynamicSparsityPattern &pattern) const
   {
-    space_.add_couplings(pattern);
+    body_.space().add_couplings(pattern);
   }
 
 
   std::vector<DofIndex> Solid::fixed_dofs() const
   {
-    return space_.axis_dofs();
-  }
-
-
-  std::vector<std::string> Solid::boundaries() const
-  {
-    return space_.mesh().boundaries();
-  }
-
-
-  std::vector<std::string> Solid::faces() const
-  {
-    return space_.mesh().boundaries();
-  }
-
-
-  std::vector<DofIndex> Solid::boundary_dofs(const std::string &boundary, const Component component) const
-  {
-    std::vector<DofIndex> result;
-    for (const auto node : boundary_.nodes(boundary))
-      if (component != Component::rotation)
-        result.push_back(space_.dofs()[node][static_cast<unsigned int>(component)]);
-    return result;
-  }
-
-
-  std::vector<Point2> Solid::boundary_points(const std::string &boundary) const
-  {
-    std::vector<Point2> result;
-    for (const auto node : boundary_.nodes(boundary))
-      result.push_back(space_.nodes()[node]);
-    return result;
-  }
-
-
-  std::vector<double> Solid::boundary_weights(const std::string &boundary) const
-  {
-    return boundary_.weights(boundary);
-  }
-
-
-  std::vector<std::pair<DofIndex, double>> Solid::volume_weights(const Component component) const
-  {
-    if (component == Component::rotation)
-      return {};
-    return points_.volume_weights(static_cast<unsigned int>(component));
-  }
-
-
-  void Solid::assemble_pressure(const Vector &q,
-                                const std::string &face,
-                                const double pressure,
-                                const bool following,
-                                AssemblyTarget &target) const
-  {
-    boundary_.assemble_pressure(q, face, pressure, following && finite_, target);
-  }
-
-
-  unsigned int Solid::n_contact_nodes(const Side side) const
-  {
-    return faces_[static_cast<unsigned int>(side)].nodes().size();
-  }
-
-
-  const std::vector<std::array<unsigned int, 3>> &Solid::contact_edges(const Side side) const
-  {
-    return faces_[static_cast<unsigned int>(side)].edges();
-  }
-
-
-  void Solid::contact_node(const Vector &q,
-                           const Side side,
-                           const unsigned int node,
-                           ContactThickness,
-                           ContactNode &result) const
-  {
-    faces_[static_cast<unsigned int>(side)].contact_node(q, node, result);
-    result.thickness = shortest_edge_;
-  }
-
-
-  std::vector<Point2> Solid::positions(const Vector &q) const
-  {
-    return space_.positions(q);
-  }
-
-
-  void Solid::rigid_motion(const Vector &q,
-                           const Tensor1 &translation,
-                           const double rotation,
-                           const std::function<void(DofIndex, double)> &set) const
-  {
-    space_.rigid_motion(q, translation, rotation, set);
-  }
-
-
-  unsigned int Solid::n_cells() const
-  {
-    return space_.mesh().n_cells();
-  }
-
-
-  double Solid::estimated_error() const
-  {
-    return estimated_error_;
+    return body_.space().axis_dofs();
   }
 
 
@@ -217,14 +102,40 @@ namespace deltaform
 
   std::string Solid::describe_dof(const DofIndex dof) const
   {
-    return space_.describe(dof);
+    return body_.space().describe(dof);
   }
 
 
-  double Solid::initial_flow_stress() const
+  std::vector<Point2> Solid::positions(const Vector &q) const
   {
-    const std::vector<double> history(material_.law().history_size(), 0.);
-    return material_.law().flow_stress(history.data());
+    return body_.space().positions(q);
+  }
+
+
+  void Solid::rigid_motion(const Vector &q,
+                           const Tensor1 &translation,
+                           const double rotation,
+                           const std::function<void(DofIndex, double)> &set) const
+  {
+    body_.space().rigid_motion(q, translation, rotation, set);
+  }
+
+
+  bool Solid::axisymmetric() const
+  {
+    return axisymmetric_;
+  }
+
+
+  double Solid::initial_thickness() const
+  {
+    return body_.space().mesh().thickness();
+  }
+
+
+  double Solid::typical_length() const
+  {
+    return surface_.shortest_edge();
   }
 
 
@@ -232,37 +143,140 @@ namespace deltaform
   {
     // Of a node of cells that are about as long as high: E (per unit width), times the radius of the ring it stands
     // for.
-    return material_.law().young_modulus() * (space_.axisymmetric() ? outermost_ : 1.);
+    return material_.law().young_modulus() * (axisymmetric_ ? outermost_ : 1.);
   }
 
 
-  double Solid::modulus() const
+  double Solid::initial_flow_stress() const
   {
-    return material_.law().young_modulus();
+    return material_.initial_flow_stress();
   }
 
 
   bool Solid::constant_stiffness() const
   {
-    return linear_;
+    return kernel_.is_linear();
   }
 
 
-  bool Solid::axisymmetric() const
+  Status Solid::assemble(const Vector &q, AssemblyTarget &target)
   {
-    return space_.axisymmetric();
+    return kernel_.assemble(q, target);
   }
 
 
-  double Solid::initial_thickness() const
+  double Solid::admissible_step(const Vector &q, const Vector &dq) const
   {
-    return space_.mesh().thickness();
+    return kernel_.admissible_step(q, dq);
   }
 
 
-  double Solid::typical_length() const
+  void Solid::begin_increment(const double duration, const double ratio)
   {
-    return shortest_edge_;
+    if (material_.begin_increment(duration, ratio))
+      motion_.turn_flow(material_, ratio);
+  }
+
+
+  Mandel Solid::start_stress(const std::size_t point, const Turn &turn) const
+  {
+    return motion_.finite() ? turn(material_.committed_stress(point)) : material_.committed_stress(point);
+  }
+
+
+  double Solid::flow_error() const
+  {
+    MeanFlowError error;
+    for (unsigned int i = 0; i < material_.size(); ++i)
+    {
+      const double flow = material_.flow(i);
+      const Mandel start = flow > 0. ? start_stress(i, motion_.turn(i)) : material_.committed_stress(i);
+      error.add(body_.points()[i].weight * flow, start, material_.stress(i));
+    }
+    error.astray = ranks::sum(error.astray);
+    error.flow = ranks::sum(error.flow);
+    return error.value();
+  }
+
+
+  IncrementSize Solid::increment_size(const Vector &dq) const
+  {
+    if (!kernel_.is_linear())
+      return motion_.increment_size();
+    // Where the law is linear, points are visited at the commit only.
+    Vector storage;
+    return SolidMotion::increment_size(body_.points(), body_.space().hanging().with_hanging(dq, storage));
+  }
+
+
+  void Solid::commit(const Vector &q)
+  {
+    if (kernel_.is_linear())
+      kernel_.update_stress(q);
+    const bool may_flow = material_.plastic();
+    double elastic = 0., plastic = 0.;
+    for (unsigned int i = 0; i < material_.size(); ++i)
+    {
+      const double volume = body_.points()[i].weight;
+      if (material_.counts_energy())
+        elastic += volume * material_.law().elastic_energy(material_.stress(i));
+      if (!may_flow)
+        continue;
+      const Turn turn = motion_.turn(i);
+      motion_.remember_turn(i, turn);
+      const Mandel before = material_.plastic_strain(i);
+      const Mandel after = material_.trial_plastic_strain(i);
+      if (before == after)
+        continue;
+      if (material_.counts_energy())
+      {
+        // The flow takes place in the axes of now: the last stress is turned along.
+        const Mandel start = start_stress(i, turn);
+        for (unsigned int k = 0; k < 4; ++k)
+          plastic += .5 * volume * (material_.stress(i)[k] + start[k]) * (after[k] - before[k]);
+      }
+      if (motion_.finite())
+        motion_.flow_to(i, material_.law().elastic_strain(material_.stress(i)));
+    }
+    if (material_.counts_energy())
+      material_.add_energy(ranks::sum(elastic), ranks::sum(plastic));
+    material_.commit();
+    motion_.commit();
+    surface_.update(q);
+    refinement_.update(q);
+  }
+
+
+  BlankEnergy Solid::energy() const
+  {
+    return material_.energy();
+  }
+
+
+  void Solid::forget_energy()
+  {
+    material_.forget_energy();
+  }
+
+
+  KeyedArrays Solid::state() const
+  {
+    KeyedArrays state;
+    refinement_.put(state);
+    material_.put(state);
+    SolidSurface::each_array(surface_, PutInto(state));
+    SolidMotion::each_array(motion_, PutInto(state));
+    return state;
+  }
+
+
+  void Solid::set_state(const KeyedArrays &state)
+  {
+    refinement_.take(state);
+    material_.take(state);
+    SolidSurface::each_array(surface_, TakeFrom(state));
+    SolidMotion::each_array(motion_, TakeFrom(state));
+    motion_.start_from_committed();
   }
 
 

@@ -97,6 +97,51 @@ namespace deltaform
   }
 
 
+  std::vector<std::string> SolidBoundary::parts() const
+  {
+    return space_.mesh().boundaries();
+  }
+
+
+  std::vector<std::string> SolidBoundary::faces() const
+  {
+    return parts();
+  }
+
+
+  std::vector<unsigned int> SolidBoundary::face_nodes(const std::string &face) const
+  {
+    return nodes(face);
+  }
+
+
+  std::vector<DofIndex> SolidBoundary::dofs(const std::string &part, const Component component) const
+  {
+    std::vector<DofIndex> result;
+    for (const auto node : nodes(part))
+      if (component != Component::rotation)
+        result.push_back(space_.dofs()[node][static_cast<unsigned int>(component)]);
+    return result;
+  }
+
+
+  std::vector<Point2> SolidBoundary::points(const std::string &part) const
+  {
+    std::vector<Point2> result;
+    for (const auto node : nodes(part))
+      result.push_back(space_.nodes()[node]);
+    return result;
+  }
+
+
+  std::vector<std::pair<DofIndex, double>> SolidBoundary::volume_weights(const Component component) const
+  {
+    if (component == Component::rotation)
+      return {};
+    return points_.volume_weights(static_cast<unsigned int>(component));
+  }
+
+
   std::vector<double> SolidBoundary::weights(const std::string &part) const
   {
     const auto on_part = nodes(part);
@@ -158,27 +203,28 @@ namespace deltaform
 
 
   void SolidBoundary::assemble_pressure(const Vector &q,
-                                        const std::string &part,
+                                        const std::string &face,
                                         const double pressure,
                                         const bool following,
                                         AssemblyTarget &target) const
   {
+    const bool current = following && moves_;
     const unsigned int n_nodes = space_.degree() + 1;
     std::array<DofIndex, 6> dofs;
     std::array<double, 6> residual;
     Matrix matrix;
-    for (const auto &edge : edges(part))
+    for (const auto &edge : edges(face))
     {
       residual.fill(0.);
       matrix.fill(0.);
       std::array<Point2, 3> x;
       for (unsigned int a = 0; a < n_nodes; ++a)
       {
-        x[a] = following ? space_.position(q, edge[a]) : space_.nodes()[edge[a]];
+        x[a] = current ? space_.position(q, edge[a]) : space_.nodes()[edge[a]];
         for (unsigned int k = 0; k < 2; ++k)
           dofs[2 * a + k] = space_.dofs()[edge[a]][k];
       }
-      edge_pressure(x, pressure, target.wants_tangent() && following, residual, matrix);
+      edge_pressure(x, pressure, target.wants_tangent() && current, residual, matrix);
       target.add(dofs.data(), 2 * n_nodes, target.wants_tangent() ? matrix.data() : nullptr, residual.data());
     }
   }

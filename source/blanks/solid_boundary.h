@@ -1,9 +1,10 @@
 #pragma once
 
 #include "solid_edge.h"
+#include "solid_points.h"
 #include "solid_space.h"
 
-#include <deltaform/base/assembly_target.h>
+#include <deltaform/blanks/boundary.h>
 
 #include <array>
 #include <map>
@@ -14,11 +15,12 @@
 namespace deltaform
 {
   /// The boundary of a solid by its named parts, known to all processes, and what loads on it.
-  class SolidBoundary
+  class SolidBoundary : public Boundary
   {
   public:
-    explicit SolidBoundary(const SolidSpace &space)
-      : space_(space)
+    /// @p moves: following pressures act on the current area; if not, on the initial one
+    SolidBoundary(const SolidSpace &space, const SolidPoints &points, const bool moves)
+      : space_(space), points_(points), moves_(moves)
     {
     }
 
@@ -36,15 +38,18 @@ namespace deltaform
     /// Nodes of a part, ascending.
     std::vector<unsigned int> nodes(const std::string &part) const;
 
-    /// The share of every one of nodes() in the initial area.
-    std::vector<double> weights(const std::string &part) const;
-
-    /// See Blank::assemble_pressure(); @p following: on the current area.
+    std::vector<std::string> parts() const override;
+    std::vector<DofIndex> dofs(const std::string &part, Component component) const override;
+    std::vector<Point2> points(const std::string &part) const override;
+    std::vector<double> weights(const std::string &part) const override;
+    std::vector<std::string> faces() const override;
+    std::vector<unsigned int> face_nodes(const std::string &face) const override;
     void assemble_pressure(const Vector &q,
-                           const std::string &part,
+                           const std::string &face,
                            double pressure,
                            bool following,
-                           AssemblyTarget &target) const;
+                           AssemblyTarget &target) const override;
+    std::vector<std::pair<DofIndex, double>> volume_weights(Component component) const override;
 
     /// The own cell with an edge between two nodes of the boundary; invalid_index if another process has it.
     unsigned int cell(unsigned int a, unsigned int b) const;
@@ -68,6 +73,8 @@ namespace deltaform
     void set_up_columns();
 
     const SolidSpace &space_;
+    const SolidPoints &points_;
+    bool moves_;
     std::map<std::string, std::vector<Edge>> edges_;
     std::map<std::pair<unsigned int, unsigned int>, unsigned int> cells_; ///< by the ends of their edges
     std::vector<std::array<unsigned int, 2>> columns_;

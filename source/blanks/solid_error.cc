@@ -1,5 +1,4 @@
-// Where the solid's mesh is too coarse: stresses against recovered ones (doc/theory/solid.md).
-#include "solid.h"
+#include "solid_error.h"
 #include "solid_stress.h"
 
 #include <deltaform/base/ranks.h>
@@ -55,67 +54,127 @@ namespace deltaform
           samples.push_back(sample);
       }
     }
+
+
+    /// Smooth stresses and equivalent plastic strain, from the points of the cells around every vertex.
+    class Recovery
+    {
+    public:
+      using Values = Eigen::RowVectorXd;
+
+      Recovery(const SolidDiscretization &body, const MaterialPoints &material)
+        : space_(body.space()), points_(body.points()), n_terms_(space_.degree() == 1 ? 3 : 6),
+          samples_(points_.size()), fits_(space_.nodes().size()), size_(space_.nodes().size(), 0.)
+      {
+        for (unsigned int i = 0; i < points_.size(); ++i)
+        {
+          const auto &cell = space_.cells()[i / points_.per_cell()];
+          const Point2 place = points_.place(i);
+          samples_[i].place = {{place[0], place[1]}};
+          std::copy_n(cell.begin(), 4, samples_[i].corners.begin());
+          std::copy_n(material.committed_stress(i).begin(), 4, samples_[i].values.begin());
+          samples_[i].values[4] = material.equivalent_plastic_strain(i);
+        }
+        add_neighbours(samples_, space_.nodes().size());
+        fit();
+      }
+
+      /// As computed, at an own point.
+      const std::array<double, n_values> &computed(const unsigned int point) const
+      {
+        return samples_[point].values;
+      }
+
+      /// As recovered, at an own point.
+      Values smooth(const unsigned int point) const
+      {
+        const auto &cell = space_.cells()[point / points_.per_cell()];
+        const Point2 &unit = points_.unit_points()[point % points_.per_cell()];
+        Values result = Values::Zero(n_values);
+        for (unsigned int v = 0; v < 4; ++v)
+          result += corner_shape(unit, v) * (terms(cell[v], place(point)).transpose() * fits_[cell[v]]);
+        return result;
+      }
+
+    private:
+      /// Bilinear function of a corner of the unit cell.
+      static double corner_shape(const Point2 &unit, const unsigned int vertex)
+      {
+        const double x = unit[0], y = unit[1];
+        return (vertex % 2 == 0 ? 1 - x : x) * (vertex / 2 == 0 ? 1 - y : y);
+      }
+
+      Point2 place(const unsigned int sample) const
+      {
+        return {samples_[sample].place[0], samples_[sample].place[1]};
+      }
+
+      /// Of the polynomial around a vertex.
+      Eigen::VectorXd terms(const unsigned int node, const Point2 &X) const
+      {
+        const Tensor1 d = (X - space_.nodes()[node]) / size_[node];
+        Eigen::VectorXd result(n_terms_);
+        result.head(3) << 1., d[0], d[1];
+        if (n_terms_ == 6)
+          result.tail(3) << d[0] * d[0], d[0] * d[1], d[1] * d[1];
+        return result;
+      }
+
+      /// First samples of the cells around every vertex of an own cell.
+      std::vector<std::vector<unsigned int>> patches() const
+      {
+        std::vector<std::vector<unsigned int>> around(space_.nodes().size());
+        for (unsigned int i = 0; i < samples_.size(); i += points_.per_cell())
+          for (const auto corner : samples_[i].corners)
+            if (i < points_.size() || !around[corner].empty())
+              around[corner].push_back(i);
+        return around;
+      }
+
+      void fit()
+      {
+        const unsigned int n_points = points_.per_cell();
+        const auto around = patches();
+        for (unsigned int node = 0; node < space_.nodes().size(); ++node)
+        {
+          const auto &patch = around[node];
+          if (patch.empty())
+            continue;
+          for (const auto i : patch)
+          {
+            const auto &corners = samples_[i].corners;
+            size_[node] =
+              std::max(size_[node], space_.nodes()[corners[0]].distance(space_.nodes()[corners[3]]));
+          }
+          Eigen::MatrixXd A(patch.size() * n_points, n_terms_), b(patch.size() * n_points, n_values);
+          for (unsigned int k = 0; k < A.rows(); ++k)
+          {
+            const unsigned int i = patch[k / n_points] + k % n_points;
+            A.row(k) = terms(node, place(i)).transpose();
+            b.row(k) = Eigen::Map<const Values>(samples_[i].values.data(), n_values);
+          }
+          fits_[node] = A.colPivHouseholderQr().solve(b);
+        }
+      }
+
+      const SolidSpace &space_;
+      const SolidPoints &points_;
+      unsigned int n_terms_;
+      std::vector<Sample> samples_;
+      std::vector<Eigen::MatrixXd> fits_; ///< of the vertices of own cells
+      std::vector<double> size_; ///< of the cells around a vertex
+    };
   } // namespace
 
 
-  Solid::ErrorEstimate Solid::estimate_error() const
+  ErrorEstimate estimate_error(const SolidDiscretization &body, const MaterialPoints &material)
   {
-    // Stresses and equivalent plastic strain, fitted by polynomials on the cells around every vertex (O.C. Zienkiewicz,
-    // J.Z. Zhu, Int. J. Numer. Methods Eng. 33 (1992) 1331 and 1365), and blended between the vertices of a cell.
-    using Fit = Eigen::MatrixXd;
-    const unsigned int n_points = points_.per_cell();
-    const unsigned int n_terms = space_.degree() == 1 ? 3 : 6;
-    const double young = material_.law().young_modulus(), nu = material_.law().poisson_ratio();
-
-    std::vector<Sample> samples(points_.size());
-    for (unsigned int i = 0; i < points_.size(); ++i)
-    {
-      const auto &cell = space_.cells()[i / n_points];
-      const Point2 place = points_.place(i);
-      samples[i].place = {{place[0], place[1]}};
-      std::copy_n(cell.begin(), 4, samples[i].corners.begin());
-      std::copy_n(material_.committed_stress(i).begin(), 4, samples[i].values.begin());
-      samples[i].values[4] = material_.equivalent_plastic_strain(i);
-    }
-    add_neighbours(samples, space_.nodes().size());
-    const auto place = [&](const unsigned int i) { return Point2(samples[i].place[0], samples[i].place[1]); };
-    std::vector<std::vector<unsigned int>> around(space_.nodes().size());
-    for (unsigned int i = 0; i < samples.size(); i += n_points)
-      for (const auto corner : samples[i].corners)
-        if (i < points_.size() || !around[corner].empty())
-          around[corner].push_back(i);
-
-    std::vector<Fit> fits(space_.nodes().size());
-    std::vector<double> size(space_.nodes().size(), 0.);
-    const auto terms = [&](const unsigned int node, const Point2 &X) {
-      const Tensor1 d = (X - space_.nodes()[node]) / size[node];
-      Eigen::VectorXd result(n_terms);
-      result.head(3) << 1., d[0], d[1];
-      if (n_terms == 6)
-        result.tail(3) << d[0] * d[0], d[0] * d[1], d[1] * d[1];
-      return result;
-    };
-    for (unsigned int node = 0; node < space_.nodes().size(); ++node)
-    {
-      const auto &patch = around[node];
-      if (patch.empty())
-        continue;
-      for (const auto i : patch)
-        size[node] =
-          std::max(size[node], space_.nodes()[samples[i].corners[0]].distance(space_.nodes()[samples[i].corners[3]]));
-      Eigen::MatrixXd A(patch.size() * n_points, n_terms), b(patch.size() * n_points, n_values);
-      for (unsigned int k = 0; k < A.rows(); ++k)
-      {
-        const unsigned int i = patch[k / n_points] + k % n_points;
-        A.row(k) = terms(node, place(i)).transpose();
-        b.row(k) = Eigen::Map<const Eigen::RowVectorXd>(samples[i].values.data(), n_values);
-      }
-      fits[node] = A.colPivHouseholderQr().solve(b);
-    }
-
+    const Recovery recovery(body, material);
+    const SolidPoints &points = body.points();
+    const double young = material.law().young_modulus(), nu = material.law().poisson_ratio();
     // The modulus of a plastic point is the secant one: small differences of plastic strain cost little work.
     const auto secant = [&](const unsigned int i) {
-      const double stress = mises(material_.committed_stress(i)), plastic = samples[i].values[4];
+      const double stress = mises(material.committed_stress(i)), plastic = recovery.computed(i)[4];
       return plastic > 0 ? stress / (stress / young + plastic) : 0.;
     };
     const auto energy = [&](const Mandel &t) {
@@ -123,22 +182,20 @@ namespace deltaform
       return (1 + nu) / young * (t[0] * t[0] + t[1] * t[1] + t[2] * t[2] + t[3] * t[3]) - nu / young * trace * trace;
     };
     ErrorEstimate result;
-    result.squares.assign(space_.cells().size(), 0.);
+    result.squares.assign(body.space().cells().size(), 0.);
     double all = 0., errors = 0.;
-    for (unsigned int i = 0; i < points_.size(); ++i)
+    for (unsigned int i = 0; i < points.size(); ++i)
     {
-      const auto &cell = space_.cells()[i / n_points];
-      Eigen::RowVectorXd smooth = Eigen::RowVectorXd::Zero(n_values);
-      for (unsigned int v = 0; v < 4; ++v)
-        smooth += corner_shape(i % n_points, v) * (terms(cell[v], place(i)).transpose() * fits[cell[v]]);
+      const auto smooth = recovery.smooth(i);
+      const auto &computed = recovery.computed(i);
       Mandel difference;
       for (unsigned int k = 0; k < 4; ++k)
-        difference[k] = smooth[k] - samples[i].values[k];
-      const double plastic = smooth[4] - samples[i].values[4], w = points_[i].weight;
+        difference[k] = smooth[k] - computed[k];
+      const double plastic = smooth[4] - computed[4], w = points[i].weight;
       const double square = w * (energy(difference) + secant(i) * plastic * plastic);
-      result.squares[i / n_points] += square;
+      result.squares[i / points.per_cell()] += square;
       errors += square;
-      all += w * (energy(material_.committed_stress(i)) + secant(i) * samples[i].values[4] * samples[i].values[4]);
+      all += w * (energy(material.committed_stress(i)) + secant(i) * computed[4] * computed[4]);
     }
     all = ranks::sum(all);
     result.relative = all > 0 ? std::sqrt(ranks::sum(errors) / all) : 0.;
@@ -146,12 +203,5 @@ namespace deltaform
     for (auto &square : result.squares)
       square = static_cast<float>(square);
     return result;
-  }
-
-
-  double Solid::corner_shape(const unsigned int point, const unsigned int vertex) const
-  {
-    const double x = points_.unit_points()[point][0], y = points_.unit_points()[point][1];
-    return (vertex % 2 == 0 ? 1 - x : x) * (vertex / 2 == 0 ? 1 - y : y);
   }
 } // namespace deltaform

@@ -83,7 +83,7 @@ namespace deltaform
   }
 
 
-  void SolidFace::update_areas(const Vector &q) const
+  void SolidFace::update_areas(const Vector &q)
   {
     std::fill(area_.begin(), area_.end(), 0.);
     for (const auto &edge : edges_)

@@ -28,7 +28,7 @@ namespace deltaform
     void set_up_areas(double length);
 
     /// Tributary areas of the nodes at @p q.
-    void update_areas(const Vector &q) const;
+    void update_areas(const Vector &q);
 
     /// By the numbers of the space.
     const std::vector<unsigned int> &nodes() const
@@ -83,6 +83,6 @@ namespace deltaform
     std::vector<Edge> edges_;
     std::vector<double> arc_; ///< S0
     std::vector<bool> weightless_;
-    mutable std::vector<double> area_; ///< committed or last assembled
+    std::vector<double> area_; ///< accepted
   };
 } // namespace deltaform

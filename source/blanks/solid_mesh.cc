@@ -40,6 +40,70 @@ namespace deltaform
       return result;
     }
 
+    /// What a scene says of a strip besides its middle line.
+    struct StripEntries
+    {
+      StripEntries(Section &section, const unsigned int degree)
+        : thickness(
+            section.number("Thickness", required(1.), Range::positive(), "length", "Initial thickness of the blank.")),
+          n_across(section.integer("Elements through thickness",
+                                   degree == 1 ? 4 : 2,
+                                   1,
+                                   100000,
+                                   "Number of elements from bottom to top (strip).")),
+          grading(section.function("Grading through thickness",
+                                   Default<std::string>("1"),
+                                   "1",
+                                   "Relative size of the elements as a function of t = 0 at the bottom to 1 at the "
+                                   "top; expression or table.")),
+          variation(section.function("Thickness variation",
+                                     Default<std::string>("1"),
+                                     "1",
+                                     "Thickness relative to the entry Thickness as a function of t = arc length / "
+                                     "length of the meridian; expression or table."))
+      {
+        for (unsigned int k = 0; k <= 64; ++k)
+          if (!(grading(k / 64.) > 0))
+            section.fail("Grading through thickness", "must be positive on [0, 1]");
+        const std::string reference = section.choice("Points lie on the",
+                                                     "middle",
+                                                     {"middle", "bottom", "top"},
+                                                     "Which line of the strip Points and Fillet radii describe.");
+        offset = reference == "middle" ? 0. : (reference == "bottom" ? .5 : -.5);
+      }
+
+      double thickness; ///< initial (length)
+      unsigned int n_across; ///< cells from bottom to top
+      TimeFunction grading, variation;
+      double offset; ///< of the middle from the line that is described, in thicknesses
+    };
+
+
+    /// Cells in columns: the parameter plane of a strip. @p across: coordinates of their corners from bottom to top
+    void make_columns(const unsigned int n, const std::vector<double> &across, dealii::Triangulation<2> &triangulation)
+    {
+      std::vector<Point2> vertices;
+      for (unsigned int c = 0; c <= n; ++c)
+        for (const double level : across)
+          vertices.emplace_back(c, level);
+      std::vector<dealii::CellData<2>> cells;
+      const unsigned int column = across.size();
+      for (unsigned int c = 0; c < n; ++c)
+        for (unsigned int l = 0; l + 1 < column; ++l)
+        {
+          dealii::CellData<2> data;
+          const unsigned int corner = c * column + l;
+          data.vertices = {corner, corner + column, corner + 1, corner + column + 1};
+          cells.push_back(data);
+        }
+      triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (unsigned int f = 0; f < 4; ++f)
+          if (cell->face(f)->at_boundary())
+            cell->face(f)->set_boundary_id(f == 2 ? 0 : (f == 3 ? 1 : (f == 0 ? 2 : 3)));
+    }
+
+
     std::unique_ptr<dealii::Triangulation<2>> make_triangulation()
     {
       // Refinement leaves cells at a vertex that differ by one level at most, as p4est does: the mesh is that of
@@ -73,34 +137,12 @@ namespace deltaform
 
   void SolidMesh::read_strip(Section &section, const unsigned int degree, const bool axisymmetric)
   {
-    thickness_ =
-      section.number("Thickness", required(1.), Range::positive(), "length", "Initial thickness of the blank.");
-    const unsigned int n_across = section.integer(
-      "Elements through thickness", degree == 1 ? 4 : 2, 1, 100000, "Number of elements from bottom to top (strip).");
-    const auto grading =
-      section.function("Grading through thickness",
-                       Default<std::string>("1"),
-                       "1",
-                       "Relative size of the elements as a function of t = 0 at the bottom to 1 at the "
-                       "top; expression or table.");
-    for (unsigned int k = 0; k <= 64; ++k)
-      if (!(grading(k / 64.) > 0))
-        section.fail("Grading through thickness", "must be positive on [0, 1]");
-    const auto variation =
-      section.function("Thickness variation",
-                       Default<std::string>("1"),
-                       "1",
-                       "Thickness relative to the entry Thickness as a function of t = arc length / length "
-                       "of the meridian; expression or table.");
-    const std::string reference = section.choice("Points lie on the",
-                                                 "middle",
-                                                 {"middle", "bottom", "top"},
-                                                 "Which line of the strip Points and Fillet radii describe.");
-    const double offset = reference == "middle" ? 0. : (reference == "bottom" ? .5 : -.5);
+    const StripEntries strip(section, degree);
+    thickness_ = strip.thickness;
     const ShellMesh line(section, degree);
     const double length = line.arc_length().back();
     const auto height = [&](const unsigned int node) {
-      const double result = variation(line.arc_length()[node] / length);
+      const double result = strip.variation(line.arc_length()[node] / length);
       if (!(result > 0))
         section.fail("Thickness variation", "must be positive on [0, 1]");
       return result;
@@ -121,35 +163,15 @@ namespace deltaform
       const double half_turn = .5 * (after - before), angle = .5 * (after + before);
       const Tensor1 direction =
         height(cell.nodes[c < n ? 0 : 1]) / std::cos(half_turn) * Tensor1({-std::sin(angle), std::cos(angle)});
-      stations_.push_back({point + offset * thickness_ * direction, direction});
+      stations_.push_back({point + strip.offset * thickness_ * direction, direction});
       if (degree == 2 && c < n)
       {
         const Tensor1 middle = height(cell.nodes[2]) * Tensor1({-std::sin(cell.angle[2]), std::cos(cell.angle[2])});
-        stations_.push_back({line.nodes()[cell.nodes[2]] + offset * thickness_ * middle, middle});
+        stations_.push_back({line.nodes()[cell.nodes[2]] + strip.offset * thickness_ * middle, middle});
       }
     }
-
-    const auto across = levels(grading, n_across);
-    std::vector<Point2> vertices;
-    for (unsigned int c = 0; c <= n; ++c)
-      for (const double level : across)
-        vertices.emplace_back(c, level);
-    std::vector<dealii::CellData<2>> cells;
-    const unsigned int column = n_across + 1;
-    for (unsigned int c = 0; c < n; ++c)
-      for (unsigned int l = 0; l < n_across; ++l)
-      {
-        dealii::CellData<2> data;
-        const unsigned int corner = c * column + l;
-        data.vertices = {corner, corner + column, corner + 1, corner + column + 1};
-        cells.push_back(data);
-      }
-    triangulation_->create_triangulation(vertices, cells, dealii::SubCellData());
+    make_columns(n, levels(strip.grading, strip.n_across), *triangulation_);
     boundaries_ = {"bottom", "top", "start", "end"};
-    for (const auto &cell : triangulation_->active_cell_iterators())
-      for (unsigned int f = 0; f < 4; ++f)
-        if (cell->face(f)->at_boundary())
-          cell->face(f)->set_boundary_id(f == 2 ? 0 : (f == 3 ? 1 : (f == 0 ? 2 : 3)));
   }
 
 

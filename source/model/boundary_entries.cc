@@ -15,9 +15,10 @@ namespace deltaform
   }
 
 
-  std::string read_boundary(Section &section, const Blank &blank)
+  std::string read_boundary(Section &section, const Boundary &boundary)
   {
-    return section.choice("Boundary", blank.boundaries().front(), blank.boundaries(), "Part of the boundary.");
+    const auto parts = boundary.parts();
+    return section.choice("Boundary", parts.front(), parts, "Part of the boundary.");
   }
 
 

@@ -90,7 +90,7 @@ namespace deltaform
       ContactInterface &interface = *actors_.interfaces[i];
       if (interface.tool().force_driven())
         q[interface.travel_dof()] = travels[i];
-      interface.transfer(q, actors_.blank->heritage(interface.tool().side()));
+      interface.transfer(q, actors_.blank->adaptive()->parent_nodes(interface.tool().side()));
       interface.start_multipliers(q);
     }
   }
@@ -281,7 +281,7 @@ namespace deltaform
       for (const Side side : {Side::bottom, Side::top})
       {
         auto &own = pressure[static_cast<unsigned int>(side)];
-        own.resize(actors_.blank->n_contact_nodes(side), 0.);
+        own.resize(actors_.blank->surface().n_contact_nodes(side), 0.);
         actors_.blank->set_contact_pressure(side, own);
       }
   }

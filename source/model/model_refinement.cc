@@ -6,10 +6,10 @@ namespace deltaform
 {
   bool Model::mark()
   {
-    const RefinementSettings *settings = actors_.blank->refinement();
-    if (settings == nullptr || state_.released.any)
+    Adaptive *blank = actors_.blank->adaptive();
+    if (blank == nullptr || state_.released.any)
       return false;
-    return actors_.blank->mark(contact_.longest_edges(settings->edge_share, settings->rim));
+    return blank->mark(contact_.longest_edges(blank->settings().edge_share, blank->settings().rim));
   }
 
 
@@ -27,7 +27,7 @@ namespace deltaform
   {
     std::vector<Vector> fields{state_.unknowns, state_.hold};
     const std::vector<double> travels = contact_.travels(state_.unknowns);
-    actors_.blank->refine(fields);
+    actors_.blank->adaptive()->refine(fields);
     renumber();
     const unsigned int n_blank = actors_.blank->n_dofs();
     for (unsigned int i = 0; i < n_blank; ++i)

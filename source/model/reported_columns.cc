@@ -2,6 +2,7 @@
 #include <deltaform/model/reported_columns.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace deltaform
 {
@@ -118,9 +119,12 @@ namespace deltaform
                   "relative error in energy before the last refinement. A row with the time of the one before "
                   "is the new equilibrium after a refinement: tools stand still, its iterations are its cost"}},
                 [](const Increment &increment, Row &row) {
+                  // A blank that keeps its mesh does not say anything of it.
+                  const Adaptive *mesh = increment.model.blank().adaptive();
+                  const double unknown = std::numeric_limits<double>::quiet_NaN();
                   row.insert(row.end(), {number(increment.model.committed().size()),
-                                         number(increment.model.blank().n_cells()),
-                                         increment.model.blank().estimated_error()});
+                                         mesh != nullptr ? number(mesh->n_cells()) : Columns::Cell(unknown),
+                                         mesh != nullptr ? mesh->estimated_error() : unknown});
                 });
   }
 

@@ -28,7 +28,7 @@ namespace deltaform
     const std::size_t n_before = state_.unknowns.size();
     // Before anything changes, as far as it can be known.
     if (state.interfaces.size() != actors_.interfaces.size() ||
-        (actors_.blank->refinement() == nullptr && state.unknowns.size() != n_before))
+        (actors_.blank->adaptive() == nullptr && state.unknowns.size() != n_before))
       refuse(state, n_before);
     actors_.blank->set_state(state.body);
     if (state.unknowns.size() != n_before)

@@ -13,14 +13,14 @@ namespace deltaform
 
 
   Support::Support(const std::string &support_name, Section section, const Blank &blank)
-    : name(support_name), boundary(read_boundary(section, blank)), component(read_component(section)),
+    : name(support_name), boundary(read_boundary(section, blank.boundary())), component(read_component(section)),
       value(
         section.function("Value",
                          Default<std::string>("0"),
                          "length or rad",
                          "Displacement (rotation) from the initial position as a function of time t, of thickness, and "
                          "of the initial place R, Z.",
-                         constants_at(blank, blank.boundary_points(boundary).front()))),
+                         constants_at(blank, blank.boundary().points(boundary).front()))),
       hold(section.flag("Hold", false, "Instead of Value: keep what the unknown has reached when the stage begins.")),
       stages(section.names("Stages",
                            "",
@@ -33,12 +33,12 @@ namespace deltaform
 
   void Support::renumber(const Blank &blank)
   {
-    dofs = blank.boundary_dofs(boundary, component);
+    dofs = blank.boundary().dofs(boundary, component);
     values.clear();
     const auto &text = value.text();
     if (text.find('R') == std::string::npos && text.find('Z') == std::string::npos)
       return;
-    for (const auto &X : blank.boundary_points(boundary))
+    for (const auto &X : blank.boundary().points(boundary))
       values.emplace_back(text, constants_at(blank, X));
   }
 

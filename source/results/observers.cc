@@ -66,7 +66,7 @@ namespace deltaform
          [](const Names &, const ConditionReport *, Columns &columns) { describe_linear_solver(columns); }},
         {"With refinement",
          [](const Model &model, const OutputSettings &, const ConditionReport *) {
-           return model.blank().refinement() != nullptr;
+           return model.blank().adaptive() != nullptr;
          },
          [](const Names &, const ConditionReport *, Columns &columns) { describe_mesh(columns); }},
         {"Works and energies since the start; not with `Output/Energies = false`",

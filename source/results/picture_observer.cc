@@ -55,7 +55,7 @@ namespace deltaform
           on_face[face] += load->value()(time);
       std::vector<double> result(n_nodes, 0.);
       for (const auto &[face, pressure] : on_face)
-        for (const auto node : actors.blank->face_nodes(face))
+        for (const auto node : actors.blank->boundary().face_nodes(face))
           if (std::abs(pressure) > std::abs(result[node]))
             result[node] = pressure;
       return result;
@@ -159,7 +159,7 @@ namespace deltaform
         const auto &all_tools = model.actors().tools;
         const unsigned int picture = n_pictures_++;
         std::vector<PictureSeries::Part> parts{{fmt::format("blank_{:04}.vtu", picture), "blank"}};
-        std::vector<Drawing> drawings{blank.draw(model.committed(), nodal_fields(model, stage, time))};
+        std::vector<Drawing> drawings{blank.fields().draw(model.committed(), nodal_fields(model, stage, time))};
 
         double reach = 0.;
         for (const auto &x : blank.positions(model.committed()))

@@ -66,7 +66,7 @@ namespace deltaform
     return {stage,
             time,
             output.main_tool == invalid_index ? time : model.travel(output.main_tool),
-            model.blank().profile(model.committed()),
+            model.blank().fields().profile(model.committed()),
             contact_of(model),
             outlines_of(model)};
   }

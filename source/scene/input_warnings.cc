@@ -37,13 +37,13 @@ namespace deltaform
 
     void short_elements(const Blank &blank, Texts &result)
     {
-      if (!blank.is_sheet())
+      if (!blank.fields().is_sheet())
         return;
       const auto nodes = blank.positions(Vector(blank.n_dofs()));
       const double h = blank.initial_thickness();
       double shortest = std::numeric_limits<double>::infinity();
       Point2 place;
-      for (const auto &edge : blank.contact_edges(Side::top))
+      for (const auto &edge : blank.surface().contact_edges(Side::top))
         if (const double length = nodes[edge[0]].distance(nodes[edge[1]]); length < shortest)
         {
           shortest = length;
@@ -60,10 +60,10 @@ namespace deltaform
     void soft_material(const Blank &blank, Texts &result)
     {
       const double flow = blank.initial_flow_stress();
-      if (std::isfinite(flow) && blank.modulus() < 100. * flow)
+      if (std::isfinite(flow) && blank.surface().modulus() < 100. * flow)
         result.push_back(
-          "Material: Young's modulus " + text::rounded(blank.modulus()) + " is only " +
-          text::rounded(blank.modulus() / flow) + " times the initial flow stress " + text::rounded(flow) +
+          "Material: Young's modulus " + text::rounded(blank.surface().modulus()) + " is only " +
+          text::rounded(blank.surface().modulus() / flow) + " times the initial flow stress " + text::rounded(flow) +
           "; of metals it is 200 to 1000 times. Elastic strains are taken to be small: look at the units.");
     }
 
@@ -77,7 +77,7 @@ namespace deltaform
 
     void gripped_solid(const Actors &actors, Texts &result)
     {
-      if (actors.blank->is_sheet())
+      if (actors.blank->fields().is_sheet())
         return;
       for (const auto &stage : actors.stages)
       {

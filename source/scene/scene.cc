@@ -82,7 +82,7 @@ namespace deltaform
       actors.tools.push_back(
         std::make_unique<Tool>(name, own, constants, contact_constants, actors.blank->axisymmetric()));
       actors.interfaces.push_back(
-        std::make_unique<ContactInterface>(*actors.blank, *actors.tools.back(), *actors.contact, own));
+        std::make_unique<ContactInterface>(actors.blank->surface(), *actors.tools.back(), *actors.contact, own));
     }
   }
 } // namespace deltaform

@@ -28,7 +28,7 @@ namespace deltaform
         n = blank->n_dofs();
         if (!tool.empty())
         {
-          fixture = std::make_unique<InterfaceFixture>(*blank, contact, tool);
+          fixture = std::make_unique<InterfaceFixture>(blank->surface(), contact, tool);
           n = fixture->n;
         }
         const unsigned int n_border = fixture ? fixture->tool.force_driven() : 0;
@@ -52,11 +52,11 @@ namespace deltaform
         for (const auto dof : blank->fixed_dofs())
           prescribed[dof] = true;
         for (const auto component : {Component::r, Component::z, Component::rotation})
-          for (const auto dof : blank->boundary_dofs("end", component))
+          for (const auto dof : blank->boundary().dofs("end", component))
             prescribed[dof] = true;
         if (!blank->axisymmetric())
           for (const auto component : {Component::r, Component::rotation})
-            for (const auto dof : blank->boundary_dofs("start", component))
+            for (const auto dof : blank->boundary().dofs("start", component))
               prescribed[dof] = true;
         scale.assign(n, 1.);
         size.assign(n, 1.);
@@ -86,7 +86,7 @@ namespace deltaform
           fixture->contact.predict_factors(q, nullptr);
           factors_due = false;
         }
-        blank->assemble_pressure(q, blank->faces().front(), pressure, true, *system);
+        blank->boundary().assemble_pressure(q, blank->boundary().faces().front(), pressure, true, *system);
         if (fixture)
           fixture->contact.assemble(q, *system);
         return status;

@@ -18,15 +18,15 @@ namespace
   {
     return [&blank, pressure, following](const Vector &q, AssemblyTarget &target) {
       assemble(blank, q, target);
-      blank.assemble_pressure(q, blank.faces().front(), pressure, following, target);
+      blank.boundary().assemble_pressure(q, blank.boundary().faces().front(), pressure, following, target);
     };
   }
 
   /// The same pressure of contact on all nodes of the top, and another one on the bottom.
   void press(Blank &blank, const double top, const double bottom)
   {
-    blank.set_contact_pressure(Side::top, std::vector<double>(blank.n_contact_nodes(Side::top), top));
-    blank.set_contact_pressure(Side::bottom, std::vector<double>(blank.n_contact_nodes(Side::bottom), bottom));
+    for (const auto &[side, pressure] : {std::pair(Side::top, top), std::pair(Side::bottom, bottom)})
+      blank.set_contact_pressure(side, std::vector<double>(blank.surface().n_contact_nodes(side), pressure));
   }
 
   /// Turn the state @p q about the origin by @p angle and move it by @p shift.
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(tangent_of_the_pressure)
       {
         BOOST_TEST(tangent_error(with_pressure(blank, 7., following), q, scales(blank), 1e-4 * fineness(blank)) < 1e-8);
         const Assembly alone = [&](const Vector &state, AssemblyTarget &target) {
-          blank.assemble_pressure(state, blank.faces().front(), 7., following, target);
+          blank.boundary().assemble_pressure(state, blank.boundary().faces().front(), 7., following, target);
         };
         if (following)
           BOOST_TEST(tangent_error(alone, q, std::vector<double>(q.size(), 1.), 1e-4) < 1e-9);
@@ -131,8 +131,8 @@ BOOST_AUTO_TEST_CASE(tangent_of_the_pressure)
       // Both kinds are the same where nothing has moved.
       const unsigned int n = blank.n_dofs();
       DenseTarget following(n), dead(n);
-      blank.assemble_pressure(Vector(n), blank.faces().front(), 7., true, following);
-      blank.assemble_pressure(Vector(n), blank.faces().front(), 7., false, dead);
+      blank.boundary().assemble_pressure(Vector(n), blank.boundary().faces().front(), 7., true, following);
+      blank.boundary().assemble_pressure(Vector(n), blank.boundary().faces().front(), 7., false, dead);
       BOOST_TEST((following.residual - dead.residual).norm() == 0.);
       BOOST_TEST(dead.matrix.norm() == 0.);
     });
@@ -143,7 +143,8 @@ BOOST_AUTO_TEST_CASE(pressure_on_a_flat_blank)
   for_all_blanks({"Blank/Points=.3 0; 1.1 0", "Blank/Thickness=.01", "Blank/Elements=3"},
                  [](Blank &blank, const Entries &) {
                    DenseTarget target(blank.n_dofs());
-                   blank.assemble_pressure(Vector(blank.n_dofs()), blank.faces().front(), 7., true, target);
+                   const Boundary &boundary = blank.boundary();
+                   boundary.assemble_pressure(Vector(blank.n_dofs()), boundary.faces().front(), 7., true, target);
                    const auto role = roles(blank);
                    double total = 0.;
                    for (unsigned int i = 0; i < role.size(); ++i)
@@ -245,11 +246,11 @@ BOOST_AUTO_TEST_CASE(derivatives_of_contact_nodes)
       blank.commit(q);
       for (const Side side : {Side::bottom, Side::top})
         for (const auto thickness : {ContactThickness::current, ContactThickness::initial, ContactThickness::none})
-          for (unsigned int i = 0; i < blank.n_contact_nodes(side); ++i)
+          for (unsigned int i = 0; i < blank.surface().n_contact_nodes(side); ++i)
           {
             const auto at = [&](const Vector &state) {
               ContactNode node;
-              blank.contact_node(state, side, i, thickness, node);
+              blank.surface().contact_node(state, side, i, thickness, node);
               return node;
             };
             const ContactNode node = at(q);
@@ -288,10 +289,10 @@ BOOST_AUTO_TEST_CASE(faces_lie_half_a_thickness_off)
                    const Vector zero(blank.n_dofs());
                    double area = 0.;
                    for (const Side side : {Side::bottom, Side::top})
-                     for (unsigned int i = 0; i < blank.n_contact_nodes(side); ++i)
+                     for (unsigned int i = 0; i < blank.surface().n_contact_nodes(side); ++i)
                      {
                        ContactNode node;
-                       blank.contact_node(zero, side, i, ContactThickness::current, node);
+                       blank.surface().contact_node(zero, side, i, ContactThickness::current, node);
                        const double up = side == Side::top ? 1. : -1.;
                        BOOST_TEST(std::abs(node.x[1] + up * node.offset - .1 - up * .005) < 1e-15);
                        area += node.area;
@@ -299,8 +300,9 @@ BOOST_AUTO_TEST_CASE(faces_lie_half_a_thickness_off)
                    const double exact = blank.axisymmetric() ? dealii::numbers::PI * (1.1 * 1.1 - .3 * .3) : .8;
                    BOOST_TEST(std::abs(area - 2. * exact) < 1e-12);
                    for (const Side side : {Side::bottom, Side::top})
-                     for (const auto &edge : blank.contact_edges(side))
-                       BOOST_TEST((edge[0] < blank.n_contact_nodes(side) && edge[1] < blank.n_contact_nodes(side)));
+                     for (const auto &edge : blank.surface().contact_edges(side))
+                       for (const unsigned int end : {0, 1})
+                         BOOST_TEST(edge[end] < blank.surface().n_contact_nodes(side));
                  });
 }
 
@@ -309,11 +311,11 @@ BOOST_AUTO_TEST_CASE(boundaries_and_couplings)
   for_all_blanks(curved(elastic),
                  [](Blank &blank, const Entries &) {
                    const unsigned int n = blank.n_dofs();
-                   for (const auto &boundary : blank.boundaries())
+                   for (const auto &boundary : blank.boundary().parts())
                      for (const auto component : {Component::r, Component::z, Component::rotation})
-                       for (const auto dof : blank.boundary_dofs(boundary, component))
+                       for (const auto dof : blank.boundary().dofs(boundary, component))
                          BOOST_TEST((dof < n && !blank.describe_dof(dof).empty()));
-                   BOOST_CHECK_THROW(blank.boundary_dofs("nowhere", Component::z), std::invalid_argument);
+                   BOOST_CHECK_THROW(blank.boundary().dofs("nowhere", Component::z), std::invalid_argument);
 
                    // Every entry of the tangent is in the pattern.
                    dealii::DynamicSparsityPattern pattern(n, n);

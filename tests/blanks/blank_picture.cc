@@ -45,7 +45,7 @@ namespace
   {
     residual(blank, q);
     blank.commit(q);
-    return blank.draw(q, {});
+    return blank.fields().draw(q, {});
   }
 
   const std::vector<double> &field(const Drawing &drawing, const std::string &name)
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(elastic_blanks_show_no_plastic_strain)
   for (const std::string kind : {"shell", "solid"})
   {
     const auto blank = make_blank(kind, flat("1", elastic));
-    for (const auto &one : blank->draw(Vector(blank->n_dofs()), {}).fields)
+    for (const auto &one : blank->fields().draw(Vector(blank->n_dofs()), {}).fields)
       BOOST_TEST((one.name != "plastic_strain"));
   }
 }
@@ -165,12 +165,12 @@ BOOST_AUTO_TEST_CASE(nodes_of_a_face_lie_on_it)
 {
   const auto solid = make_blank("solid", flat("2", elastic));
   const auto X = solid->positions(Vector(solid->n_dofs()));
-  const auto nodes = solid->face_nodes("top");
+  const auto nodes = solid->boundary().face_nodes("top");
   BOOST_TEST(nodes.size() == 7u); // three quadratic elements
   for (const auto node : nodes)
     BOOST_TEST(X[node][1] == .1, boost::test_tools::tolerance(1e-12));
   const auto shell = make_blank("shell", flat("1", elastic));
-  BOOST_TEST(shell->face_nodes("bottom").size() == 4u);
+  BOOST_TEST(shell->boundary().face_nodes("bottom").size() == 4u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -45,16 +45,16 @@ namespace
   std::vector<double> visible(const Blank &blank, const Vector &q)
   {
     const BlankEnergy energy = blank.energy();
-    std::vector<double> result{energy.elastic, energy.plastic, energy.normal, blank.smallest_thickness()};
-    for (const auto &row : blank.profile(q).rows)
+    std::vector<double> result{energy.elastic, energy.plastic, energy.normal, blank.fields().smallest_thickness()};
+    for (const auto &row : blank.fields().profile(q).rows)
       result.insert(result.end(), row.begin(), row.end());
-    for (const auto &field : blank.draw(q, {}).fields)
+    for (const auto &field : blank.fields().draw(q, {}).fields)
       result.insert(result.end(), field.values.begin(), field.values.end());
     for (const Side side : {Side::bottom, Side::top})
-      for (unsigned int i = 0; i < blank.n_contact_nodes(side); ++i)
+      for (unsigned int i = 0; i < blank.surface().n_contact_nodes(side); ++i)
       {
         ContactNode node;
-        blank.contact_node(q, side, i, ContactThickness::current, node);
+        blank.surface().contact_node(q, side, i, ContactThickness::current, node);
         result.insert(result.end(), {node.x[0], node.x[1], node.offset, node.area, node.thickness});
       }
     return result;
@@ -180,9 +180,9 @@ BOOST_AUTO_TEST_CASE(commit_updates_the_thickness)
                    for (unsigned int i = 0; i < q.size(); ++i)
                      if (role[i].node != invalid_index)
                        q[i] = (role[i].axis == 0 ? .02 : std::exp(strain) - 1.) * X[role[i].node][role[i].axis];
-                   BOOST_TEST(std::abs(blank.smallest_thickness() - .01) < 1e-16);
+                   BOOST_TEST(std::abs(blank.fields().smallest_thickness() - .01) < 1e-16);
                    reach(blank, q);
-                   BOOST_TEST(std::abs(std::log(blank.smallest_thickness() / .01) - strain) < 1e-13);
+                   BOOST_TEST(std::abs(std::log(blank.fields().smallest_thickness() / .01) - strain) < 1e-13);
                  });
 }
 
@@ -230,7 +230,8 @@ BOOST_AUTO_TEST_CASE(restart_goes_on_where_it_stopped)
   for_all_blanks(curved(plastic),
                  [&](Blank &blank, const Entries &entries) {
                    const Vector q = random_state(blank, generator, .02);
-                   blank.set_contact_pressure(Side::top, std::vector<double>(blank.n_contact_nodes(Side::top), .7));
+                   const unsigned int n_nodes = blank.surface().n_contact_nodes(Side::top);
+                   blank.set_contact_pressure(Side::top, std::vector<double>(n_nodes, .7));
                    reach(blank, q);
                    for (const auto &name : Registry<Blank>::names())
                    {

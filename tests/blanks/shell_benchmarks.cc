@@ -45,7 +45,8 @@ namespace
   Eigen::VectorXd pressure_load(Blank &blank, const double pressure)
   {
     DenseTarget target(blank.n_dofs(), false);
-    blank.assemble_pressure(Vector(blank.n_dofs()), blank.faces().front(), pressure, true, target);
+    const Boundary &boundary = blank.boundary();
+    boundary.assemble_pressure(Vector(blank.n_dofs()), boundary.faces().front(), pressure, true, target);
     return -target.residual;
   }
 
@@ -53,7 +54,7 @@ namespace
   {
     std::vector<DofIndex> result;
     for (const auto component : {Component::r, Component::z, Component::rotation})
-      result.push_back(blank.boundary_dofs(boundary, component).front());
+      result.push_back(blank.boundary().dofs(boundary, component).front());
     return result;
   }
 
@@ -63,7 +64,7 @@ namespace
     const auto blank = make_shell(degree, n, t, {"Blank/Points=0 0; 1 0"});
     const double D = E * t * t * t / (12. * (1. - nu * nu)), p = 64. * D;
     const auto q = solve(*blank, pressure_load(*blank, p), all_of(*blank, "end"));
-    return q[blank->boundary_dofs("start", Component::z).front()];
+    return q[blank->boundary().dofs("start", Component::z).front()];
   }
 
   /// The same with Mindlin's shear: exact for the equations that the elements discretize.
@@ -81,14 +82,14 @@ namespace
       degree, n, t, {"Blank/Symmetry=plane strain", "Blank/Points=1 0; 1 1; 0 1", "Blank/Fillet radii=0, 1, 0"});
     const double bending = E * t * t * t / (12. * (1. - nu * nu));
     Eigen::VectorXd force = Eigen::VectorXd::Zero(blank->n_dofs());
-    const auto top = blank->boundary_dofs("end", Component::z).front();
+    const auto top = blank->boundary().dofs("end", Component::z).front();
     force[top] = -.5 * bending;
     const auto q = solve(*blank,
                          force,
-                         {blank->boundary_dofs("start", Component::z).front(),
-                          blank->boundary_dofs("start", Component::rotation).front(),
-                          blank->boundary_dofs("end", Component::r).front(),
-                          blank->boundary_dofs("end", Component::rotation).front()});
+                         {blank->boundary().dofs("start", Component::z).front(),
+                          blank->boundary().dofs("start", Component::rotation).front(),
+                          blank->boundary().dofs("end", Component::r).front(),
+                          blank->boundary().dofs("end", Component::rotation).front()});
     return -2. * q[top] / (PI / 4. - 2. / PI);
   }
 
@@ -101,9 +102,9 @@ namespace
     points << "Blank/Points=1 0; 1 " << std::setprecision(17) << 8. / b;
     const auto blank = make_shell(degree, n, t, {points.str(), "Blank/Grading=.1 + t"});
     Eigen::VectorXd force = Eigen::VectorXd::Zero(blank->n_dofs());
-    const auto edge = blank->boundary_dofs("start", Component::r).front();
+    const auto edge = blank->boundary().dofs("start", Component::r).front();
     force[edge] = 2. * PI * 2. * b * b * b * D;
-    return solve(*blank, force, {blank->boundary_dofs("end", Component::z).front()})[edge];
+    return solve(*blank, force, {blank->boundary().dofs("end", Component::z).front()})[edge];
   }
 
   using Problem = double (*)(unsigned int degree, unsigned int n, double t);
@@ -170,9 +171,9 @@ BOOST_AUTO_TEST_CASE(cylinder_under_internal_pressure)
   {
     const auto blank = make_shell(degree, 4, 1e-3, {"Blank/Points=1 0; 1 .5"});
     const double p = 1e-6;
-    const auto q = solve(*blank, -pressure_load(*blank, p), {blank->boundary_dofs("end", Component::z).front()});
+    const auto q = solve(*blank, -pressure_load(*blank, p), {blank->boundary().dofs("end", Component::z).front()});
     for (const auto *const boundary : {"start", "end"})
-      BOOST_TEST(std::abs(q[blank->boundary_dofs(boundary, Component::r).front()] / (p / (E * 1e-3)) - 1.) < 1e-3);
+      BOOST_TEST(std::abs(q[blank->boundary().dofs(boundary, Component::r).front()] / (p / (E * 1e-3)) - 1.) < 1e-3);
   }
 }
 
@@ -187,7 +188,7 @@ BOOST_AUTO_TEST_CASE(cantilever_rolled_up)
     const auto blank = make_shell(degree, 10, t, {"Blank/Symmetry=plane strain", "Blank/Points=0 0; 1 0"});
     const auto role = roles(*blank);
     const auto X = blank->positions(Vector(blank->n_dofs()));
-    const auto tip = blank->boundary_dofs("end", Component::rotation).front();
+    const auto tip = blank->boundary().dofs("end", Component::rotation).front();
     const double M = E * t * t * t / (12. * (1. - nu * nu)) * phi;
     Vector q(blank->n_dofs());
     double norm = 1.;

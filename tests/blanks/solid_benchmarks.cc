@@ -34,7 +34,7 @@ namespace
   Eigen::VectorXd pressure_load(Blank &blank, const std::string &face, const double pressure)
   {
     DenseTarget target(blank.n_dofs(), false);
-    blank.assemble_pressure(Vector(blank.n_dofs()), face, pressure, false, target);
+    blank.boundary().assemble_pressure(Vector(blank.n_dofs()), face, pressure, false, target);
     return -target.residual;
   }
 
@@ -52,10 +52,10 @@ namespace
                                    "Material/Model=linear elastic",
                                    "Material/Young's modulus=1",
                                    "Material/Poisson's ratio=" + std::to_string(nu)});
-    const Vector u = solve(*blank, pressure_load(*blank, "top", 1.), {blank->boundary_dofs("start", Component::z)});
+    const Vector u = solve(*blank, pressure_load(*blank, "top", 1.), {blank->boundary().dofs("start", Component::z)});
     double sum = 0.;
-    const auto outer = blank->boundary_dofs("bottom", Component::r);
-    const auto where = blank->boundary_points("bottom");
+    const auto outer = blank->boundary().dofs("bottom", Component::r);
+    const auto where = blank->boundary().points("bottom");
     for (unsigned int i = 0; i < outer.size(); ++i)
       if (where[i][1] < 1e-9)
         sum += u[outer[i]];
@@ -79,11 +79,12 @@ namespace
                                    "Material/Model=linear elastic",
                                    "Material/Young's modulus=1",
                                    "Material/Poisson's ratio=0.3"});
+    const Boundary &boundary = blank->boundary();
     const Vector u = solve(*blank,
                            pressure_load(*blank, "bottom", 1.),
-                           {blank->boundary_dofs("start", Component::r), blank->boundary_dofs("start", Component::z)});
+                           {boundary.dofs("start", Component::r), boundary.dofs("start", Component::z)});
     const double stiffness = std::pow(thickness, 3) / (12. * (1. - .09)), shear = 5. / 6. * thickness / 2.6;
-    const auto table = blank->profile(u);
+    const auto table = blank->fields().profile(u);
     const auto column = std::find(table.names.begin(), table.names.end(), "u_z") - table.names.begin();
     return table.rows.back()[column] / (1. / (8. * stiffness) + 1. / (2. * shear)) - 1.;
   }
@@ -120,9 +121,9 @@ BOOST_AUTO_TEST_CASE(patch_test)
           q[i] = (role[i].axis == 0 ? .15 : -.2) * X[role[i].node][role[i].axis];
         const auto forces = residual(*blank, q);
         std::vector<bool> outside(q.size(), false);
-        for (const auto &name : blank->boundaries())
+        for (const auto &name : blank->boundary().parts())
           for (const auto component : {Component::r, Component::z})
-            for (const auto dof : blank->boundary_dofs(name, component))
+            for (const auto dof : blank->boundary().dofs(name, component))
               outside[dof] = true;
         unsigned int inside = 0;
         for (unsigned int i = 0; i < q.size(); ++i)
@@ -175,13 +176,13 @@ BOOST_AUTO_TEST_CASE(weights_of_loads)
   const auto sum = [](const std::vector<double> &values) {
     return std::accumulate(values.begin(), values.end(), 0.) / dealii::numbers::PI;
   };
-  BOOST_TEST(sum(blank->boundary_weights("bottom")) == 8., boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(sum(blank->boundary_weights("end")) == 3., boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(sum(blank->boundary().weights("bottom")) == 8., boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(sum(blank->boundary().weights("end")) == 3., boost::test_tools::tolerance(1e-14));
   double volume = 0.;
-  for (const auto &[dof, weight] : blank->volume_weights(Component::z))
+  for (const auto &[dof, weight] : blank->boundary().volume_weights(Component::z))
     volume += weight / dealii::numbers::PI;
   BOOST_TEST(volume == 4., boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(blank->boundary_dofs("end", Component::rotation).empty());
+  BOOST_TEST(blank->boundary().dofs("end", Component::rotation).empty());
 }
 
 BOOST_AUTO_TEST_CASE(mesh_from_a_file)
@@ -200,10 +201,10 @@ BOOST_AUTO_TEST_CASE(mesh_from_a_file)
                                    "Blank/Degree=" + degree,
                                    "Blank/Contact bottom=die side, rim",
                                    "Blank/Contact top="});
-    const auto names = blank->boundaries();
+    const auto names = blank->boundary().parts();
     BOOST_TEST((std::set<std::string>(names.begin(), names.end()) == std::set<std::string>{"die side", "rim", "rest"}));
-    BOOST_TEST(blank->n_contact_nodes(Side::bottom) == (degree == "1" ? 4u : 7u));
-    BOOST_TEST(blank->n_contact_nodes(Side::top) == 0u);
+    BOOST_TEST(blank->surface().n_contact_nodes(Side::bottom) == (degree == "1" ? 4u : 7u));
+    BOOST_TEST(blank->surface().n_contact_nodes(Side::top) == 0u);
     BOOST_TEST(pressure_load(*blank, "rim", 1.).sum() == -6. * dealii::numbers::PI,
                boost::test_tools::tolerance(1e-13));
     BOOST_TEST(blank->initial_thickness() == 1.);

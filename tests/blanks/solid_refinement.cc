@@ -32,12 +32,12 @@ namespace
     for (unsigned int k = 0; k < times; ++k)
     {
       std::array<std::vector<double>, 2> longest;
-      longest[1].assign(blank.contact_edges(Side::top).size(), 1e300);
+      longest[1].assign(blank.surface().contact_edges(Side::top).size(), 1e300);
       longest[1][2] = 0.;
-      const unsigned int n_before = blank.n_cells();
-      BOOST_TEST_REQUIRE(blank.mark(longest));
-      blank.refine(fields);
-      BOOST_TEST(blank.n_cells() >= n_before + 3);
+      const unsigned int n_before = blank.adaptive()->n_cells();
+      BOOST_TEST_REQUIRE(blank.adaptive()->mark(longest));
+      blank.adaptive()->refine(fields);
+      BOOST_TEST(blank.adaptive()->n_cells() >= n_before + 3);
     }
     return fields.front();
   }
@@ -86,9 +86,9 @@ namespace
   {
     const auto forces = residual(blank, q);
     std::set<DofIndex> outside;
-    for (const auto &name : blank.boundaries())
+    for (const auto &name : blank.boundary().parts())
       for (const auto component : {Component::r, Component::z})
-        for (const auto dof : blank.boundary_dofs(name, component))
+        for (const auto dof : blank.boundary().dofs(name, component))
           outside.insert(dof);
     double largest = 0.;
     for (unsigned int i = 0; i < q.size(); ++i)
@@ -100,7 +100,7 @@ namespace
 
   std::vector<double> drawn(const Blank &blank, const Vector &q, const std::string &name)
   {
-    for (const auto &values : blank.draw(q, {}).fields)
+    for (const auto &values : blank.fields().draw(q, {}).fields)
       if (values.name == name)
         return values.values;
     BOOST_TEST_REQUIRE(false, "no field " + name);
@@ -171,8 +171,9 @@ BOOST_AUTO_TEST_CASE(displacements_come_over_exactly)
             }
             // A linear field is what the mesh carries, whatever its curves.
             std::vector<Vector> fields{field(blank, rotation)};
-            BOOST_TEST_REQUIRE(blank.mark({{std::vector<double>(blank.contact_edges(Side::bottom).size(), 0.), {}}}));
-            blank.refine(fields);
+            const std::size_t n_edges = blank.surface().contact_edges(Side::bottom).size();
+            BOOST_TEST_REQUIRE(blank.adaptive()->mark({{std::vector<double>(n_edges, 0.), {}}}));
+            blank.adaptive()->refine(fields);
             Vector expected = field(blank, rotation);
             expected -= fields.front();
             BOOST_TEST(expected.linfty_norm() < 1e-13);
@@ -231,9 +232,9 @@ BOOST_AUTO_TEST_CASE(plastic_state_stays_admissible)
         std::vector<Vector> fields{q};
         std::array<std::vector<double>, 2> longest;
         for (const auto side : {Side::bottom, Side::top})
-          longest[static_cast<unsigned int>(side)].assign(blank->contact_edges(side).size(), 0.);
-        BOOST_TEST_REQUIRE(blank->mark(longest));
-        blank->refine(fields);
+          longest[static_cast<unsigned int>(side)].assign(blank->surface().contact_edges(side).size(), 0.);
+        BOOST_TEST_REQUIRE(blank->adaptive()->mark(longest));
+        blank->adaptive()->refine(fields);
         q = fields.front();
         for (const double value : drawn(*blank, q, "equivalent_plastic_strain"))
         {
@@ -304,13 +305,13 @@ BOOST_AUTO_TEST_CASE(stress_of_distorted_cells_stays)
 BOOST_AUTO_TEST_CASE(new_contact_nodes_know_their_neighbours)
 {
   const auto blank = make_blank("solid", distorted("2", "small", elastic));
-  const auto old = blank->n_contact_nodes(Side::top);
+  const auto old = blank->surface().n_contact_nodes(Side::top);
   refine_one_edge(*blank, Vector(blank->n_dofs()), 1);
-  const auto &heritage = blank->heritage(Side::top);
-  BOOST_TEST(heritage.size() == old + 2);
-  BOOST_TEST(heritage.size() == blank->n_contact_nodes(Side::top));
+  const auto &parents = blank->adaptive()->parent_nodes(Side::top);
+  BOOST_TEST(parents.size() == old + 2);
+  BOOST_TEST(parents.size() == blank->surface().n_contact_nodes(Side::top));
   unsigned int n_new = 0, next = 0;
-  for (const auto &[a, b] : heritage)
+  for (const auto &[a, b] : parents)
     if (a == b)
       BOOST_TEST(a == next++);
     else
@@ -321,7 +322,7 @@ BOOST_AUTO_TEST_CASE(new_contact_nodes_know_their_neighbours)
     }
   BOOST_TEST(n_new == 2u);
   BOOST_TEST(next == old);
-  BOOST_TEST(blank->heritage(Side::bottom).size() == blank->n_contact_nodes(Side::bottom));
+  BOOST_TEST(blank->adaptive()->parent_nodes(Side::bottom).size() == blank->surface().n_contact_nodes(Side::bottom));
 }
 
 BOOST_AUTO_TEST_CASE(a_refined_state_is_saved_and_loaded)
@@ -365,8 +366,8 @@ BOOST_AUTO_TEST_CASE(the_error_of_a_linear_stress_is_none)
     const Vector q = field(*blank, u);
     assemble(*blank, q, *std::make_unique<DenseTarget>(q.size()));
     blank->commit(q);
-    blank->mark({});
-    return blank->estimated_error();
+    blank->adaptive()->mark({});
+    return blank->adaptive()->estimated_error();
   };
   BOOST_TEST(error(pure, "4") < 1e-10);
   // A cubic displacement: of second order, and the estimate is the error itself to some per cent. Interpolated by

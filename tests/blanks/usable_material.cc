@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(a_law_hears_how_long_an_increment_takes)
         }
         residual(*blank, q);
         blank->commit(q);
-        const Drawing drawing = blank->draw(q, {});
+        const Drawing drawing = blank->fields().draw(q, {});
         const auto values = [&](const std::string &name) {
           for (const auto &field : drawing.fields)
             if (field.name == name)
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(laws_that_do_not_go_together)
 BOOST_AUTO_TEST_CASE(a_shell_draws_what_its_law_remembers)
 {
   const auto blank = make("shell", "Backstress", "test: Chaboche");
-  const Drawing drawing = blank->draw(Vector(blank->n_dofs()), {});
+  const Drawing drawing = blank->fields().draw(Vector(blank->n_dofs()), {});
   unsigned int n_found = 0;
   for (const auto &field : drawing.fields)
     if (field.name == "backstress_1" || field.name == "backstress_2")

@@ -36,8 +36,8 @@ BOOST_AUTO_TEST_CASE(is_part_of_a_state)
   history.commit();
   history.trial(0)[0] = .3;
   KeyedArrays state;
-  history.put(state);
-  other.take(state);
+  PointHistory::each_array(history, PutInto(state));
+  PointHistory::each_array(other, TakeFrom(state));
   BOOST_TEST(other.committed(1)[4] == .1);
   BOOST_TEST(other.trial(0)[0] == .3);
 }
@@ -47,8 +47,8 @@ BOOST_AUTO_TEST_CASE(another_law_does_not_load_it)
   const PointHistory history(2, plastic);
   PointHistory other(2, two_scalars);
   KeyedArrays state;
-  history.put(state);
-  BOOST_CHECK_EXCEPTION(other.take(state), SceneError, [](const SceneError &error) {
+  PointHistory::each_array(history, PutInto(state));
+  BOOST_CHECK_EXCEPTION(PointHistory::each_array(other, TakeFrom(state)), SceneError, [](const SceneError &error) {
     return std::string(error.what()).find("a:scalar b:positive") != std::string::npos;
   });
 }

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_pressed_face_is_one_of_the_blank)
 {
   for_all_loads(curved_and_coarse,
                 [&](Load &load, Blank &blank) {
-                  const auto faces = blank.faces();
+                  const auto faces = blank.boundary().faces();
                   const std::string face = load.pressed_face();
                   BOOST_TEST((face.empty() || std::find(faces.begin(), faces.end(), face) != faces.end()), face);
                 });
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(resultants)
   // A ring or a strip from .3 to 1.1, .01 thick.
   for_all_blanks({"Blank/Points=.3 0; 1.1 0", "Blank/Thickness=.01", "Blank/Elements=3"},
                  [](Blank &blank, const Entries &) {
-                   const double pi = dealii::numbers::PI, h = blank.is_sheet() ? 1. : .01;
+                   const double pi = dealii::numbers::PI, h = blank.fields().is_sheet() ? 1. : .01;
                    const double area = blank.axisymmetric() ? pi * (1.21 - .09) : .8;
                    const double length = blank.axisymmetric() ? 2. * pi * 1.1 : 1.;
                    const auto close = [](const double a, const double b) { return std::abs(a - b) <= 1e-12 * b; };
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_load_is_refused)
                    BOOST_CHECK_THROW(make_load("body", blank, {"load/Component=rotation"}), SceneError);
                    if (blank.axisymmetric())
                      BOOST_CHECK_THROW(make_load("edge", blank, {"load/Boundary=start"}), SceneError);
-                   if (!blank.is_sheet())
+                   if (!blank.fields().is_sheet())
                      BOOST_CHECK_THROW(make_load("edge", blank, {"load/Component=rotation", "load/Boundary=end"}),
                                        SceneError);
                  });

@@ -87,4 +87,44 @@ namespace deltaform
   private:
     std::map<std::string, std::vector<double>> arrays_;
   };
+
+
+  /// A part names its arrays once, in a function each_array(part, action); this action puts them into a state.
+  class PutInto
+  {
+  public:
+    explicit PutInto(KeyedArrays &state)
+      : state_(state)
+    {
+    }
+
+    template <typename T>
+    void operator()(const std::string &name, const T &values) const
+    {
+      state_.put(name, values);
+    }
+
+  private:
+    KeyedArrays &state_;
+  };
+
+
+  /// And this one takes them from a state. @throws SceneError if it has no such array
+  class TakeFrom
+  {
+  public:
+    explicit TakeFrom(const KeyedArrays &state)
+      : state_(state)
+    {
+    }
+
+    template <typename T>
+    void operator()(const std::string &name, T &values) const
+    {
+      state_.take(name, values);
+    }
+
+  private:
+    const KeyedArrays &state_;
+  };
 } // namespace deltaform

@@ -77,16 +77,17 @@ namespace deltaform
       return active_ ? carried_.data() + point * values_per_point_ : nullptr;
     }
 
-    /// Write the flow of the last increment to a state, and read it from there.
-    void put(KeyedArrays &state) const
+    /// Nothing is carried until carry() says so.
+    void pause()
     {
-      state.put("flow of the last increment", last_);
+      active_ = false;
     }
 
-    void take(const KeyedArrays &state)
+    /// Every array of the state with its name, for PutInto and TakeFrom; pause() after taking it.
+    template <typename Flow, typename Action>
+    static void each_array(Flow &flow, const Action &action)
     {
-      state.take("flow of the last increment", last_);
-      active_ = false;
+      action("flow of the last increment", flow.last_);
     }
 
   private:

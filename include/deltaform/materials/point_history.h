@@ -56,18 +56,13 @@ namespace deltaform
       trial_ = committed_;
     }
 
-    /// Put the values into a state, or take them from there.
-    void put(KeyedArrays &state) const
+    /// Every array of the state with its name, for PutInto and TakeFrom. A state of a law with another layout has none
+    /// of these names.
+    template <typename History, typename Action>
+    static void each_array(History &history, const Action &action)
     {
-      state.put(name("committed"), committed_);
-      state.put(name("last iteration"), trial_);
-    }
-
-    /// @throws SceneError if the state is that of a law with another layout
-    void take(const KeyedArrays &state)
-    {
-      state.take(name("committed"), committed_);
-      state.take(name("last iteration"), trial_);
+      action(history.name("committed"), history.committed_);
+      action(history.name("last iteration"), history.trial_);
     }
 
   private:

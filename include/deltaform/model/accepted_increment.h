@@ -44,14 +44,14 @@ namespace deltaform
     const std::vector<SheetSection> &sections() const
     {
       if (!sections_)
-        sections_ = model.blank().sections();
+        sections_ = model.blank().fields().sections();
       return *sections_;
     }
 
     double smallest_thickness() const
     {
       if (!smallest_thickness_)
-        smallest_thickness_ = model.blank().smallest_thickness();
+        smallest_thickness_ = model.blank().fields().smallest_thickness();
       return *smallest_thickness_;
     }
 

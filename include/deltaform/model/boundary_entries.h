@@ -12,7 +12,7 @@ namespace deltaform
   ///@{
   Component read_component(Section &section);
 
-  std::string read_boundary(Section &section, const Blank &blank);
+  std::string read_boundary(Section &section, const Boundary &boundary);
 
   /// @throws SceneError if the boundary has no unknown of this component
   void check_dofs(Section &section, const std::string &boundary, const std::vector<DofIndex> &dofs);

@@ -11,8 +11,8 @@ namespace deltaform
     {
     public:
       BodyLoad(Section &section, const Blank &blank)
-        : Load(section, blank, "force/volume", "Force per initial volume as a function of time t."), blank_(blank),
-          component_(read_component(section))
+        : Load(section, blank, "force/volume", "Force per initial volume as a function of time t."),
+          body_(blank.boundary()), component_(read_component(section))
       {
         BodyLoad::renumber();
         if (dofs_.empty())
@@ -28,7 +28,7 @@ namespace deltaform
       {
         dofs_.clear();
         weights_.clear();
-        for (const auto &[dof, weight] : blank_.volume_weights(component_))
+        for (const auto &[dof, weight] : body_.volume_weights(component_))
         {
           dofs_.push_back(dof);
           weights_.push_back(weight);
@@ -36,7 +36,7 @@ namespace deltaform
       }
 
     private:
-      const Blank &blank_;
+      const Boundary &body_;
       Component component_;
       std::vector<DofIndex> dofs_;
       std::vector<double> weights_; ///< initial volume that belongs to each unknown

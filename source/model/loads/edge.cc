@@ -17,10 +17,10 @@ namespace deltaform
                blank,
                "force/length of the initial edge, moment/length (solid: stress)",
                "Line load (solid: traction on the initial area) as a function of time t."),
-          blank_(blank), boundary_(read_boundary(section, blank)), component_(read_component(section))
+          boundary_(blank.boundary()), part_(read_boundary(section, boundary_)), component_(read_component(section))
       {
         EdgeLoad::renumber();
-        check_dofs(section, boundary_, dofs_);
+        check_dofs(section, part_, dofs_);
         if (!section.documentation() && !(*std::max_element(weights_.begin(), weights_.end()) > 0))
           section.fail("Boundary", "this edge has no length (it lies on the axis): a line load on it is no load");
       }
@@ -32,13 +32,13 @@ namespace deltaform
 
       void renumber() override
       {
-        dofs_ = blank_.boundary_dofs(boundary_, component_);
-        weights_ = blank_.boundary_weights(boundary_);
+        dofs_ = boundary_.dofs(part_, component_);
+        weights_ = boundary_.weights(part_);
       }
 
     private:
-      const Blank &blank_;
-      std::string boundary_;
+      const Boundary &boundary_;
+      std::string part_;
       Component component_;
       std::vector<DofIndex> dofs_;
       std::vector<double> weights_; ///< what a unit load is to each unknown

@@ -16,16 +16,16 @@ namespace deltaform
              "stress",
              "Pressure as a function of time t, positive if it pushes into the blank (bottom: upwards on a flat "
              "blank)."),
-        blank_(blank), face_(section.choice("Face",
-                                            blank.faces().front(),
-                                            blank.faces(),
-                                            "What the pressure acts on (shell: the bottom)."))
+        boundary_(blank.boundary()), face_(section.choice("Face",
+                                                          boundary_.faces().front(),
+                                                          boundary_.faces(),
+                                                          "What the pressure acts on (shell: the bottom)."))
     {
     }
 
     void add(const Vector &q, const double value, AssemblyTarget &target) const override
     {
-      blank_.assemble_pressure(q, face_, value, follows, target);
+      boundary_.assemble_pressure(q, face_, value, follows, target);
     }
 
     std::string pressed_face() const override
@@ -34,7 +34,7 @@ namespace deltaform
     }
 
   private:
-    const Blank &blank_;
+    const Boundary &boundary_;
     std::string face_;
   };
 } // namespace deltaform

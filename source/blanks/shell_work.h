@@ -1,6 +1,6 @@
 #pragma once
 // The work at one quadrature point on the meridian of a shell: strain from the unknowns, forces from the resultants.
-#include "shell.h"
+#include "shell_points.h"
 
 #include <deltaform/kinematics/shell_strain.h>
 

@@ -1,11 +1,12 @@
 // Internal forces and tangent of the solid: derivation in doc/theory/solid.md.
-#include "solid.h"
+#include "solid_kernel.h"
 #include "solid_tangent.h"
 
 #include <deltaform/base/assembly_target.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace deltaform
@@ -36,10 +37,39 @@ namespace deltaform
   } // namespace
 
 
+  void SolidKernel::reset()
+  {
+    const unsigned int n = body_.points().size();
+    constant_matrices_.clear();
+    material_.reset(n);
+    motion_.reset(n, material_.carries());
+    linear_ = has_linear_law();
+  }
+
+
+  bool SolidKernel::has_linear_law() const
+  {
+    if (motion_.finite() || material_.plastic())
+      return false;
+    std::array<Mandel, 2> strain{{{}, {{1e-3, -2e-3, 5e-4, 7e-4}}}}, stress;
+    std::array<double, 32> moduli;
+    MaterialBatch batch;
+    batch.n_points = 2;
+    batch.strain = strain.data();
+    batch.stress = stress.data();
+    batch.tangent = moduli.data();
+    const bool good = material_.law().update(batch).good();
+    return good && std::equal(moduli.begin(), moduli.begin() + 16, moduli.begin() + 16);
+  }
+
+
   template <unsigned int n_nodes, unsigned int n_points>
-  Status Solid::assemble_cells(const Vector &q, AssemblyTarget &target)
+  Status SolidKernel::assemble_cells(const Vector &q, AssemblyTarget &target)
   {
     constexpr unsigned int n = 2 * n_nodes;
+    const SolidSpace &space = body_.space();
+    const SolidPoints &points = body_.points();
+    const bool axisymmetric = space.axisymmetric(), finite = motion_.finite();
     const bool tangent = target.wants_tangent();
     std::array<DofIndex, n> dofs;
     std::array<double, n> residual, u;
@@ -57,25 +87,25 @@ namespace deltaform
     small[3][1] = small[3][2] = root_half;
 
     Vector storage;
-    const Vector &values = space_.hanging().with_hanging(q, storage);
+    const Vector &values = space.hanging().with_hanging(q, storage);
     if (linear_ && tangent)
       constant_matrices_.clear();
-    for (unsigned int c = 0; c < space_.cells().size(); ++c)
+    for (unsigned int c = 0; c < space.cells().size(); ++c)
     {
-      const auto &cell = space_.cells()[c];
+      const auto &cell = space.cells()[c];
       const unsigned int first = c * n_points;
-      const double *project = points_.projection(c);
+      const double *project = points.projection(c);
       for (unsigned int a = 0; a < n_nodes; ++a)
         for (unsigned int k = 0; k < 2; ++k)
         {
-          dofs[2 * a + k] = space_.dofs()[cell[a]][k];
+          dofs[2 * a + k] = space.dofs()[cell[a]][k];
           u[2 * a + k] = values[dofs[2 * a + k]];
         }
 
       // Trial elastic strain of all points
       for (unsigned int p = 0; p < n_points; ++p)
       {
-        const SolidPoint &point = points_[first + p];
+        const SolidPoint &point = points[first + p];
         double h_rr = 0, h_rz = 0, h_zr = 0, h_zz = 0, h_tt = 0;
         for (unsigned int a = 0; a < n_nodes; ++a)
         {
@@ -85,13 +115,13 @@ namespace deltaform
           h_zz += point.gradient_z[a] * u[2 * a + 1];
           h_tt += point.shape[a] * u[2 * a];
         }
-        h_tt = space_.axisymmetric() ? h_tt / point.radius : 0.;
-        Deformation &F = deformation_[first + p];
+        h_tt = axisymmetric ? h_tt / point.radius : 0.;
+        Deformation &F = motion_.now(first + p);
         F.f = {{1. + h_rr, h_rz, h_zr, 1. + h_zz}};
         F.hoop = 1. + h_tt;
-        const double round_part = space_.axisymmetric() ? 1. / point.radius : 0.;
+        const double round_part = axisymmetric ? 1. / point.radius : 0.;
         Mandel &e = material_.strain(first + p);
-        if (!finite_)
+        if (!finite)
         {
           e = {{h_rr, h_zz, h_tt, root_half * (h_rz + h_zr)}};
           volumetric[p] = h_rr + h_zz + h_tt;
@@ -114,7 +144,7 @@ namespace deltaform
           g[p].z[a] = inverse * (f[0] * point.gradient_z[a] - f[1] * point.gradient_r[a]);
           g[p].t[a] = around * point.shape[a];
         }
-        const auto &cp = plastic_metric_[first + p];
+        const auto &cp = motion_.plastic_metric(first + p);
         b[p].xx = f[0] * f[0] * cp[0] + 2 * f[0] * f[1] * cp[3] + f[1] * f[1] * cp[1];
         b[p].yy = f[2] * f[2] * cp[0] + 2 * f[2] * f[3] * cp[3] + f[3] * f[3] * cp[1];
         b[p].xy = f[0] * f[2] * cp[0] + (f[0] * f[3] + f[1] * f[2]) * cp[3] + f[1] * f[3] * cp[1];
@@ -131,7 +161,7 @@ namespace deltaform
         for (unsigned int k = 0; k < n_points; ++k)
           projected += project[p * n_points + k] * volumetric[k];
         for (unsigned int k = 0; k < 3; ++k)
-          material_.strain(first + p)[k] += (projected - volumetric[p] - volume_offset_[first + p]) / 3.;
+          material_.strain(first + p)[k] += (projected - volumetric[p] - motion_.volume_offset(first + p)) / 3.;
       }
 
       Status status = material_.update(first, n_points, tangent ? moduli.data() : nullptr);
@@ -150,7 +180,7 @@ namespace deltaform
       {
         // The stress that does work: deviator here, projected mean stress
         const Mandel &tau = material_.stress(first + p);
-        const double w = points_[first + p].weight;
+        const double w = points[first + p].weight;
         double shift = -mean[p];
         for (unsigned int k = 0; k < n_points; ++k)
           shift += project[p * n_points + k] * mean[k];
@@ -162,31 +192,31 @@ namespace deltaform
           residual[2 * a + 1] += t_rz * g[p].r[a] + t_zz * g[p].z[a];
         }
         weight[p] = w;
-        if (finite_)
+        if (finite)
           stress[p] = {t_rr, t_zz, t_tt, t_rz};
       }
       if (tangent)
       {
         derivative.project_volume(project);
         for (unsigned int p = 0; p < n_points; ++p)
-          derivative.set_stress_rate(p, &moduli[16 * p], finite_ ? LogarithmicStrain::rate(b[p]) : small);
+          derivative.set_stress_rate(p, &moduli[16 * p], finite ? LogarithmicStrain::rate(b[p]) : small);
         derivative.assemble(project, weight, stress, matrix.data());
       }
       if (linear_ && tangent)
         constant_matrices_.insert(constant_matrices_.end(), matrix.begin(), matrix.end());
-      space_.hanging().add(target, dofs.data(), n, tangent ? matrix.data() : nullptr, residual.data());
+      space.hanging().add(target, dofs.data(), n, tangent ? matrix.data() : nullptr, residual.data());
     }
     return {};
   }
 
 
-  Status Solid::assemble(const Vector &q, AssemblyTarget &target)
+  Status SolidKernel::assemble(const Vector &q, AssemblyTarget &target)
   {
     return ranks::worst(assemble_own_cells(q, target));
   }
 
 
-  Status Solid::assemble_own_cells(const Vector &q, AssemblyTarget &target)
+  Status SolidKernel::assemble_own_cells(const Vector &q, AssemblyTarget &target)
   {
     if (!linear_)
       return assemble_all(q, target);
@@ -203,25 +233,26 @@ namespace deltaform
   }
 
 
-  Status Solid::assemble_all(const Vector &q, AssemblyTarget &target)
+  Status SolidKernel::assemble_all(const Vector &q, AssemblyTarget &target)
   {
-    return space_.degree() == 1 ? assemble_cells<4, 4>(q, target) : assemble_cells<9, 9>(q, target);
+    return body_.space().degree() == 1 ? assemble_cells<4, 4>(q, target) : assemble_cells<9, 9>(q, target);
   }
 
 
-  Status Solid::assemble_constant(const Vector &q, AssemblyTarget &target)
+  Status SolidKernel::assemble_constant(const Vector &q, AssemblyTarget &target) const
   {
-    const unsigned int n = 2 * space_.n_nodes_per_cell();
+    const SolidSpace &space = body_.space();
+    const unsigned int n = 2 * space.n_nodes_per_cell();
     std::array<DofIndex, 18> dofs;
     std::array<double, 18> u, residual;
     Vector storage;
-    const Vector &values = space_.hanging().with_hanging(q, storage);
-    for (unsigned int c = 0; c < space_.cells().size(); ++c)
+    const Vector &values = space.hanging().with_hanging(q, storage);
+    for (unsigned int c = 0; c < space.cells().size(); ++c)
     {
       const double *matrix = &constant_matrices_[c * n * n];
       for (unsigned int i = 0; i < n; ++i)
       {
-        dofs[i] = space_.dofs()[space_.cells()[c][i / 2]][i % 2];
+        dofs[i] = space.dofs()[space.cells()[c][i / 2]][i % 2];
         u[i] = values[dofs[i]];
       }
       for (unsigned int i = 0; i < n; ++i)
@@ -230,13 +261,13 @@ namespace deltaform
         for (unsigned int j = 0; j < n; ++j)
           residual[i] += matrix[i * n + j] * u[j];
       }
-      space_.hanging().add(target, dofs.data(), n, target.wants_tangent() ? matrix : nullptr, residual.data());
+      space.hanging().add(target, dofs.data(), n, target.wants_tangent() ? matrix : nullptr, residual.data());
     }
     return {};
   }
 
 
-  void Solid::update_stress(const Vector &q)
+  void SolidKernel::update_stress(const Vector &q)
   {
     // One more pass over the law, for strains and stresses only: nobody has asked for them on the way.
     Nowhere nowhere(false);
@@ -244,17 +275,19 @@ namespace deltaform
   }
 
 
-  double Solid::admissible_step(const Vector &q, const Vector &dq) const
+  double SolidKernel::admissible_step(const Vector &q, const Vector &dq) const
   {
     // |d F F^-1| below one half keeps the determinant positive.
     constexpr double largest_strain = .4;
+    const SolidSpace &space = body_.space();
+    const SolidPoints &points = body_.points();
     double factor = 1.;
     Vector storage, step_storage;
-    const Vector &u = space_.hanging().with_hanging(q, storage), &du = space_.hanging().with_hanging(dq, step_storage);
-    for (unsigned int c = 0; c < space_.cells().size(); ++c)
-      for (unsigned int p = 0; p < points_.per_cell(); ++p)
+    const Vector &u = space.hanging().with_hanging(q, storage), &du = space.hanging().with_hanging(dq, step_storage);
+    for (unsigned int c = 0; c < space.cells().size(); ++c)
+      for (unsigned int p = 0; p < points.per_cell(); ++p)
       {
-        const Deformation F = points_.deformation(u, c, p), G = points_.deformation(du, c, p);
+        const Deformation F = points.deformation(u, c, p), G = points.deformation(du, c, p);
         const std::array<double, 4> h{{G.f[0] - 1., G.f[1], G.f[2], G.f[3] - 1.}};
         const double inverse = 1. / (F.f[0] * F.f[3] - F.f[1] * F.f[2]);
         const double l[4] = {inverse * (h[0] * F.f[3] - h[1] * F.f[2]),

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <deltaform/base/side.h>
+#include <deltaform/base/types.h>
+
+#include <array>
+#include <vector>
+
+namespace deltaform
+{
+  struct RefinementSettings;
+
+  /// A blank whose mesh is refined between increments.
+  class Adaptive
+  {
+  public:
+    virtual ~Adaptive() = default;
+
+    /// When to refine.
+    virtual const RefinementSettings &settings() const = 0;
+
+    /// Mark what is to be refined in the accepted state: by the settings, and every contact edge of a side that is
+    /// longer than @p longest_edges (undeformed). @return is anything marked?
+    virtual bool mark(const std::array<std::vector<double>, 2> &longest_edges) = 0;
+
+    /// Refine what is marked. @p fields are values of the unknowns: in, on the old mesh; out, on the new one (the first
+    /// is the accepted state).
+    virtual void refine(std::vector<Vector> &fields) = 0;
+
+    /// Relative error in energy as estimated by the last mark(); NaN if it was not.
+    virtual double estimated_error() const = 0;
+
+    /// Of all processes.
+    virtual unsigned int n_cells() const = 0;
+
+    /// Of every contact node after refine(): the two old ones between which it lies in the middle; twice the same: that
+    /// node itself.
+    virtual const std::vector<std::array<unsigned int, 2>> &parent_nodes(Side side) const = 0;
+  };
+} // namespace deltaform

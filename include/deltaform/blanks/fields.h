@@ -1,0 +1,39 @@
+#pragma once
+
+#include <deltaform/base/drawing.h>
+#include <deltaform/base/table.h>
+#include <deltaform/base/types.h>
+#include <deltaform/blanks/sheet_section.h>
+
+#include <vector>
+
+namespace deltaform
+{
+  /// What can be seen of the accepted state of a blank: tables, pictures, measures.
+  class Fields
+  {
+  public:
+    virtual ~Fields() = default;
+
+    /// Values along the blank, one row per node.
+    virtual Table profile(const Vector &q) const = 0;
+
+    /// Picture for ParaView; @p nodal are further values, one per entry of Blank::positions() (shell: spread over the
+    /// thickness).
+    virtual Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const = 0;
+
+    virtual double smallest_thickness() const = 0;
+
+    /// Is it a sheet, with cross-sections?
+    virtual bool is_sheet() const
+    {
+      return false;
+    }
+
+    /// Cross-sections at the nodes; empty if the blank is no sheet (a solid carries its necks itself).
+    virtual std::vector<SheetSection> sections() const
+    {
+      return {};
+    }
+  };
+} // namespace deltaform

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "material_points.h"
+#include "shell_points.h"
+#include "shell_space.h"
+#include "shell_state.h"
+#include "shell_surface.h"
+
+#include <deltaform/blanks/fields.h>
+
+namespace deltaform
+{
+  /// What can be seen of the accepted state of a shell.
+  class ShellFields : public Fields
+  {
+  public:
+    ShellFields(const ShellSpace &space,
+                const ShellPoints &points,
+                const ShellState &state,
+                const ShellSurface &surface,
+                const MaterialPoints &material)
+      : space_(space), points_(points), state_(state), surface_(surface), material_(material)
+    {
+    }
+
+    Table profile(const Vector &q) const override;
+    Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
+    double smallest_thickness() const override;
+    bool is_sheet() const override;
+    std::vector<SheetSection> sections() const override;
+
+  private:
+    /// Columns of the profile from the points, averaged at the nodes, see profile().
+    std::vector<std::vector<double>> averages() const;
+
+    /// Mean flow stress over the thickness where tools squeeze a section.
+    void add_flow_stress(std::vector<SheetSection> &sections) const;
+
+    /// The cells of a picture, by layers, with their fields.
+    void draw_cells(const Vector &q, Drawing &drawing) const;
+
+    const ShellSpace &space_;
+    const ShellPoints &points_;
+    const ShellState &state_;
+    const ShellSurface &surface_;
+    const MaterialPoints &material_;
+  };
+} // namespace deltaform

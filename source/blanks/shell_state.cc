@@ -1,0 +1,94 @@
+#include "shell_state.h"
+
+#include <algorithm>
+
+namespace deltaform
+{
+  ShellState::ShellState(const ShellSettings &settings, const ShellSpace &space, const ShellPoints &points)
+    : space_(space), points_(points), transverse_normal_stress_(settings.transverse_normal_stress),
+      strain_(static_cast<std::size_t>(points.size()) * points.n_layers(), Mandel{}),
+      thickness_ratio_(points.size(), 1.), node_thickness_(space.n_nodes(), points.thickness()),
+      node_recovery_(space.n_nodes(), 0.), third_stress_(strain_.size(), 0.)
+  {
+    for (auto &pressure : contact_pressure_)
+      pressure.assign(space.n_nodes(), 0.);
+  }
+
+
+  double ShellState::smallest_thickness() const
+  {
+    return points_.thickness() * *std::min_element(thickness_ratio_.begin(), thickness_ratio_.end());
+  }
+
+
+  void ShellState::set_contact_pressure(const Side side,
+                                        const std::vector<double> &pressure,
+                                        const std::vector<double> &areas)
+  {
+    average(pressure, areas, contact_pressure_[static_cast<unsigned int>(side)]);
+    if (transverse_normal_stress_)
+      update_third_stress();
+  }
+
+
+  void ShellState::average(const std::vector<double> &pressure,
+                           const std::vector<double> &areas,
+                           std::vector<double> &mean) const
+  {
+    // The mean stress across the thickness does not follow a pressure that varies over less than a thickness: average
+    // it over that length. On meshes coarser than the thickness this changes nothing; on finer ones the force of a
+    // single node is otherwise taken for a pressure far above the flow stress.
+    const auto &arc = space_.mesh().arc_length();
+    const double window = .5 * points_.thickness() * (1 + 1e-9);
+    for (unsigned int i = 0, first = 0, next_loaded = 0; i < mean.size(); ++i)
+    {
+      while (arc[i] - arc[first] > window)
+        ++first;
+      next_loaded = std::max(next_loaded, first);
+      while (next_loaded < mean.size() && pressure[next_loaded] == 0.)
+        ++next_loaded;
+      mean[i] = 0.;
+      if (next_loaded == mean.size() || arc[next_loaded] - arc[i] > window)
+        continue;
+      double force = 0., area = 0.;
+      for (unsigned int j = first; j < mean.size() && arc[j] - arc[i] <= window; ++j)
+      {
+        force += pressure[j] * areas[j];
+        area += areas[j];
+      }
+      if (area > 0)
+        mean[i] = force / area;
+    }
+  }
+
+
+  void ShellState::update_third_stress()
+  {
+    const auto &cells = space_.mesh().cells();
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (unsigned int p = c * points_.per_cell(); p < (c + 1) * points_.per_cell(); ++p)
+      {
+        double sum = 0.;
+        for (unsigned int a = 0; a <= space_.degree(); ++a)
+        {
+          const unsigned int node = cells[c].nodes[a];
+          sum += points_[p].shape[a] * (contact_pressure_[0][node] + contact_pressure_[1][node]);
+        }
+        for (unsigned int l = 0; l < points_.n_layers(); ++l)
+          third_stress_[p * points_.n_layers() + l] = -.5 * sum;
+      }
+  }
+
+
+  void ShellState::commit(const std::vector<Mandel> &strains, const double modulus)
+  {
+    strain_ = strains;
+    std::vector<double> thickness(thickness_ratio_);
+    for (auto &value : thickness)
+      value *= points_.thickness();
+    node_thickness_ = points_.to_nodes(thickness);
+    // The pressures are those that the transverse stress of this increment was made of.
+    for (unsigned int i = 0; i < node_recovery_.size() && transverse_normal_stress_; ++i)
+      node_recovery_[i] = .25 * node_thickness_[i] * (contact_pressure_[0][i] + contact_pressure_[1][i]) / modulus;
+  }
+} // namespace deltaform

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "material_points.h"
+#include "shell_points.h"
+
+#include <deltaform/base/side.h>
+
+#include <array>
+#include <vector>
+
+namespace deltaform
+{
+  /// What a shell remembers besides the stress and history of its layers: their strain, its thickness, and what presses
+  /// on its faces. All accepted, and constant within an increment.
+  class ShellState
+  {
+  public:
+    ShellState(const ShellSettings &settings, const ShellSpace &space, const ShellPoints &points);
+
+    /// Strain of a material point.
+    const Mandel &strain(const std::size_t point) const
+    {
+      return strain_[point];
+    }
+
+    /// Of the thickness at a quadrature point to the initial one.
+    double thickness_ratio(const std::size_t point) const
+    {
+      return thickness_ratio_[point];
+    }
+    void set_thickness_ratio(const std::size_t point, const double ratio)
+    {
+      thickness_ratio_[point] = ratio;
+    }
+
+    double smallest_thickness() const;
+
+    double node_thickness(const unsigned int node) const
+    {
+      return node_thickness_[node];
+    }
+
+    /// By how much a face of the node would spring back if nothing pressed on it: the elastic part of half the
+    /// thickness (length).
+    double node_recovery(const unsigned int node) const
+    {
+      return node_recovery_[node];
+    }
+
+    /// Mean over one thickness (stress).
+    double contact_pressure(const Side side, const unsigned int node) const
+    {
+      return contact_pressure_[static_cast<unsigned int>(side)][node];
+    }
+
+    /// See Blank::set_contact_pressure(). @p areas of the nodes
+    void set_contact_pressure(Side side, const std::vector<double> &pressure, const std::vector<double> &areas);
+
+    /// Transverse stress of material points, from @p first on.
+    const double *third_stress(const std::size_t first) const
+    {
+      return &third_stress_[first];
+    }
+
+    /// Accept the strains of the layers and the ratios that were set. @p modulus: Young's
+    void commit(const std::vector<Mandel> &strains, double modulus);
+
+    /// Every array of the state with its name.
+    template <typename State, typename Action>
+    static void each_array(State &state, const Action &action)
+    {
+      action("strain", state.strain_);
+      action("thickness ratio", state.thickness_ratio_);
+      action("thickness at nodes", state.node_thickness_);
+      action("elastic recovery at nodes", state.node_recovery_);
+      action("contact pressure, bottom", state.contact_pressure_[0]);
+      action("contact pressure, top", state.contact_pressure_[1]);
+      action("third stress", state.third_stress_);
+    }
+
+  private:
+    /// Pressure at the nodes, averaged over one thickness.
+    void average(const std::vector<double> &pressure,
+                 const std::vector<double> &areas,
+                 std::vector<double> &mean) const;
+    void update_third_stress();
+
+    const ShellSpace &space_;
+    const ShellPoints &points_;
+    bool transverse_normal_stress_;
+    std::vector<Mandel> strain_;
+    std::vector<double> thickness_ratio_; ///< of the quadrature points
+    std::vector<double> node_thickness_, node_recovery_;
+    std::array<std::vector<double>, 2> contact_pressure_; ///< bottom, top
+    std::vector<double> third_stress_; ///< of the material points
+  };
+} // namespace deltaform

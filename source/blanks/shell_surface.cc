@@ -1,0 +1,140 @@
+#include "shell_surface.h"
+
+#include <cmath>
+
+namespace deltaform
+{
+  ShellSurface::ShellSurface(Section &section,
+                             const ShellSpace &space,
+                             const ShellPoints &points,
+                             const MaterialPoints &material,
+                             const ShellState &state)
+    : space_(space), points_(points), material_(material), state_(state), angle_(space.n_nodes(), 0.),
+      weightless_(space.n_nodes(), false)
+  {
+    contact_point_ =
+      section.choice("Contact point",
+                     "normal offset",
+                     {"normal offset", "outer fibre"},
+                     "Where a node touches: half a thickness away along the tool's normal, or on the outer "
+                     "fibre along the director (the force then has a moment).") == "normal offset"
+        ? ContactPoint::normal_offset
+        : ContactPoint::outer_fibre;
+    if (space.membrane() && contact_point_ == ContactPoint::outer_fibre)
+      section.fail("Contact point", "a membrane has no director: use 'normal offset'");
+
+    // At a kink the contact director is the mean of its neighbours'; angles of one node differ by less than pi.
+    std::vector<unsigned int> count(space.n_nodes(), 0);
+    for (const auto &cell : space.mesh().cells())
+    {
+      edges_.push_back(cell.nodes);
+      for (unsigned int a = 0; a <= space.degree(); ++a)
+      {
+        angle_[cell.nodes[a]] += cell.angle[a];
+        ++count[cell.nodes[a]];
+      }
+    }
+    for (unsigned int i = 0; i < angle_.size(); ++i)
+      angle_[i] /= count[i];
+
+    const Vector undeformed(space.n_dofs());
+    const auto areas = space.areas(undeformed);
+    for (unsigned int i = 0; i < areas.size(); ++i)
+      weightless_[i] = areas[i] < 1e-9 * points.node_weight(i);
+    update(undeformed);
+  }
+
+
+  unsigned int ShellSurface::n_contact_dofs() const
+  {
+    return space_.n_dofs();
+  }
+
+
+  unsigned int ShellSurface::n_contact_nodes(Side) const
+  {
+    return space_.n_nodes();
+  }
+
+
+  double ShellSurface::modulus() const
+  {
+    return material_.law().young_modulus();
+  }
+
+
+  std::vector<double> ShellSurface::flow_stress(const Side side) const
+  {
+    const unsigned int outer = side == Side::top ? points_.n_layers() - 1 : 0;
+    std::vector<double> values(points_.size());
+    for (unsigned int p = 0; p < values.size(); ++p)
+      values[p] = material_.flow_stress(static_cast<std::size_t>(p) * points_.n_layers() + outer);
+    return points_.to_nodes(values);
+  }
+
+
+  double ShellSurface::director_angle(const Vector &q, const unsigned int node) const
+  {
+    return space_.membrane() ? space_.chord_angle(q, node) : angle_[node] + space_.rotation(q, node);
+  }
+
+
+  void ShellSurface::contact_node(const Vector &q,
+                                  const Side side,
+                                  const unsigned int node,
+                                  const ContactThickness thickness,
+                                  ContactNode &result) const
+  {
+    const double h = thickness == ContactThickness::current   ? state_.node_thickness(node)
+                     : thickness == ContactThickness::initial ? points_.thickness()
+                                                              : 0.;
+    result.node = node;
+    result.dofs = space_.dofs()[node];
+    result.x = space_.position(q, node);
+    result.area = areas_[node];
+    result.reference_coordinate = space_.mesh().nodes()[node][0];
+    result.arc_coordinate = space_.mesh().arc_length()[node];
+    result.thickness = state_.node_thickness(node);
+    result.compliance = result.area > 0 ? .5 * h / (modulus() * result.area) : 0.;
+    result.recovery = thickness == ContactThickness::current ? state_.node_recovery(node) : 0.;
+    result.jacobian[0] = Tensor1({1., 0.});
+    result.jacobian[1] = Tensor1({0., 1.});
+    if (contact_point_ == ContactPoint::normal_offset)
+    {
+      result.n_dofs = 2;
+      result.offset = .5 * h;
+      return;
+    }
+    const double theta = angle_[node] + space_.rotation(q, node);
+    const double arm = side == Side::top ? .5 * h : -.5 * h;
+    const Tensor1 d({-std::sin(theta), std::cos(theta)}), t({std::cos(theta), std::sin(theta)});
+    result.n_dofs = 3;
+    result.offset = 0.;
+    result.x += arm * d;
+    result.jacobian[2] = -arm * t;
+    result.second[2] = -arm * d;
+  }
+
+
+  const std::vector<std::array<unsigned int, 3>> &ShellSurface::contact_edges(Side) const
+  {
+    return edges_;
+  }
+
+
+  std::vector<double> ShellSurface::areas_at(const Vector &q) const
+  {
+    // The weight of a node on the axis vanishes for degree 2 in the initial configuration: it has no contact.
+    std::vector<double> result = space_.areas(q);
+    for (unsigned int i = 0; i < result.size(); ++i)
+      if (weightless_[i])
+        result[i] = 0.;
+    return result;
+  }
+
+
+  void ShellSurface::update(const Vector &q)
+  {
+    areas_ = areas_at(q);
+  }
+} // namespace deltaform

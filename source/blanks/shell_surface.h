@@ -1,0 +1,78 @@
+#pragma once
+
+#include "material_points.h"
+#include "shell_points.h"
+#include "shell_space.h"
+#include "shell_state.h"
+
+#include <deltaform/kinematics/contact_surface.h>
+
+#include <array>
+#include <vector>
+
+namespace deltaform
+{
+  /// Where the contact point of a node lies (doc/theory/contact.md).
+  enum class ContactPoint : unsigned char
+  {
+    normal_offset, ///< the node, half a thickness away from the tool along the tool's normal
+    outer_fibre ///< on the face of the blank, half a thickness along the director
+  };
+
+
+  /// Both faces of a shell as contact sees them: its nodes.
+  class ShellSurface : public ContactSurface
+  {
+  public:
+    /// Read where the contact points are.
+    ShellSurface(Section &section,
+                 const ShellSpace &space,
+                 const ShellPoints &points,
+                 const MaterialPoints &material,
+                 const ShellState &state);
+
+    unsigned int n_contact_dofs() const override;
+    unsigned int n_contact_nodes(Side side) const override;
+    double modulus() const override;
+    std::vector<double> flow_stress(Side side) const override;
+    void contact_node(const Vector &q,
+                      Side side,
+                      unsigned int node,
+                      ContactThickness thickness,
+                      ContactNode &result) const override;
+    const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
+
+    /// Angle of the director, of a membrane that of the meridian.
+    double director_angle(const Vector &q, unsigned int node) const;
+
+    /// Tributary areas of the nodes at @p q; zero for those that never have one.
+    std::vector<double> areas_at(const Vector &q) const;
+
+    /// Accepted.
+    const std::vector<double> &areas() const
+    {
+      return areas_;
+    }
+
+    /// An increment was accepted.
+    void update(const Vector &q);
+
+    /// Every array of the state with its name.
+    template <typename Surface, typename Action>
+    static void each_array(Surface &surface, const Action &action)
+    {
+      action("area of nodes", surface.areas_);
+    }
+
+  private:
+    const ShellSpace &space_;
+    const ShellPoints &points_;
+    const MaterialPoints &material_;
+    const ShellState &state_;
+    ContactPoint contact_point_;
+    std::vector<std::array<unsigned int, 3>> edges_;
+    std::vector<double> angle_; ///< of the reference tangent at the nodes, averaged at kinks
+    std::vector<bool> weightless_; ///< nodes whose tributary area vanishes: no contact
+    std::vector<double> areas_;
+  };
+} // namespace deltaform

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "solid_discretization.h"
+#include "solid_motion.h"
+#include "solid_surface.h"
+
+#include <deltaform/blanks/fields.h>
+
+namespace deltaform
+{
+  /// What can be seen of the accepted state of a solid. All processes together, each with its own cells.
+  class SolidFields : public Fields
+  {
+  public:
+    SolidFields(const SolidDiscretization &body,
+                const SolidSurface &surface,
+                const MaterialPoints &material,
+                const SolidMotion &motion)
+      : body_(body), surface_(surface), material_(material), motion_(motion)
+    {
+    }
+
+    Table profile(const Vector &q) const override;
+    Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
+    double smallest_thickness() const override;
+
+  private:
+    const SolidDiscretization &body_;
+    const SolidSurface &surface_;
+    const MaterialPoints &material_;
+    const SolidMotion &motion_;
+  };
+} // namespace deltaform

@@ -1,0 +1,127 @@
+#include "solid_surface.h"
+
+#include <deltaform/base/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace deltaform
+{
+  SolidSurface::SolidSurface(Section &section,
+                             const SolidDiscretization &body,
+                             const MaterialPoints &material,
+                             const bool moves)
+    : body_(body), material_(material), moves_(moves),
+      parts_{{section.names("Contact bottom",
+                            "bottom",
+                            "Parts of the boundary that tools with Side = bottom touch; 'bottom, end' goes around the "
+                            "corner."),
+              section.names("Contact top", "top", "Parts of the boundary that tools with Side = top touch.")}},
+      faces_{{SolidFace(body.space()), SolidFace(body.space())}}
+  {
+  }
+
+
+  void SolidSurface::set_up(const Section &section)
+  {
+    const SolidMesh &mesh = body_.space().mesh();
+    for (const auto &[entry, side] : {std::pair("Contact bottom", 0), std::pair("Contact top", 1)})
+    {
+      std::vector<std::string> there;
+      for (const auto &name : parts_[side])
+        if (body_.boundary().has(name))
+          there.push_back(name);
+        else if (section.given(entry) || mesh.is_strip())
+          section.fail(entry,
+                       "there is no boundary '" + name + "'; there are " + text::join(mesh.boundaries(), ", "));
+      parts_[side] = there;
+    }
+    for (unsigned int side = 0; side < 2; ++side)
+      faces_[side].set_up(body_.boundary(), parts_[side]);
+    shortest_edge_ = std::min(faces_[0].shortest_edge(), faces_[1].shortest_edge());
+    if (!std::isfinite(shortest_edge_))
+      shortest_edge_ = mesh.thickness();
+    for (auto &face : faces_)
+      face.set_up_areas(shortest_edge_);
+    update(Vector(n_contact_dofs()));
+  }
+
+
+  void SolidSurface::set_up()
+  {
+    for (unsigned int side = 0; side < 2; ++side)
+    {
+      faces_[side].set_up(body_.boundary(), parts_[side]);
+      faces_[side].set_up_areas(shortest_edge_);
+    }
+  }
+
+
+  void SolidSurface::update(const Vector &q)
+  {
+    const Vector none(q.size());
+    for (auto &face : faces_)
+      face.update_areas(moves_ ? q : none);
+
+    const SolidSpace &space = body_.space();
+    smallest_thickness_ = std::numeric_limits<double>::infinity();
+    for (const auto &[bottom, top] : body_.boundary().columns())
+      smallest_thickness_ = std::min(smallest_thickness_, space.position(q, top).distance(space.position(q, bottom)));
+    if (body_.boundary().columns().empty())
+    {
+      for (const auto node : faces_[1].nodes())
+        smallest_thickness_ = std::min(smallest_thickness_, faces_[0].distance(q, space.position(q, node)));
+      if (!std::isfinite(smallest_thickness_))
+        smallest_thickness_ = space.mesh().thickness();
+    }
+  }
+
+
+  unsigned int SolidSurface::n_contact_dofs() const
+  {
+    return body_.space().hanging().n_unknowns();
+  }
+
+
+  unsigned int SolidSurface::n_contact_nodes(const Side side) const
+  {
+    return faces_[static_cast<unsigned int>(side)].nodes().size();
+  }
+
+
+  double SolidSurface::modulus() const
+  {
+    return material_.law().young_modulus();
+  }
+
+
+  std::vector<double> SolidSurface::flow_stress(const Side side) const
+  {
+    std::vector<double> values(material_.size());
+    for (unsigned int p = 0; p < values.size(); ++p)
+      values[p] = material_.flow_stress(p);
+    values = body_.points().to_nodes(values);
+    std::vector<double> result;
+    for (const auto node : faces_[static_cast<unsigned int>(side)].nodes())
+      result.push_back(values[node]);
+    return result;
+  }
+
+
+  void SolidSurface::contact_node(const Vector &q,
+                                  const Side side,
+                                  const unsigned int node,
+                                  ContactThickness,
+                                  ContactNode &result) const
+  {
+    faces_[static_cast<unsigned int>(side)].contact_node(q, node, result);
+    result.thickness = shortest_edge_;
+  }
+
+
+  const std::vector<std::array<unsigned int, 3>> &SolidSurface::contact_edges(const Side side) const
+  {
+    return faces_[static_cast<unsigned int>(side)].edges();
+  }
+} // namespace deltaform

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "material_points.h"
+#include "solid_discretization.h"
+#include "solid_face.h"
+
+#include <deltaform/base/keyed_arrays.h>
+#include <deltaform/base/section.h>
+#include <deltaform/kinematics/contact_surface.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// Bottom and top of a solid as contact sees them, and what lies between them.
+  class SolidSurface : public ContactSurface
+  {
+  public:
+    /// Read which parts of the boundary tools touch. @p moves: areas are the current ones, not the initial ones
+    SolidSurface(Section &section, const SolidDiscretization &body, const MaterialPoints &material, bool moves);
+
+    /// Nodes and initial areas on the mesh as it is now. @throws SceneError if the first mesh has no such parts
+    void set_up(const Section &section);
+
+    /// The same on a refined mesh.
+    void set_up();
+
+    /// Areas and thickness of the accepted state.
+    void update(const Vector &q);
+
+    unsigned int n_contact_dofs() const override;
+    unsigned int n_contact_nodes(Side side) const override;
+    double modulus() const override;
+    std::vector<double> flow_stress(Side side) const override;
+    void contact_node(const Vector &q,
+                      Side side,
+                      unsigned int node,
+                      ContactThickness thickness,
+                      ContactNode &result) const override;
+    const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
+
+    const SolidFace &face(const unsigned int side) const
+    {
+      return faces_[side];
+    }
+
+    /// Of the mesh as read; the thickness if nothing can touch.
+    double shortest_edge() const
+    {
+      return shortest_edge_;
+    }
+
+    /// Accepted, from bottom to top; of a body without these the one that is read.
+    double smallest_thickness() const
+    {
+      return smallest_thickness_;
+    }
+
+    /// Every array of the state with its name.
+    template <typename Surface, typename Action>
+    static void each_array(Surface &surface, const Action &action)
+    {
+      action("area of nodes, bottom", surface.faces_[0].areas());
+      action("area of nodes, top", surface.faces_[1].areas());
+      action("smallest thickness", surface.smallest_thickness_);
+    }
+
+  private:
+    const SolidDiscretization &body_;
+    const MaterialPoints &material_;
+    bool moves_;
+    std::array<std::vector<std::string>, 2> parts_; ///< of the boundary: bottom, top
+    std::array<SolidFace, 2> faces_;
+    double shortest_edge_ = 0;
+    double smallest_thickness_ = 0;
+  };
+} // namespace deltaform
