@@ -2,6 +2,7 @@
 #include <deltaform/app/mpi_session.h>
 #include <deltaform/app/run.h>
 #include <deltaform/app/sweep.h>
+#include <deltaform/base/processes.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 
@@ -45,6 +46,7 @@ namespace
   {
     // Which processes a run has, and that they end together, is known only between the start and the end of MPI.
     const MpiSession mpi(argc, argv);
+    const ranks::Processes all(MPI_COMM_WORLD);
     return guarded([&]() {
       if (!ranks::first())
         std::cout.setstate(std::ios::failbit);

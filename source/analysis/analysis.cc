@@ -1,5 +1,4 @@
 #include <deltaform/analysis/analysis.h>
-#include <deltaform/analysis/conditions.h>
 #include <deltaform/base/command_line.h>
 #include <deltaform/base/text.h>
 #include <deltaform/model/accepted_increment.h>
@@ -8,6 +7,46 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    std::string solver_in_words(const Model &model)
+    {
+      const auto &solver = model.discretization().linear_solver();
+      return "linear solver: " + solver.name + (solver.automatic ? " (automatic)" : "") + ", " +
+             std::to_string(model.committed().size()) + " unknowns" +
+             (model.discretization().on_linear_path() ? ", constant stiffness: one factorization" : "");
+    }
+
+    std::string effort_in_words(const Discretization &discretization)
+    {
+      const System &system = discretization.system();
+      return std::to_string(system.n_factorizations()) + " factorizations" +
+             (discretization.on_linear_path()
+                ? ", " + std::to_string(system.n_compliances()) + " compliances of contact unknowns"
+                : "");
+    }
+
+    std::string enough_in_words(const unsigned int n_increments)
+    {
+      return std::to_string(n_increments) +
+             " increments are done (Solver/Maximal increments). To go on, allow more and --resume";
+    }
+
+    std::string in_words(const Rejected &rejected, const unsigned int increment, const Stage &stage)
+    {
+      return "in increment " + std::to_string(increment) + ": " + rejected.sentence + ". The smallest increment, " +
+             text::rounded(stage.smallest_increment) + ", was reached";
+    }
+
+    std::string does_not_find_the_blank(const std::string &tool, const Stage &stage)
+    {
+      return "stage '" + stage.name + "': tool '" + tool +
+             "' is driven by a force and does not find the blank along its Direction, so that nothing resists it. "
+             "Look at its Position, Side and Direction";
+    }
+  } // namespace
+
+
   int status_of(const Rejected &rejected)
   {
     return rejected.kind == Rejected::Kind::promise_broken ? exit_status::promise_broken : exit_status::not_converged;
@@ -17,12 +56,13 @@ namespace deltaform
   Analysis::Analysis(Actors &actors, const AnalysisSettings &settings, Journal &journal, Timers &timers)
     : actors_(actors), settings_(settings), journal_(journal), timers_(timers),
       timer_attempt_(timers.section("10 start of an increment, residual, length of steps, checks")),
-      timer_output_(timers.section("13 output")), problem_(actors, settings.linear_solver, timers),
-      newton_(problem_, problem_.system(), settings.newton, problem_.scale(), problem_.size(), timers),
-      increment_(problem_, newton_, settings.steps), conditions_(make_conditions(actors)), status_(exit_status::done)
+      timer_output_(timers.section("13 output")), model_(actors, settings.linear_solver, timers),
+      newton_(model_, model_.discretization().system(), settings.newton, model_.discretization().numbering().scale,
+              model_.discretization().numbering().size, timers),
+      increment_(model_, newton_, settings.steps), conditions_(actors), status_(exit_status::done)
   {
     if (!settings.energies)
-      problem_.forget_energy();
+      model_.forget_energy();
   }
 
 
@@ -55,27 +95,20 @@ namespace deltaform
   void Analysis::begin()
   {
     if (!resumed_)
-      state_.before = problem_.committed();
-    const auto &solver = problem_.linear_solver();
-    journal_.detail("linear solver: " + solver.name + (solver.automatic ? " (automatic)" : "") + ", " +
-                    std::to_string(problem_.committed().size()) + " unknowns" +
-                    (problem_.on_linear_path() ? ", constant stiffness: one factorization" : ""));
+      state_.before = model_.committed();
+    journal_.detail(solver_in_words(model_));
   }
 
 
   int Analysis::end()
   {
-    journal_.detail(std::to_string(problem_.system().n_factorizations()) + " factorizations" +
-                    (problem_.on_linear_path()
-                       ? ", " + std::to_string(problem_.system().n_compliances()) + " compliances of contact unknowns"
-                       : ""));
-    for (const auto &condition : conditions_)
-      warn(condition->warnings(status_ == exit_status::done));
+    journal_.detail(effort_in_words(model_.discretization()));
+    warn(conditions_.warnings(status_ == exit_status::done));
     const Timers::Scope timer(timers_, timer_output_);
     const RunOutcome outcome{
       status_, message_, warnings_, state_.n_increments, n_iterations_, std::move(state_at_stop_)};
     for (const auto &observer : observers_)
-      observer->ended(problem_, outcome);
+      observer->ended(model_, outcome);
     return status_;
   }
 
@@ -94,17 +127,15 @@ namespace deltaform
       if (!resumed_)
       {
         // The state at the end of the last stage is saved.
-        if (const std::string wrong = problem_.misplaced_tool(stage()); !wrong.empty())
+        if (const std::string wrong = model_.misplaced_tool(stage()); !wrong.empty())
           return stop("before its first increment: " + wrong, exit_status::not_converged);
-        for (const auto &tool : problem_.begin_stage(stage()))
-          warn({"stage '" + stage().name + "': tool '" + tool +
-                "' is driven by a force and does not find the blank along its Direction, so that nothing resists it. "
-                "Look at its Position, Side and Direction"});
+        for (const auto &tool : model_.begin_stage(stage()))
+          warn({does_not_find_the_blank(tool, stage())});
         if (state_.stage == 0)
         {
           const Timers::Scope timer(timers_, timer_output_);
           for (const auto &observer : observers_)
-            observer->begin(problem_, stage());
+            observer->begin(model_, stage());
         }
         state_.last_length = 0.;
         state_.step.reset();
@@ -124,11 +155,8 @@ namespace deltaform
     if (status_ != exit_status::done || !enter_stage())
       return false;
     if (state_.n_increments >= settings_.steps.max_increments)
-      return stop(std::to_string(state_.n_increments) +
-                    " increments are done (Solver/Maximal increments). To go on, allow more and --resume",
-                  exit_status::not_converged, checkpoint());
-    for (const auto &observer : observers_)
-      observer->before(problem_, state_.n_increments + 1);
+      return stop(enough_in_words(state_.n_increments), exit_status::not_converged, checkpoint());
+    announce();
     for (;;)
     {
       const double next = control_->next(time());
@@ -149,6 +177,23 @@ namespace deltaform
   }
 
 
+  void Analysis::announce()
+  {
+    std::vector<Observer *> wanting;
+    for (const auto &observer : observers_)
+    {
+      observer->before(model_, state_.n_increments + 1);
+      if (observer->wants_tangent())
+        wanting.push_back(observer.get());
+    }
+    if (!wanting.empty())
+      model_.before_contact([wanting](const System &system) {
+        for (auto *const observer : wanting)
+          observer->tangent_without_contact(system);
+      });
+  }
+
+
   IncrementResult Analysis::attempt(const double end, const Effort effort)
   {
     const Timers::Remainder rest(timers_, timer_attempt_);
@@ -164,7 +209,7 @@ namespace deltaform
   Effort Analysis::effort(const double next) const
   {
     // Cut twice, or as short as it may be: the length of the increment is not the reason.
-    if (problem_.releases_at_once() || (next - time()) * settings_.steps.shrink < stage().smallest_increment)
+    if (model_.releases_at_once() || (next - time()) * settings_.steps.shrink < stage().smallest_increment)
       return Effort::all;
     return cost_.cutbacks >= 2 || control_->leaping() ? Effort::last_resorts : Effort::usual;
   }
@@ -174,10 +219,11 @@ namespace deltaform
   {
     const double flow_error = settings_.steps.flow_error > 0. ? actors_.blank->flow_error() : 0.;
     state_.last_length = next - time();
-    state_.before = problem_.committed();
+    state_.before = model_.committed();
     for (const auto &observer : observers_)
-      observer->solved(problem_, result.q);
-    problem_.commit(result.q);
+      observer->solved(model_, result.q);
+    model_.before_contact({});
+    model_.commit(result.q);
     ++state_.n_increments;
     control_->accept(result.iterations_to_equilibrium, flow_error);
     ++state_.since_refinement;
@@ -185,13 +231,8 @@ namespace deltaform
     AcceptedIncrement increment = accepted(std::exchange(cost_, IncrementCost()));
     increment.snap_rotation = result.snap_rotation;
     increment.is_last_here = !refined;
-    std::string unusable;
-    for (const auto &condition : conditions_)
-    {
-      condition->observe(increment);
-      if (const std::string failure = condition->failure(stage()); unusable.empty())
-        unusable = failure;
-    }
+    conditions_.observe(increment);
+    const std::string unusable = conditions_.failure(stage());
     state_.step = control_->state();
     notify(increment);
     if (refined && !refine())
@@ -203,7 +244,7 @@ namespace deltaform
 
   AcceptedIncrement Analysis::accepted(const IncrementCost &cost) const
   {
-    AcceptedIncrement result(problem_, stage(), time(), state_.n_increments, cost);
+    AcceptedIncrement result(model_, stage(), time(), state_.n_increments, cost);
     result.ends_stage = control_ && control_->finished(time());
     result.checkpoint = [this]() { return checkpoint(); };
     return result;
@@ -231,20 +272,9 @@ namespace deltaform
 
   bool Analysis::give_up(const Rejected &rejected)
   {
-    const std::string cause = likely_cause();
-    problem_.discard(time());
-    return stop((cause.empty() ? "" : cause + "; ") + "in increment " + std::to_string(state_.n_increments + 1) + ": " +
-                  rejected.sentence + ". The smallest increment, " + text::rounded(stage().smallest_increment) +
-                  ", was reached",
+    model_.discard(time());
+    const std::string cause = conditions_.likely_cause();
+    return stop((cause.empty() ? "" : cause + "; ") + in_words(rejected, state_.n_increments + 1, stage()),
                 status_of(rejected), checkpoint());
-  }
-
-
-  std::string Analysis::likely_cause() const
-  {
-    for (const auto &condition : conditions_)
-      if (std::string cause = condition->likely_cause(); !cause.empty())
-        return cause;
-    return "";
   }
 } // namespace deltaform

@@ -13,17 +13,29 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    /// @throws SceneError if the stage of the state is not there, or not at its time
+    void check_fits(const State &state, const std::vector<Stage> &stages)
+    {
+      const double time = state.time();
+      if (state.stage >= stages.size() || time < stages[state.stage].begin || time > stages[state.stage].end)
+        throw SceneError("Cannot resume: the saved state at time " + text::format(time) + " is in stage number " +
+                         std::to_string(state.stage + 1) + ", which the scene now has " +
+                         (state.stage < stages.size()
+                            ? "from time " + text::format(stages[state.stage].begin) + " to " +
+                                text::format(stages[state.stage].end)
+                            : "no more") +
+                         " (Steps). Start again without --resume.");
+    }
+  } // namespace
+
+
   State Analysis::state() const
   {
     State result = state_;
-    result.model = problem_.state();
-    ByteStream bytes;
-    {
-      boost::archive::binary_oarchive archive(bytes.stream());
-      for (const auto &condition : conditions_)
-        condition->save(archive);
-    }
-    result.conditions = bytes.take();
+    result.model = model_.state();
+    result.conditions = conditions_.save();
     return result;
   }
 
@@ -31,22 +43,11 @@ namespace deltaform
   void Analysis::set_state(const State &state)
   {
     const auto &stages = actors_.stages;
-    const double time = state.time();
-    if (state.stage >= stages.size() || time < stages[state.stage].begin || time > stages[state.stage].end)
-      throw SceneError("Cannot resume: the saved state at time " + text::format(time) + " is in stage number " +
-                       std::to_string(state.stage + 1) + ", which the scene now has " +
-                       (state.stage < stages.size()
-                          ? "from time " + text::format(stages[state.stage].begin) + " to " +
-                              text::format(stages[state.stage].end)
-                          : "no more") +
-                       " (Steps). Start again without --resume.");
-    problem_.set_state(state.model, stages[state.stage]);
+    check_fits(state, stages);
+    model_.set_state(state.model, stages[state.stage]);
     state_ = state;
     state_.model = ModelState();
-    std::istringstream bytes(state.conditions);
-    boost::archive::binary_iarchive archive(bytes);
-    for (const auto &condition : conditions_)
-      condition->load(archive);
+    conditions_.load(state.conditions);
     n_iterations_ = state_.n_iterations;
     resumed_ = true;
     control_.reset();
@@ -54,6 +55,9 @@ namespace deltaform
     status_ = exit_status::done;
     message_.clear();
     state_at_stop_.reset();
+    const AcceptedIncrement last = accepted(IncrementCost());
+    for (const auto &observer : observers_)
+      observer->moved(last);
   }
 
 
@@ -66,7 +70,7 @@ namespace deltaform
     result.stage = state_.stage;
     ByteStream own, others;
     state().save(own.stream());
-    result.simulation = own.take();
+    result.state = own.take();
     {
       boost::archive::binary_oarchive archive(others.stream());
       for (const auto &observer : observers_)
@@ -80,7 +84,7 @@ namespace deltaform
   void Analysis::resume(const Checkpoint &start)
   {
     State state;
-    std::istringstream own(start.simulation);
+    std::istringstream own(start.state);
     state.load(own);
     set_state(state);
     std::istringstream others(start.observers);

@@ -1,32 +1,71 @@
 #include <deltaform/analysis/conditions.h>
+#include <deltaform/base/byte_stream.h>
 
-#include <map>
-#include <stdexcept>
+#include <sstream>
 
 namespace deltaform
 {
-  namespace
+  Conditions::Conditions(const Actors &actors)
   {
-    std::map<std::string, ConditionEntry::Maker> &makers()
-    {
-      static std::map<std::string, ConditionEntry::Maker> all;
-      return all;
-    }
-  } // namespace
-
-
-  ConditionEntry::ConditionEntry(const std::string &name, const Maker make)
-  {
-    if (!makers().emplace(name, make).second)
-      throw std::logic_error("two conditions are called '" + name + "'");
+    for (const auto &name : ConditionMakers::names())
+      all_.push_back(ConditionMakers::make(name, actors));
   }
 
 
-  std::vector<std::unique_ptr<Condition>> make_conditions(const Actors &actors)
+  void Conditions::observe(const AcceptedIncrement &increment)
   {
-    std::vector<std::unique_ptr<Condition>> result;
-    for (const auto &entry : makers())
-      result.push_back(entry.second(actors));
+    for (const auto &condition : all_)
+      condition->observe(increment);
+  }
+
+
+  std::string Conditions::failure(const Stage &stage)
+  {
+    // Each is asked: one that lets the run go on remembers what it has passed over.
+    std::string first;
+    for (const auto &condition : all_)
+      if (const std::string failure = condition->failure(stage); first.empty())
+        first = failure;
+    return first;
+  }
+
+
+  std::string Conditions::likely_cause() const
+  {
+    for (const auto &condition : all_)
+      if (std::string cause = condition->likely_cause(); !cause.empty())
+        return cause;
+    return "";
+  }
+
+
+  std::vector<std::string> Conditions::warnings(const bool done) const
+  {
+    std::vector<std::string> result;
+    for (const auto &condition : all_)
+      for (auto &warning : condition->warnings(done))
+        result.push_back(std::move(warning));
     return result;
+  }
+
+
+  std::string Conditions::save() const
+  {
+    ByteStream bytes;
+    {
+      boost::archive::binary_oarchive archive(bytes.stream());
+      for (const auto &condition : all_)
+        condition->save(archive);
+    }
+    return bytes.take();
+  }
+
+
+  void Conditions::load(const std::string &bytes)
+  {
+    std::istringstream stream(bytes);
+    boost::archive::binary_iarchive archive(stream);
+    for (const auto &condition : all_)
+      condition->load(archive);
   }
 } // namespace deltaform

@@ -28,17 +28,16 @@ namespace deltaform
     private:
       NewtonVariant variant_;
     };
+
+    template <NewtonVariant variant>
+    std::unique_ptr<Strategy> make()
+    {
+      return std::make_unique<Damped>(variant);
+    }
+
+    const StrategyMakers::Entry damped("damped", "as in a viscous medium", make<NewtonVariant::damped>);
+    const StrategyMakers::Entry with_slack("damped with slack",
+                                           "the same, and contact that carries next to nothing may be either",
+                                           make<NewtonVariant::with_slack>);
   } // namespace
-
-
-  std::unique_ptr<Strategy> make_damped_strategy()
-  {
-    return std::make_unique<Damped>(NewtonVariant::damped);
-  }
-
-
-  std::unique_ptr<Strategy> make_damped_strategy_with_slack()
-  {
-    return std::make_unique<Damped>(NewtonVariant::with_slack);
-  }
 } // namespace deltaform

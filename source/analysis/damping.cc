@@ -19,7 +19,7 @@ namespace deltaform
   }
 
 
-  bool Damping::descend(Vector &d, const std::function<void()> &assemble, const std::function<bool(double)> &solve)
+  bool Damping::descend(Vector &d, const std::function<bool()> &assemble, const std::function<bool(double)> &solve)
   {
     constexpr unsigned int most_attempts = 30;
     const double work = work_along(d);
@@ -37,7 +37,8 @@ namespace deltaform
     bool solved = false;
     for (unsigned int attempt = 0; attempt < most_attempts; ++attempt)
     {
-      assemble();
+      if (!assemble())
+        return false;
       system_.add_to_diagonal(c_, scale_);
       // With one negative eigenvalue alone the first c makes the matrix exactly singular.
       solved = solve(1e-12);

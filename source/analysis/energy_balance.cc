@@ -36,6 +36,7 @@ namespace deltaform
       double error_ = 0.; ///< of the last increment
     };
 
-    const ConditionEntry entry("energy balance", make_condition<EnergyBalance>);
+    const ConditionMakers::Entry
+      entry("energy balance", "works and energies differ at the end", make_condition<EnergyBalance>);
   } // namespace
 } // namespace deltaform

@@ -38,6 +38,7 @@ namespace deltaform
       Worst worst_;
     };
 
-    const ConditionEntry entry("force balance", make_condition<ForceBalance>);
+    const ConditionMakers::Entry
+      entry("force balance", "forces of tools, supports and loads do not balance", make_condition<ForceBalance>);
   } // namespace
 } // namespace deltaform

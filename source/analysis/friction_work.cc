@@ -40,6 +40,7 @@ namespace deltaform
       double friction_ = 0., error_ = 0., work_ = 0.; ///< of the last increment
     };
 
-    const ConditionEntry entry("friction work", make_condition<FrictionWork>);
+    const ConditionMakers::Entry
+      entry("friction work", "the work of friction is uncertain", make_condition<FrictionWork>);
   } // namespace
 } // namespace deltaform

@@ -39,14 +39,18 @@ namespace deltaform
   } // namespace
 
 
-  Ladder usual_ladder()
+  Ladder make_ladder(const std::vector<std::string> &names)
   {
     Ladder ladder;
-    ladder.push_back(make_plain_strategy());
-    ladder.push_back(make_soft_first_touch());
-    ladder.push_back(make_damped_strategy());
-    ladder.push_back(make_damped_strategy_with_slack());
+    for (const auto &name : names)
+      ladder.push_back(StrategyMakers::make(name));
     return ladder;
+  }
+
+
+  Ladder usual_ladder()
+  {
+    return make_ladder({"plain", "soft first touch", "damped", "damped with slack"});
   }
 
 
@@ -60,7 +64,7 @@ namespace deltaform
   {
     IncrementResult result;
     NewtonResult solved;
-    bool may_be_snap = false;
+    bool any = false, may_be_snap = false;
     const unsigned int linear_iterations = problem_.n_linear_iterations();
     for (const auto &strategy : ladder_)
     {
@@ -71,6 +75,7 @@ namespace deltaform
       auto q = strategy->begin(problem_, start);
       if (!q)
         continue;
+      any = true;
       result.q = std::move(*q);
       solved = newton_.solve(result.q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(),
                              problem_.force_floor(), strategy->variant());
@@ -80,6 +85,11 @@ namespace deltaform
       may_be_snap = strategy->is_last_resort();
       if (!failed(solved))
         break;
+    }
+    if (!any)
+    {
+      result.rejected = Rejected{Rejected::Kind::not_solved, "no strategy applies to this increment"};
+      return result;
     }
     result.cost.linear_iterations = problem_.n_linear_iterations() - linear_iterations;
     result.iterations_to_equilibrium = result.cost.iterations - solved.correction_iterations;

@@ -47,6 +47,7 @@ namespace deltaform
       IroningWatch watch_;
     };
 
-    const ConditionEntry entry("ironed shell", make_condition<IronedShell>);
+    const ConditionMakers::Entry
+      entry("ironed shell", "two tools iron a shell; ends the run", make_condition<IronedShell>);
   } // namespace
 } // namespace deltaform

@@ -73,14 +73,15 @@ namespace deltaform
             return ended(Outcome::converged);
           if (++result_.rounds > settings_.max_rounds)
             return ended(Outcome::not_corrected);
-          begin_round();
+          if (!begin_round())
+            return ended(Outcome::inadmissible);
         }
         // 2. Is there no hope left?
         if (is_hopeless())
           return ended(Outcome::diverged);
         // 3. The step: linear solve, downhill if that is asked for.
         if (!find_step())
-          return ended(Outcome::singular);
+          return ended(result_.status.good() ? Outcome::singular : Outcome::inadmissible);
         // 4. As far as it is admissible.
         if (!take_step())
           return ended(Outcome::inadmissible);
@@ -168,13 +169,15 @@ namespace deltaform
       return moved || residual_ <= 1e-3 * tolerance || late;
     }
 
-    void begin_round()
+    bool begin_round()
     {
       iteration_ = 0;
       has_settled_ = false;
       result_.residuals.clear();
-      assemble();
+      if (!assemble())
+        return false;
       residual_ = relative_residual();
+      return true;
     }
 
     bool is_hopeless() const
@@ -207,13 +210,12 @@ namespace deltaform
       if (!solve(0.))
       {
         // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
-        equations_.assemble(q_, true);
-        if (!solve(1e-6))
+        if (!assemble() || !solve(1e-6))
           return false;
       }
       return variant_ == NewtonVariant::plain || pending_ != 0. ||
              damping_.descend(
-               d_, [&]() { equations_.assemble(q_, true); }, [&](const double shift) { return solve(shift); });
+               d_, [&]() { return assemble(); }, [&](const double shift) { return solve(shift); });
     }
 
     /// To the start of the step plus a share of it.

@@ -22,11 +22,9 @@ namespace deltaform
         return NewtonVariant::plain;
       }
     };
+
+    const StrategyMakers::Entry entry("plain",
+                                      "Newton's method from the last increment's velocity",
+                                      []() -> std::unique_ptr<Strategy> { return std::make_unique<Plain>(); });
   } // namespace
-
-
-  std::unique_ptr<Strategy> make_plain_strategy()
-  {
-    return std::make_unique<Plain>();
-  }
 } // namespace deltaform

@@ -38,6 +38,7 @@ namespace deltaform
       Worst worst_;
     };
 
-    const ConditionEntry entry("refinement strain", make_condition<RefinementStrain>);
+    const ConditionMakers::Entry
+      entry("refinement strain", "a refinement strains the metal too far", make_condition<RefinementStrain>);
   } // namespace
 } // namespace deltaform

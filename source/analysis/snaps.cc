@@ -38,6 +38,6 @@ namespace deltaform
       Worst worst_;
     };
 
-    const ConditionEntry entry("snaps", make_condition<Snaps>);
+    const ConditionMakers::Entry entry("snaps", "the blank has snapped to another equilibrium", make_condition<Snaps>);
   } // namespace
 } // namespace deltaform

@@ -23,11 +23,9 @@ namespace deltaform
         return NewtonVariant::plain;
       }
     };
+
+    const StrategyMakers::Entry entry("soft first touch",
+                                      "first touches are soft, and stiffened after each converged solve",
+                                      []() -> std::unique_ptr<Strategy> { return std::make_unique<SoftFirstTouch>(); });
   } // namespace
-
-
-  std::unique_ptr<Strategy> make_soft_first_touch()
-  {
-    return std::make_unique<SoftFirstTouch>();
-  }
 } // namespace deltaform

@@ -43,6 +43,7 @@ namespace deltaform
       double initial_, thinnest_;
     };
 
-    const ConditionEntry entry("thin sheet", make_condition<ThinSheet>);
+    const ConditionMakers::Entry
+      entry("thin sheet", "the sheet is thinner than one that is whole", make_condition<ThinSheet>);
   } // namespace
 } // namespace deltaform

@@ -54,6 +54,7 @@ namespace deltaform
       std::string passed_over_; ///< the last neck with which the run went on
     };
 
-    const ConditionEntry entry("torn sheet", make_condition<TornSheet>);
+    const ConditionMakers::Entry
+      entry("torn sheet", "the sheet necks; ends the run, unless its stage says to go on", make_condition<TornSheet>);
   } // namespace
 } // namespace deltaform

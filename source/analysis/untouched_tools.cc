@@ -44,6 +44,7 @@ namespace deltaform
       std::vector<bool> touched_; ///< tool by tool
     };
 
-    const ConditionEntry entry("untouched tools", make_condition<UntouchedTools>);
+    const ConditionMakers::Entry
+      entry("untouched tools", "a tool has never touched the blank", make_condition<UntouchedTools>);
   } // namespace
 } // namespace deltaform

@@ -100,31 +100,34 @@ namespace deltaform
     }
 
 
-    template <typename... T>
+    template <typename Makers>
     void list(const std::string &title)
     {
       std::cout << title << '\n';
-      for (const auto &name : Registry<T...>::names())
+      for (const auto &name : Makers::names())
         std::cout << "  " << name << std::string(name.size() < 24 ? 24 - name.size() : 1, ' ')
-                  << Registry<T...>::sentence(name) << '\n';
+                  << Makers::sentence(name) << '\n';
       std::cout << '\n';
     }
 
 
     int list_everything()
     {
-      list<Blank>("Blank/Kind");
-      list<Material>("Material/Model");
-      list<Hardening>("Material/Hardening/Law");
-      list<YieldSurface>("Material/Yield surface/Law");
-      list<BackStress>("Material/Backstress/Law");
-      list<RateFactor>("Material/Rate factor/Law");
-      list<Shape>("Tools/<name>/Shape");
-      list<FrictionLaw>("Tools/<name>/Friction law");
-      list<Enforcement>("Contact/Enforcement");
-      list<PenaltyRule>("Contact/Penalty rule");
-      list<LinearMethod>("Solver/Linear solver");
-      list<Load, const Blank &>("Loads/<name>/Kind");
+      list<Registry<Blank>>("Blank/Kind");
+      list<Registry<Material>>("Material/Model");
+      list<Registry<Hardening>>("Material/Hardening/Law");
+      list<Registry<YieldSurface>>("Material/Yield surface/Law");
+      list<Registry<BackStress>>("Material/Backstress/Law");
+      list<Registry<RateFactor>>("Material/Rate factor/Law");
+      list<Registry<Shape>>("Tools/<name>/Shape");
+      list<Registry<FrictionLaw>>("Tools/<name>/Friction law");
+      list<Registry<Enforcement>>("Contact/Enforcement");
+      list<Registry<PenaltyRule>>("Contact/Penalty rule");
+      list<Registry<LinearMethod>>("Solver/Linear solver");
+      list<LoadRegistry>("Loads/<name>/Kind");
+      list<StrategyMakers>("Ways to solve an increment");
+      list<ConditionMakers>("Conditions that every run is watched for");
+      list<ObserverMakers>("Shown and written, besides history.csv");
       return exit_status::done;
     }
 

@@ -1,5 +1,6 @@
 #include "sweep_table.h"
 
+#include <deltaform/base/csv_reader.h>
 #include <deltaform/base/text.h>
 #include <deltaform/results/table_file.h>
 
@@ -22,23 +23,17 @@ namespace deltaform
     /// The numbers of a column, or nothing.
     using Columns = std::map<std::string, std::vector<double>>;
 
-    /// history.csv by columns; empty if there is none. Names of stages and tools hold no comma.
+    /// history.csv by columns; empty if there is none.
     Columns read_history(const std::string &folder)
     {
       Columns result;
-      std::vector<std::string> names;
       std::ifstream file(folder + "/history.csv");
-      for (std::string line; std::getline(file, line);)
-      {
-        if (line.empty() || line[0] == '#')
-          continue;
-        const auto cells = text::split(line, ',');
-        if (names.empty())
-          names = cells;
-        else if (cells.size() == names.size())
-          for (std::size_t i = 0; i < cells.size(); ++i)
-            result[names[i]].push_back(std::strtod(cells[i].c_str(), nullptr));
-      }
+      CsvReader reader(file);
+      const auto &names = reader.names();
+      while (const auto cells = reader.next())
+        if (cells->size() == names.size())
+          for (std::size_t i = 0; i < names.size(); ++i)
+            result[names[i]].push_back(std::strtod((*cells)[i].c_str(), nullptr));
       return result;
     }
 

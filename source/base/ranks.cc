@@ -1,3 +1,4 @@
+#include <deltaform/base/processes.h>
 #include <deltaform/base/ranks.h>
 
 #include <algorithm>
@@ -19,6 +20,16 @@ namespace deltaform::ranks
       return flag != 0;
     }
 
+    MPI_Comm &present()
+    {
+      static MPI_Comm communicator = MPI_COMM_SELF;
+      return communicator;
+    }
+
+    // Number of this process, asked for once: a thread that writes files must not call MPI.
+    constexpr int unknown = -1;
+    std::atomic<int> known_rank{unknown};
+
     double reduce(double value, MPI_Op operation)
     {
       if (count() > 1)
@@ -30,7 +41,21 @@ namespace deltaform::ranks
 
   MPI_Comm communicator()
   {
-    return MPI_COMM_WORLD;
+    return present();
+  }
+
+
+  Processes::Processes(MPI_Comm communicator)
+  {
+    present() = communicator;
+    known_rank = unknown;
+  }
+
+
+  Processes::~Processes()
+  {
+    present() = MPI_COMM_SELF;
+    known_rank = unknown;
   }
 
 
@@ -45,13 +70,11 @@ namespace deltaform::ranks
 
   unsigned int mine()
   {
-    // Asked for once: a thread that writes files must not call MPI.
-    static std::atomic<int> known{-1};
-    int rank = known;
-    if (rank < 0 && started())
+    int rank = known_rank;
+    if (rank == unknown && started())
     {
       MPI_Comm_rank(communicator(), &rank);
-      known = rank;
+      known_rank = rank;
     }
     return static_cast<unsigned int>(std::max(rank, 0));
   }

@@ -25,9 +25,9 @@ namespace boost::serialization
   }
 
   template <class Archive>
-  void serialize(Archive &archive, deltaform::Checkpoint &state, unsigned int)
+  void serialize(Archive &archive, deltaform::Checkpoint &saved, unsigned int)
   {
-    archive &state.scene &state.increment &state.time &state.stage &state.simulation &state.observers;
+    archive &saved.scene &saved.increment &saved.time &saved.stage &saved.state &saved.observers;
   }
 } // namespace boost::serialization
 

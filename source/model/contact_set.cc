@@ -1,12 +1,16 @@
+#include <deltaform/base/byte_stream.h>
 #include <deltaform/base/text.h>
 #include <deltaform/contact/contact_measures.h>
 #include <deltaform/model/contact_set.h>
 
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
 #include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace deltaform
 {
@@ -67,6 +71,62 @@ namespace deltaform
       interface->begin_stage(q, time);
     }
     return lost;
+  }
+
+
+  std::vector<double> ContactSet::travels(const Vector &q) const
+  {
+    std::vector<double> result;
+    for (const auto &interface : actors_.interfaces)
+      result.push_back(interface->tool().force_driven() ? q[interface->travel_dof()] : 0.);
+    return result;
+  }
+
+
+  void ContactSet::transfer(const std::vector<double> &travels, Vector &q)
+  {
+    for (unsigned int i = 0; i < actors_.interfaces.size(); ++i)
+    {
+      ContactInterface &interface = *actors_.interfaces[i];
+      if (interface.tool().force_driven())
+        q[interface.travel_dof()] = travels[i];
+      interface.transfer(q, actors_.blank->adaptive()->parent_nodes(interface.tool().side()));
+      interface.start_multipliers(q);
+    }
+  }
+
+
+  void ContactSet::resize()
+  {
+    for (auto &interface : actors_.interfaces)
+      interface->resize();
+  }
+
+
+  std::vector<std::string> ContactSet::save() const
+  {
+    std::vector<std::string> result;
+    for (const auto &interface : actors_.interfaces)
+    {
+      ByteStream bytes;
+      {
+        boost::archive::binary_oarchive archive(bytes.stream());
+        archive << static_cast<const ContactInterface &>(*interface);
+      }
+      result.push_back(bytes.take());
+    }
+    return result;
+  }
+
+
+  void ContactSet::load(const std::vector<std::string> &bytes)
+  {
+    for (std::size_t i = 0; i < actors_.interfaces.size(); ++i)
+    {
+      std::istringstream stream(bytes[i]);
+      boost::archive::binary_iarchive archive(stream);
+      archive >> *actors_.interfaces[i];
+    }
   }
 
 

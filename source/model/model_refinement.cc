@@ -17,17 +17,16 @@ namespace deltaform
   {
     for (auto &load : actors_.loads)
       load->renumber();
-    number_unknowns();
+    discretization_.renumber();
     supports_.renumber();
+    clear_state();
   }
 
 
   void Model::refine()
   {
     std::vector<Vector> fields{state_.unknowns, state_.hold};
-    std::vector<double> travels;
-    for (const auto &interface : actors_.interfaces)
-      travels.push_back(interface->tool().force_driven() ? state_.unknowns[interface->travel_dof()] : 0.);
+    const std::vector<double> travels = contact_.travels(state_.unknowns);
     actors_.blank->adaptive()->refine(fields);
     renumber();
     const unsigned int n_blank = actors_.blank->n_dofs();
@@ -36,14 +35,7 @@ namespace deltaform
       state_.unknowns[i] = fields[0][i];
       state_.hold[i] = fields[1][i];
     }
-    for (unsigned int p = 0; p < actors_.interfaces.size(); ++p)
-    {
-      auto &interface = *actors_.interfaces[p];
-      if (interface.tool().force_driven())
-        state_.unknowns[interface.travel_dof()] = travels[p];
-      interface.transfer(state_.unknowns, actors_.blank->adaptive()->parent_nodes(interface.tool().side()));
-      interface.start_multipliers(state_.unknowns);
-    }
+    contact_.transfer(travels, state_.unknowns);
     book_.renew_loads(state_);
   }
 } // namespace deltaform

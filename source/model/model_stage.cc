@@ -20,7 +20,8 @@ namespace deltaform
     state_.releases_at_once = state_.released.any && stage.release_at_once;
     enter_stage(stage);
     time_ = state_.time = stage.begin;
-    std::vector<std::string> lost = contact_.begin_stage(stage.begin, numbering_.size[0], state_.unknowns);
+    const double extent = discretization_.numbering().size[0];
+    std::vector<std::string> lost = contact_.begin_stage(stage.begin, extent, state_.unknowns);
     supports_.hold(state_);
     return lost;
   }
@@ -45,7 +46,7 @@ namespace deltaform
   {
     const Timers::Scope timer(timers_, timer_commit_);
     state_.time = time_;
-    book_.accept(q, *system_, state_);
+    book_.accept(q, system(), state_);
     std::for_each(terms_.rbegin(), terms_.rend(), [&](Term *term) { term->accept(q); });
     state_.unknowns = q;
     state_.releases_at_once = false;

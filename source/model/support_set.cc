@@ -5,6 +5,7 @@ namespace deltaform
   SupportSet::SupportSet(Actors &actors, const Numbering &numbering)
     : actors_(actors), numbering_(numbering)
   {
+    enter_stage("");
   }
 
 

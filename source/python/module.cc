@@ -2,6 +2,7 @@
 // deltaform/__init__.py.
 #include <deltaform/app/mpi_session.h>
 #include <deltaform/app/run_in_memory.h>
+#include <deltaform/base/processes.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/results/units.h>
@@ -25,7 +26,19 @@ using namespace deltaform;
 
 namespace
 {
-  std::unique_ptr<MpiSession> session;
+  /// MPI, and the processes that were launched together.
+  struct Session
+  {
+    Session(int argc, char **argv)
+      : mpi(argc, argv), all(MPI_COMM_WORLD)
+    {
+    }
+
+    const MpiSession mpi;
+    const ranks::Processes all;
+  };
+
+  std::unique_ptr<Session> session;
   pid_t started_in = 0; ///< the process that has started MPI
   std::mutex one_at_a_time; ///< neither MPI nor Trilinos may be used by two threads
 
@@ -36,7 +49,7 @@ namespace
     {
       static char name[] = "deltaform";
       static char *arguments[] = {name, nullptr};
-      session = std::make_unique<MpiSession>(1, arguments);
+      session = std::make_unique<Session>(1, arguments);
       started_in = getpid();
       py::module_::import("atexit").attr("register")(py::cpp_function([]() {
         if (started_in == getpid())

@@ -17,6 +17,11 @@ namespace deltaform
       {
       }
 
+      Turn turn() const override
+      {
+        return Turn::saves;
+      }
+
       void accepted(const AcceptedIncrement &increment) override
       {
         if (!increment.is_last_here)
@@ -47,11 +52,8 @@ namespace deltaform
       double interval_; ///< seconds
       double saved_at_ = 0.; ///< seconds since the start
     };
+
+    const ObserverMakers::Entry
+      entry("checkpoint", "checkpoint.bin, the state to go on from", make_observer<CheckpointObserver>);
   } // namespace
-
-
-  std::unique_ptr<Observer> make_checkpoint_observer(ResultsFolder &folder, const OutputSettings &output)
-  {
-    return std::make_unique<CheckpointObserver>(folder, output);
-  }
 } // namespace deltaform

@@ -52,18 +52,22 @@ namespace deltaform
   }
 
 
-  void ConditionReport::before(Model &model, const unsigned int number)
+  void ConditionReport::before(const Model &, const unsigned int number)
   {
     numbers_ = ConditionNumbers();
     due_ = number % every_ == 0;
-    // Another assembly at the end would not be harmless: a rule may predict in every one, and return maps start from
-    // the last one's result, so that the run would no longer be the one that was asked about.
-    if (due_)
-      model.before_contact([this](const System &system) { without_ = condition::free_matrix(system); });
   }
 
 
-  void ConditionReport::solved(Model &model, const Vector &q)
+  void ConditionReport::tangent_without_contact(const System &system)
+  {
+    // Another assembly at the end would not be harmless: a rule may predict in every one, and return maps start from
+    // the last one's result, so that the run would no longer be the one that was asked about.
+    without_ = condition::free_matrix(system);
+  }
+
+
+  void ConditionReport::solved(const Model &model, const Vector &q)
   {
     if (due_)
       numbers_ = measure(model, q);
@@ -102,12 +106,11 @@ namespace deltaform
   }
 
 
-  ConditionNumbers ConditionReport::measure(Model &problem, const Vector &q)
+  ConditionNumbers ConditionReport::measure(const Model &model, const Vector &q)
   {
     Timers::Scope timer(timers_, timer_);
-    problem.before_contact({});
     ConditionNumbers result;
-    const System &system = problem.system();
+    const System &system = model.discretization().system();
     const std::vector<int> numbers = condition::free_numbers(system);
     const condition::Matrix without = std::move(without_);
     const int n = without.rows();
@@ -119,7 +122,7 @@ namespace deltaform
     for (int i = 0; i < n; ++i)
       if (without.col(i).norm() == 0. && without.row(i).norm() == 0.)
         modes.push_back(Eigen::VectorXd::Unit(n, i));
-    for (const auto &[name, mode] : rigid_motions(problem.blank(), q, numbers, n))
+    for (const auto &[name, mode] : rigid_motions(model.blank(), q, numbers, n))
       if ((without * mode).norm() < 1e-9 * size)
       {
         modes.push_back(mode);
@@ -138,8 +141,8 @@ namespace deltaform
 
     std::vector<condition::Frame> frames;
     std::vector<bool> taken(n, false);
-    for (const auto *pair : problem.interfaces())
-      for (const auto &[r, z, normal] : pair->frames())
+    for (const auto *interface : model.interfaces())
+      for (const auto &[r, z, normal] : interface->frames())
         if (numbers[r] >= 0 && numbers[z] >= 0 && !taken[numbers[r]])
         {
           taken[numbers[r]] = true; // a node held between two tools: they agree in the normal up to its sign
@@ -150,7 +153,7 @@ namespace deltaform
     Eigen::VectorXd step(n);
     for (unsigned int i = 0; i < numbers.size(); ++i)
       if (numbers[i] >= 0)
-        step[numbers[i]] = q[i] - problem.committed()[i];
+        step[numbers[i]] = q[i] - model.committed()[i];
     result.digits_lost = condition::digits_lost(with, step);
     return result;
   }

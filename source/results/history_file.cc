@@ -1,6 +1,7 @@
 #include "history_file.h"
 
 #include <deltaform/base/atomic_file.h>
+#include <deltaform/base/csv_reader.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/scene_error.h>
 
@@ -15,23 +16,6 @@ namespace deltaform
 {
   namespace
   {
-    /// The cells of a line of CSV, without the quotes of those that have them.
-    std::vector<std::string> split_line(const std::string &line)
-    {
-      std::vector<std::string> cells(1);
-      bool quoted = false;
-      for (std::size_t i = 0; i < line.size(); ++i)
-        if (quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"')
-          cells.back() += line[++i];
-        else if (line[i] == '"')
-          quoted = !quoted;
-        else if (line[i] == ',' && !quoted)
-          cells.emplace_back();
-        else
-          cells.back() += line[i];
-      return cells;
-    }
-
     /// The stage as a word, all else as numbers. A number of ten digits is written again as it was.
     std::vector<CsvWriter::Cell> parse(const std::vector<std::string> &cells,
                                        const std::vector<CsvWriter::Column> &columns)
@@ -54,14 +38,11 @@ namespace deltaform
     std::ifstream old(ranks::first() ? path : "/dev/null");
     if (!old)
       throw SceneError("Cannot resume: '" + path + "' cannot be read: " + std::strerror(errno) + ".");
-    std::string line;
-    while (std::getline(old, line) && !line.empty() && line[0] == '#')
-    {
-    }
+    CsvReader reader(old);
     std::vector<std::string> names;
     for (const auto &column : columns)
       names.push_back(column.name);
-    if (ranks::first() && split_line(line) != names)
+    if (ranks::first() && reader.names() != names)
       throw SceneError("Cannot resume: the columns of '" + path + "' are not those of this scene.");
 
     // The new file gets the old one's name when it holds all that is kept; what follows still goes to it.
@@ -71,13 +52,12 @@ namespace deltaform
     replace_file(path,
                  [&](const std::string &draft) {
                    file.emplace(draft, comments, columns);
-                   while (std::getline(old, line) && !old.eof()) // one without its end: the run was killed in it
+                   while (const auto cells = reader.next())
                    {
-                     const auto cells = split_line(line);
-                     if (cells.size() != columns.size() ||
-                         std::strtoul(cells[0].c_str(), nullptr, 10) > last_increment)
+                     if (cells->size() != columns.size() ||
+                         std::strtoul(cells->front().c_str(), nullptr, 10) > last_increment)
                        break;
-                     file->row_of_cells(parse(cells, columns));
+                     file->row_of_cells(parse(*cells, columns));
                    }
                  });
     return std::move(*file);

@@ -3,7 +3,7 @@
 #include <deltaform/results/condition_numbers.h>
 #include <deltaform/results/observers.h>
 
-#include <functional>
+#include <algorithm>
 #include <ostream>
 #include <utility>
 
@@ -11,6 +11,12 @@ namespace deltaform
 {
   namespace
   {
+    /// What columns are named after.
+    struct Names
+    {
+      std::vector<std::string> tools, supports, loads;
+    };
+
     template <typename Named>
     std::vector<std::string> names_of(const std::vector<std::unique_ptr<Named>> &all)
     {
@@ -20,47 +26,77 @@ namespace deltaform
       return result;
     }
 
-    template <typename Named>
-    std::vector<std::string> names_of(const std::vector<Named> &all)
+    Names names_of(const Actors &actors)
     {
-      std::vector<std::string> result;
-      for (const auto &one : all)
-        result.push_back(one.name);
-      return result;
+      Names names{names_of(actors.tools), {}, names_of(actors.loads)};
+      for (const auto &support : actors.supports)
+        names.supports.push_back(support.name);
+      return names;
+    }
+
+    /// Columns that a history has together, in the order of groups().
+    struct Group
+    {
+      const char *title; ///< on the page
+      bool (*wanted)(const Model &model, const OutputSettings &output, const ConditionReport *report);
+      void (*describe)(const Names &names, const ConditionReport *report, Columns &columns);
+    };
+
+    const std::vector<Group> &groups()
+    {
+      static const auto always = [](const Model &, const OutputSettings &, const ConditionReport *) { return true; };
+      static const std::vector<Group> all = {
+        {"Every scene", always,
+         [](const Names &names, const ConditionReport *, Columns &columns) {
+           describe_increment(columns);
+           describe_tools(names.tools, columns);
+           describe_cost(columns);
+           describe_contact(columns);
+           describe_thickness(columns);
+         }},
+        {"With `Output/Condition number every`",
+         [](const Model &, const OutputSettings &, const ConditionReport *report) { return report != nullptr; },
+         [](const Names &, const ConditionReport *report, Columns &columns) {
+           ConditionReport::describe(columns, report);
+         }},
+        {"With an iterative linear solver",
+         [](const Model &model, const OutputSettings &, const ConditionReport *) {
+           return model.discretization().linear_solver().iterative();
+         },
+         [](const Names &, const ConditionReport *, Columns &columns) { describe_linear_solver(columns); }},
+        {"With refinement",
+         [](const Model &model, const OutputSettings &, const ConditionReport *) {
+           return model.blank().adaptive() != nullptr;
+         },
+         [](const Names &, const ConditionReport *, Columns &columns) { describe_mesh(columns); }},
+        {"Works and energies since the start; not with `Output/Energies = false`",
+         [](const Model &, const OutputSettings &output, const ConditionReport *) { return output.energies; },
+         [](const Names &, const ConditionReport *, Columns &columns) { describe_energies(columns); }},
+        {"Supports, loads and balance", always,
+         [](const Names &names, const ConditionReport *, Columns &columns) {
+           describe_supports(names.supports, columns);
+           describe_loads(names.loads, columns);
+           describe_balance(columns);
+         }}};
+      return all;
     }
   } // namespace
 
 
   void print_columns(std::ostream &out)
   {
-    const auto table = [&out](const std::string &title, const std::function<void(Columns &)> &describe) {
-      Columns columns;
-      describe(columns);
-      out << "\n## " << title << "\n\n| column | unit | meaning |\n|---|---|---|\n";
-      for (const auto &column : columns.columns())
-        out << "| `" << column.name << "` | " << column.dimension << " | " << column.meaning << " |\n";
-    };
     out << "# Columns of history.csv\n\n"
            "Made by `deltaform --print-columns`. What a scene does not have, or does not ask for, has no column.\n"
            "Tools, supports and loads stand with their names, underscores in place of blanks: a tool `die 2` has "
            "`die_2_force_z`.\n";
-    table("Every scene", [](Columns &columns) {
-      describe_increment(columns);
-      describe_tools({"<tool>"}, columns);
-      describe_cost(columns);
-      describe_contact(columns);
-      describe_thickness(columns);
-    });
-    table("With `Output/Condition number every`",
-          [](Columns &columns) { ConditionReport::describe(columns, nullptr); });
-    table("With an iterative linear solver", describe_linear_solver);
-    table("With refinement", describe_mesh);
-    table("Works and energies since the start; not with `Output/Energies = false`", describe_energies);
-    table("Supports, loads and balance", [](Columns &columns) {
-      describe_supports({"<support>"}, columns);
-      describe_loads({"<load>"}, columns);
-      describe_balance(columns);
-    });
+    for (const auto &group : groups())
+    {
+      Columns columns;
+      group.describe({{"<tool>"}, {"<support>"}, {"<load>"}}, nullptr, columns);
+      out << "\n## " << group.title << "\n\n| column | unit | meaning |\n|---|---|---|\n";
+      for (const auto &column : columns.columns())
+        out << "| `" << column.name << "` | " << column.dimension << " | " << column.meaning << " |\n";
+    }
   }
 
 
@@ -75,22 +111,9 @@ namespace deltaform
   Columns history_columns(const Model &model, const OutputSettings &output, const ConditionReport *const condition)
   {
     Columns columns;
-    describe_increment(columns);
-    describe_tools(names_of(model.actors().tools), columns);
-    describe_cost(columns);
-    describe_contact(columns);
-    describe_thickness(columns);
-    if (condition != nullptr)
-      ConditionReport::describe(columns, condition);
-    if (model.linear_solver().iterative())
-      describe_linear_solver(columns);
-    if (model.blank().adaptive() != nullptr)
-      describe_mesh(columns);
-    if (output.energies)
-      describe_energies(columns);
-    describe_supports(names_of(model.actors().supports), columns);
-    describe_loads(names_of(model.actors().loads), columns);
-    describe_balance(columns);
+    for (const auto &group : groups())
+      if (group.wanted(model, output, condition))
+        group.describe(names_of(model.actors()), condition, columns);
     return columns;
   }
 
@@ -104,11 +127,11 @@ namespace deltaform
     if (condition != nullptr)
       result.push_back(std::move(condition));
     result.push_back(make_history_observer(folder, std::move(columns), start));
-    result.push_back(make_progress_observer(folder, output));
-    result.push_back(make_table_observer(folder, output));
-    result.push_back(make_picture_observer(folder, output));
-    result.push_back(make_summary_observer(folder, output));
-    result.push_back(make_checkpoint_observer(folder, output));
+    for (const auto &name : ObserverMakers::names())
+      if (auto observer = ObserverMakers::make(name, folder, output))
+        result.push_back(std::move(observer));
+    std::stable_sort(result.begin(), result.end(),
+                     [](const auto &a, const auto &b) { return a->turn() < b->turn(); });
     return result;
   }
 } // namespace deltaform

@@ -33,7 +33,6 @@ namespace deltaform
                                       0,
                                       1000000,
                                       "Condition numbers of the tangent in every so many increments; 0: never.");
-
     const std::string method = section.choice(
       "Condition number by",
       "automatic",
@@ -57,28 +56,42 @@ namespace deltaform
                                          "increment. One is also saved at the end of every stage and of the run.");
 
     const double end = stages.back().end;
-    for (unsigned int i = 0; i < tools.size(); ++i)
-      if (tools[i]->name() == main || (main.empty() && main_tool == invalid_index && !tools[i]->force_driven() &&
-                                       tools[i]->travel_range(0., end).first != tools[i]->travel_range(0., end).second))
-        main_tool = i;
-
+    choose_main_tool(main, tools, end);
     if (travels.empty())
       for (const auto &stage : stages)
         travel_times.push_back(stage.end);
     else
+      find_travel_times(section, tools, end);
+    for (int i = 1; i <= frames; ++i)
+      frame_times.push_back(end * i / frames);
+  }
+
+
+  void OutputSettings::choose_main_tool(const std::string &name, const std::vector<std::unique_ptr<Tool>> &tools,
+                                        const double end)
+  {
+    const auto moves = [end](const Tool &tool) {
+      const auto range = tool.travel_range(0., end);
+      return !tool.force_driven() && range.first != range.second;
+    };
+    for (unsigned int i = 0; i < tools.size(); ++i)
+      if (tools[i]->name() == name || (name.empty() && main_tool == invalid_index && moves(*tools[i])))
+        main_tool = i;
+  }
+
+
+  void OutputSettings::find_travel_times(const Section &section, const std::vector<std::unique_ptr<Tool>> &tools,
+                                         const double end)
+  {
+    if (main_tool == invalid_index || tools[main_tool]->force_driven())
+      section.fail("Travels", "there is no tool that is moved: leave this empty");
+    for (const double travel : travels)
     {
-      if (main_tool == invalid_index || tools[main_tool]->force_driven())
-        section.fail("Travels", "there is no tool that is moved: leave this empty");
-      for (const double travel : travels)
-      {
-        const double time = tools[main_tool]->time_of_travel(travel, 0., end);
-        if (std::isnan(time))
-          section.fail("Travels", "tool '" + tools[main_tool]->name() + "' never reaches " + std::to_string(travel));
-        travel_times.push_back(time);
-      }
-      std::sort(travel_times.begin(), travel_times.end());
+      const double time = tools[main_tool]->time_of_travel(travel, 0., end);
+      if (std::isnan(time))
+        section.fail("Travels", "tool '" + tools[main_tool]->name() + "' never reaches " + std::to_string(travel));
+      travel_times.push_back(time);
     }
-    for (int i = 0; i < frames; ++i)
-      frame_times.push_back(end * (i + 1) / frames);
+    std::sort(travel_times.begin(), travel_times.end());
   }
 } // namespace deltaform

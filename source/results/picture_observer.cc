@@ -20,22 +20,22 @@ namespace deltaform
 {
   namespace
   {
-    std::vector<DrawnField> contact_fields(const Model &problem, const std::size_t n_nodes)
+    std::vector<DrawnField> contact_fields(const Model &model, const std::size_t n_nodes)
     {
       const std::vector<double> none(n_nodes, 0.);
       std::vector<DrawnField> fields{{"penalty_factor", "force/length", true, 1, none},
                                      {"penetration_over_delta", "1", true, 1, none},
                                      {"contact_pressure", "stress", true, 1, none},
                                      {"contact_status", "0 free 1 slip 2 stick", true, 1, none}};
-      for (const auto *pair : problem.interfaces())
+      for (const auto *interface : model.interfaces())
       {
-        const auto pressure = contact_pressure(*pair, problem.committed());
-        for (unsigned int i = 0; i < pair->n_nodes(); ++i)
+        const auto pressure = contact_pressure(*interface, model.committed());
+        for (unsigned int i = 0; i < interface->n_nodes(); ++i)
         {
-          const ContactPointState &state = pair->committed()[i];
+          const ContactPointState &state = interface->committed()[i];
           if (!state.touching)
             continue;
-          const unsigned int k = pair->node(problem.committed(), i).node;
+          const unsigned int k = interface->node(model.committed(), i).node;
           fields[0].values[k] = std::max(fields[0].values[k], state.penalty_factor);
           fields[1].values[k] = std::max(fields[1].values[k], state.penetration() / state.delta);
           fields[2].values[k] = std::max(fields[2].values[k], pressure[i]);
@@ -73,13 +73,13 @@ namespace deltaform
       return drawing;
     }
     /// Values at the nodes of the blank: contact, and pressures that act on it.
-    std::vector<DrawnField> nodal_fields(const Model &problem, const std::string &stage, const double time)
+    std::vector<DrawnField> nodal_fields(const Model &model, const std::string &stage, const double time)
     {
-      const Actors &actors = problem.actors();
-      const std::size_t n_nodes = actors.blank->positions(problem.committed()).size();
+      const Actors &actors = model.actors();
+      const std::size_t n_nodes = actors.blank->positions(model.committed()).size();
       std::vector<DrawnField> fields;
       if (!actors.tools.empty())
-        fields = contact_fields(problem, n_nodes);
+        fields = contact_fields(model, n_nodes);
       const auto &loads = actors.loads;
       if (std::any_of(loads.begin(), loads.end(), [](const auto &load) { return !load->pressed_face().empty(); }))
         fields.push_back({"load_pressure", "stress", true, 1, load_pressure(actors, stage, time, n_nodes)});
@@ -109,13 +109,17 @@ namespace deltaform
           write(increment.model, stage_, time_);
       }
 
-      /// Other numbers of pictures or stages that end later may be asked for now.
-      void resumed(const AcceptedIncrement &increment) override
+      void moved(const AcceptedIncrement &increment) override
       {
         time_ = increment.time;
         stage_ = increment.stage.name;
         next_frame_ = 0;
         pass_frames();
+      }
+
+      /// Other numbers of pictures or stages that end later may be asked for now: see moved().
+      void resumed(const AcceptedIncrement &) override
+      {
         series_->resume(last_picture_);
         n_pictures_ = series_->size();
       }
@@ -149,27 +153,27 @@ namespace deltaform
       }
 
       /// Blank and tools as files, and as an entry of the series.
-      void write(const Model &problem, const std::string &stage, const double time)
+      void write(const Model &model, const std::string &stage, const double time)
       {
-        const Blank &blank = problem.blank();
-        const auto &all_tools = problem.actors().tools;
+        const Blank &blank = model.blank();
+        const auto &all_tools = model.actors().tools;
         const unsigned int picture = n_pictures_++;
         std::vector<PictureSeries::Part> parts{{fmt::format("blank_{:04}.vtu", picture), "blank"}};
-        std::vector<Drawing> drawings{blank.fields().draw(problem.committed(), nodal_fields(problem, stage, time))};
+        std::vector<Drawing> drawings{blank.fields().draw(model.committed(), nodal_fields(model, stage, time))};
 
         double reach = 0.;
-        for (const auto &x : blank.positions(problem.committed()))
+        for (const auto &x : blank.positions(model.committed()))
           reach = std::max(reach, x.norm());
         // A part of its own for each tool: ParaView lists parts by name. Tools keep their number when others are
         // absent.
         for (unsigned int i = 0; i < all_tools.size(); ++i)
-          for (const auto *pair : problem.interfaces())
-            if (&pair->tool() == all_tools[i].get())
+          for (const auto *interface : model.interfaces())
+            if (&interface->tool() == all_tools[i].get())
             {
-              const auto points = pair->tool().polyline(pair->travel(problem.committed()), reach);
+              const auto points = interface->tool().polyline(interface->travel(model.committed()), reach);
               if (points.size() < 2)
                 continue;
-              parts.push_back({fmt::format("tools_{:04}_{}.vtu", picture, i), pair->tool().name()});
+              parts.push_back({fmt::format("tools_{:04}_{}.vtu", picture, i), interface->tool().name()});
               drawings.push_back(outline(points, i));
             }
         last_picture_ = time;
@@ -189,11 +193,8 @@ namespace deltaform
       unsigned int n_pictures_ = 0, next_frame_ = 0;
       double last_picture_ = -1.; ///< its time
     };
+
+    const ObserverMakers::Entry
+      entry("pictures", "blank_*.vtu, tools_*.vtu and scene.pvd", make_observer<PictureObserver>);
   } // namespace
-
-
-  std::unique_ptr<Observer> make_picture_observer(ResultsFolder &folder, const OutputSettings &output)
-  {
-    return std::make_unique<PictureObserver>(folder, output);
-  }
 } // namespace deltaform

@@ -36,7 +36,7 @@ namespace deltaform
                               model.travel(main),
                               model.tool_forces()[main][1]);
         line += fmt::format("  iterations {}", iterations_);
-        if (model.keeps_promise())
+        if (model.actors().keeps_promise())
           line += fmt::format("  p/delta <= {:.3f}", worst_);
         const double end = model.actors().stages.back().end, spent = folder_.timers().total();
         line += fmt::format("  left {:.1f} s", spent * (end - increment.time) / std::max(increment.time, 1e-300));
@@ -59,11 +59,8 @@ namespace deltaform
       unsigned int iterations_ = 0;
       double worst_ = 0.; ///< p/delta
     };
+
+    const ObserverMakers::Entry
+      entry("progress", "a line on the console", make_observer<ProgressObserver>);
   } // namespace
-
-
-  std::unique_ptr<Observer> make_progress_observer(ResultsFolder &folder, const OutputSettings &output)
-  {
-    return std::make_unique<ProgressObserver>(folder, output);
-  }
 } // namespace deltaform

@@ -31,11 +31,11 @@ namespace deltaform
           record_.snapshots.push_back(take_snapshot(increment.model, output_, stage_, time_));
       }
 
-      void resumed(const AcceptedIncrement &increment) override
+      void moved(const AcceptedIncrement &increment) override
       {
         time_ = increment.time;
         stage_ = increment.stage.name;
-        summary_.resumed(increment);
+        summary_.moved(increment);
       }
 
       void ended(const Model &model, const RunOutcome &outcome) override

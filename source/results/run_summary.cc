@@ -35,7 +35,7 @@ namespace deltaform
   }
 
 
-  void RunSummary::resumed(const AcceptedIncrement &increment)
+  void RunSummary::moved(const AcceptedIncrement &increment)
   {
     if (increment.number > 0)
       remember(increment);
@@ -99,7 +99,7 @@ namespace deltaform
                         outcome.increments,
                         outcome.iterations,
                         seconds);
-    if (model.keeps_promise())
+    if (model.actors().keeps_promise())
       line += fmt::format("; max p/delta {:.3f}", promise_);
     return line;
   }

@@ -21,7 +21,7 @@ namespace deltaform
     }
 
     void accepted(const AcceptedIncrement &increment);
-    void resumed(const AcceptedIncrement &increment);
+    void moved(const AcceptedIncrement &increment);
 
     /// Title and label of the units stand in it, and the seconds that the run took. Numbers that are not finite become
     /// null, bytes that are no UTF-8 a question mark.

@@ -8,7 +8,7 @@ namespace deltaform
 {
   namespace
   {
-    MixedTable contact_of(const Model &problem)
+    MixedTable contact_of(const Model &model)
     {
       MixedTable table;
       table.columns = {{"tool", "1"},
@@ -22,14 +22,14 @@ namespace deltaform
                        {"tangential_force", "force"},
                        {"status", "1"},
                        {"S0", "length"}};
-      for (const auto *pair : problem.interfaces())
-        for (unsigned int i = 0; i < pair->n_nodes(); ++i)
+      for (const auto *interface : model.interfaces())
+        for (unsigned int i = 0; i < interface->n_nodes(); ++i)
         {
-          const ContactPointState &state = pair->committed()[i];
+          const ContactPointState &state = interface->committed()[i];
           if (!state.touching)
             continue;
-          const ContactNode node = pair->node(problem.committed(), i);
-          table.rows.push_back({pair->tool().name(),
+          const ContactNode node = interface->node(model.committed(), i);
+          table.rows.push_back({interface->tool().name(),
                                 node.reference_coordinate,
                                 state.penetration(),
                                 state.delta,
@@ -38,24 +38,24 @@ namespace deltaform
                                 node.area > 0 ? state.force / node.area : 0.,
                                 state.slip,
                                 state.tangential_force,
-                                std::string(pair->friction() == nullptr ? "frictionless"
-                                            : state.sticking            ? "stick"
-                                                                        : "slip"),
+                                std::string(interface->friction() == nullptr ? "frictionless"
+                                            : state.sticking                 ? "stick"
+                                                                             : "slip"),
                                 node.arc_coordinate});
         }
       return table;
     }
 
-    MixedTable outlines_of(const Model &problem)
+    MixedTable outlines_of(const Model &model)
     {
       double reach = 0.;
-      for (const auto &x : problem.blank().positions(problem.committed()))
+      for (const auto &x : model.blank().positions(model.committed()))
         reach = std::max(reach, x.norm());
       MixedTable table;
       table.columns = {{"tool", "1"}, {"r", "length"}, {"z", "length"}};
-      for (const auto *pair : problem.interfaces())
-        for (const auto &x : pair->tool().polyline(pair->travel(problem.committed()), reach))
-          table.rows.push_back({pair->tool().name(), x[0], x[1]});
+      for (const auto *interface : model.interfaces())
+        for (const auto &x : interface->tool().polyline(interface->travel(model.committed()), reach))
+          table.rows.push_back({interface->tool().name(), x[0], x[1]});
       return table;
     }
   } // namespace

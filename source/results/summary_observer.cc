@@ -18,14 +18,19 @@ namespace deltaform
       {
       }
 
+      Turn turn() const override
+      {
+        return Turn::sums_up;
+      }
+
       void accepted(const AcceptedIncrement &increment) override
       {
         summary_.accepted(increment);
       }
 
-      void resumed(const AcceptedIncrement &increment) override
+      void moved(const AcceptedIncrement &increment) override
       {
-        summary_.resumed(increment);
+        summary_.moved(increment);
       }
 
       void ended(const Model &model, const RunOutcome &outcome) override
@@ -55,11 +60,8 @@ namespace deltaform
       ResultsFolder &folder_;
       RunSummary summary_;
     };
+
+    const ObserverMakers::Entry
+      entry("summary", "summary.json and timing.json", make_observer<SummaryObserver>);
   } // namespace
-
-
-  std::unique_ptr<Observer> make_summary_observer(ResultsFolder &folder, const OutputSettings &output)
-  {
-    return std::make_unique<SummaryObserver>(folder, output);
-  }
 } // namespace deltaform

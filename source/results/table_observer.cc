@@ -35,7 +35,7 @@ namespace deltaform
           write(increment.model);
       }
 
-      void resumed(const AcceptedIncrement &increment) override
+      void moved(const AcceptedIncrement &increment) override
       {
         time_ = increment.time;
         stage_ = increment.stage.name;
@@ -59,9 +59,9 @@ namespace deltaform
       }
 
     private:
-      void write(const Model &problem)
+      void write(const Model &model)
       {
-        const Snapshot now = take_snapshot(problem, output_, stage_, time_);
+        const Snapshot now = take_snapshot(model, output_, stage_, time_);
         // A stage in which the main tool rests must not overwrite the tables of the one before.
         std::string label = text::format(std::round(now.travel * 1e6) / 1e6);
         if (!labels_.insert(label).second)
@@ -70,7 +70,7 @@ namespace deltaform
         head.push_back("stage " + stage_ + ", travel of the main tool (or time): " + text::format(now.travel));
         folder_.behind().run([path = folder_.path("profile_" + label + ".csv"), profile = now.profile, head,
                               units = folder_.units()]() { write_table(path, head, profile, units); });
-        if (problem.actors().tools.empty())
+        if (model.actors().tools.empty())
           return;
         folder_.behind().run([contact_path = folder_.path("contact_" + label + ".csv"), contact = now.contact,
                               tools_path = folder_.path("tools_" + label + ".csv"), tools = now.outlines, head,
@@ -86,11 +86,8 @@ namespace deltaform
       std::string stage_;
       std::set<std::string> labels_; ///< of the tables written so far
     };
+
+    const ObserverMakers::Entry
+      entry("tables", "profile_*.csv, contact_*.csv and tools_*.csv", make_observer<TableObserver>);
   } // namespace
-
-
-  std::unique_ptr<Observer> make_table_observer(ResultsFolder &folder, const OutputSettings &output)
-  {
-    return std::make_unique<TableObserver>(folder, output);
-  }
 } // namespace deltaform

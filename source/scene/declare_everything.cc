@@ -13,13 +13,13 @@ namespace deltaform
 {
   namespace
   {
-    template <typename T>
-    void declare_each(Section section, const std::string &entry)
+    template <typename T, typename... Args>
+    void declare_each(Section section, const std::string &entry, Args &...args)
     {
-      for (const auto &name : Registry<T>::names())
+      for (const auto &name : Registry<T, Args &...>::names())
       {
         Section own = section.sub(entry + ": " + name);
-        Registry<T>::make(name, own);
+        Registry<T, Args &...>::make(name, own, args...);
       }
     }
   } // namespace
@@ -27,52 +27,20 @@ namespace deltaform
 
   void declare_everything(ParameterTree &tree)
   {
-    Section root = tree.root();
-    root.text("Title", Default<std::string>("a deltaform scene"), "What this scene is.");
-    read_units_label(root);
-    Section blank_section = root.sub("Blank");
-    auto blank = Registry<Blank>::choose(blank_section, "Kind", "shell", "How the blank is modelled.");
-    declare_each<Blank>(blank_section, "Kind");
-    declare_each<Material>(root.sub("Material"), "Model");
-    declare_each<Hardening>(root.sub("Material").sub("Hardening"), "Law");
-    declare_each<YieldSurface>(root.sub("Material").sub("Yield surface"), "Law");
-    declare_each<BackStress>(root.sub("Material").sub("Backstress"), "Law");
-    declare_each<RateFactor>(root.sub("Material").sub("Rate factor"), "Law");
-    declare_each<Softening>(root.sub("Material").sub("Heat"), "Softening");
-
-    const std::map<std::string, double> constants{{"thickness", blank->initial_thickness()}};
-    Section contact_section = root.sub("Contact");
-    const ContactSettings contact(contact_section, constants);
-    declare_each<Enforcement>(contact_section, "Enforcement");
-    declare_each<PenaltyRule>(contact_section, "Penalty rule");
-
-    std::vector<std::unique_ptr<Tool>> tools;
-    Section tools_section = root.sub("Tools");
-    tools_section.names("Names", "", "Names of the tools, one subsection each.");
-    Section tool_section = tools_section.sub("<name>");
-    tools.push_back(std::make_unique<Tool>("<name>", tool_section, constants, constants));
-    const ContactInterface pair(blank->surface(), *tools.front(), contact, tool_section);
-    declare_each<Shape>(tool_section, "Shape");
-    declare_each<FrictionLaw>(tool_section, "Friction law");
-
-    root.sub("Supports").names("Names", "", "Prescribed displacements, one subsection each.");
-    const Support support("<name>", root.sub("Supports").sub("<name>"), *blank);
-    root.sub("Loads").names("Names", "", "Loads, one subsection each.");
-    Section load_section = root.sub("Loads").sub("<name>");
-    LoadRegistry::choose(load_section, "Kind", "pressure", "What kind of load it is.", *blank);
-    for (const auto &name : LoadRegistry::names())
-    {
-      Section own = load_section.sub("Kind: " + name);
-      LoadRegistry::make(name, own, *blank);
-    }
-
-    Section steps_section = root.sub("Steps");
-    const auto stages = read_stages(steps_section);
-    Section solver = root.sub("Solver");
-    const NewtonSettings newton(solver);
-    const StepSettings steps(solver);
-    const LinearSolverSettings linear(solver);
-    Section output_section = root.sub("Output");
-    const OutputSettings output(output_section, tools, stages);
+    const Scene scene(tree);
+    const Blank &blank = *scene.actors.blank;
+    const Section root = tree.root(), material = root.sub("Material"), contact = root.sub("Contact");
+    declare_each<Blank>(root.sub("Blank"), "Kind");
+    declare_each<Material>(material, "Model");
+    declare_each<Hardening>(material.sub("Hardening"), "Law");
+    declare_each<YieldSurface>(material.sub("Yield surface"), "Law");
+    declare_each<BackStress>(material.sub("Backstress"), "Law");
+    declare_each<RateFactor>(material.sub("Rate factor"), "Law");
+    declare_each<Softening>(material.sub("Heat"), "Softening");
+    declare_each<Enforcement>(contact, "Enforcement");
+    declare_each<PenaltyRule>(contact, "Penalty rule");
+    declare_each<Shape>(root.sub("Tools").sub("<name>"), "Shape");
+    declare_each<FrictionLaw>(root.sub("Tools").sub("<name>"), "Friction law");
+    declare_each<Load>(root.sub("Loads").sub("<name>"), "Kind", blank);
   }
 } // namespace deltaform

@@ -69,9 +69,9 @@ namespace deltaform
 
     void doubtful_friction(const Actors &actors, Texts &result)
     {
-      for (const auto &pair : actors.interfaces)
-        if (pair->friction() && !pair->friction()->doubt().empty())
-          result.push_back("Tools/" + pair->tool().name() + "/" + pair->friction()->doubt());
+      for (const auto &interface : actors.interfaces)
+        if (interface->friction() && !interface->friction()->doubt().empty())
+          result.push_back("Tools/" + interface->tool().name() + "/" + interface->friction()->doubt());
     }
 
 

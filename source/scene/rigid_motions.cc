@@ -105,18 +105,18 @@ namespace deltaform
     };
 
     /// Nodes that lie on the tool at the start of the stage, or the one that is nearest to it.
-    void add_contact(const ContactInterface &pair,
+    void add_contact(const ContactInterface &interface,
                      const double time,
                      const unsigned int travel,
                      const Vector &zero,
                      Conditions &conditions)
     {
-      const Tool &tool = pair.tool();
+      const Tool &tool = interface.tool();
       const double way = tool.force_driven() ? 0. : tool.travel(time);
-      const double nearest = pair.projector().closest(zero, way).second;
-      for (unsigned int i = 0; i < pair.n_nodes(); ++i)
+      const double nearest = interface.projector().closest(zero, way).second;
+      for (unsigned int i = 0; i < interface.n_nodes(); ++i)
       {
-        const ContactNode node = pair.node(zero, i);
+        const ContactNode node = interface.node(zero, i);
         const Projection projection = tool.project(node.x, way);
         if (node.area > 0 && projection.distance - node.offset <= nearest + 1e-6 * node.thickness)
           conditions.touch(node.x, projection.normal, travel, tool.direction());
@@ -145,11 +145,11 @@ namespace deltaform
         for (const auto dof : support.dofs)
           conditions.hold(dof, actors.blank->dof_scale(dof));
     unsigned int travel = 0;
-    for (const auto &pair : actors.interfaces)
+    for (const auto &interface : actors.interfaces)
     {
-      const bool by_force = pair->tool().force_driven();
-      if (pair->tool().exists_in(stage.name))
-        add_contact(*pair, stage.begin, by_force ? travel : invalid_index, zero, conditions);
+      const bool by_force = interface->tool().force_driven();
+      if (interface->tool().exists_in(stage.name))
+        add_contact(*interface, stage.begin, by_force ? travel : invalid_index, zero, conditions);
       travel += by_force;
     }
 

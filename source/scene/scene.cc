@@ -5,6 +5,17 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    /// Names of subsections; the documentation has one of each kind.
+    std::vector<std::string> named(Section section, const std::string &sentence)
+    {
+      const auto names = section.names("Names", "", sentence);
+      return section.documentation() ? std::vector<std::string>{"<name>"} : names;
+    }
+  } // namespace
+
+
   Scene::Scene(ParameterTree &parameters)
     : tree(parameters)
   {
@@ -16,13 +27,9 @@ namespace deltaform
     actors.blank = Registry<Blank>::choose(blank, "Kind", "shell", "How the blank is modelled.");
     build_tools(root);
 
-    const auto named = [&](const std::string &what, const std::string &sentence) {
-      Section section = root.sub(what);
-      return section.names("Names", "", sentence);
-    };
-    for (const auto &name : named("Supports", "Prescribed displacements, one subsection each."))
+    for (const auto &name : named(root.sub("Supports"), "Prescribed displacements, one subsection each."))
       actors.supports.emplace_back(name, root.sub("Supports").sub(name), *actors.blank);
-    for (const auto &name : named("Loads", "Loads, one subsection each."))
+    for (const auto &name : named(root.sub("Loads"), "Loads, one subsection each."))
     {
       Section own = root.sub("Loads").sub(name);
       actors.loads.push_back(LoadRegistry::choose(own, "Kind", "pressure", "What kind of load it is.", *actors.blank));
@@ -39,6 +46,8 @@ namespace deltaform
     Section output_section = root.sub("Output");
     output = std::make_unique<OutputSettings>(output_section, actors.tools, actors.stages);
 
+    if (root.documentation())
+      return;
     tree.check_unused();
     check(root);
   }
@@ -54,7 +63,7 @@ namespace deltaform
   void Scene::build_tools(Section root)
   {
     Section section = root.sub("Tools");
-    const auto names = section.names("Names", "", "Names of the tools, one subsection each.");
+    const auto names = named(section, "Names of the tools, one subsection each.");
     if (names.empty())
     {
       for (const auto *const entry : {"Penalty rule", "Enforcement", "Allowed penetration", "Penalty factor"})

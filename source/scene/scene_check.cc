@@ -30,10 +30,10 @@ namespace deltaform
     at_elastic_surface.normal_force = at_elastic_surface.area = 1.;
     if (std::isfinite(actors.blank->initial_flow_stress()))
       return;
-    for (const auto &pair : actors.interfaces)
-      if (pair->friction() && !std::isfinite(pair->friction()->limit(at_elastic_surface).value))
+    for (const auto &interface : actors.interfaces)
+      if (interface->friction() && !std::isfinite(interface->friction()->limit(at_elastic_surface).value))
         root.sub("Tools")
-          .sub(pair->tool().name())
+          .sub(interface->tool().name())
           .fail("Friction law",
                 "is bounded by the flow stress of the blank alone, and an elastic material has none: take coulomb, or "
                 "Material/Model = elastoplastic");

@@ -7,6 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <sstream>
 
 using namespace deltaform;
@@ -60,17 +61,21 @@ namespace
     {
       log += "begin ";
     }
-    void before(Model &, unsigned int) override
+    void before(const Model &, unsigned int) override
     {
       log += "before ";
     }
-    void solved(Model &, const Vector &) override
+    void solved(const Model &, const Vector &) override
     {
       log += "solved ";
     }
     void accepted(const AcceptedIncrement &increment) override
     {
       log += std::to_string(increment.number) + (increment.ends_stage ? " end " : " ");
+    }
+    void moved(const AcceptedIncrement &increment) override
+    {
+      log += "moved to " + std::to_string(increment.number) + " ";
     }
     void ended(const Model &, const RunOutcome &outcome) override
     {
@@ -174,6 +179,38 @@ BOOST_AUTO_TEST_CASE(observers_are_told_in_their_order)
   run.analysis.run();
   BOOST_TEST(log.rfind("begin before solved 1 before solved 2 ", 0) == 0u, log);
   BOOST_TEST(log.find(" end status 0") != std::string::npos, log);
+}
+
+BOOST_AUTO_TEST_CASE(observers_hear_that_the_run_has_gone_back)
+{
+  Run run;
+  std::string log;
+  run.analysis.add(std::make_unique<Counter>(log));
+  run.analysis.begin();
+  run.analysis.advance();
+  const State first = run.analysis.state();
+  run.analysis.advance();
+  run.analysis.set_state(first);
+  run.analysis.advance();
+  BOOST_TEST(log == "begin before solved 1 before solved 2 moved to 1 before solved 2 ");
+}
+
+BOOST_AUTO_TEST_CASE(a_tool_that_does_not_find_the_blank_is_named)
+{
+  // The punch is driven by a force and begins away from the blank: downwards it finds it, sideways it passes.
+  for (const bool sideways : {false, true})
+  {
+    auto all = entries;
+    all.erase(std::find(all.begin(), all.end(), "Tools/punch/Motion=.05*t"));
+    all.insert(all.end(), {"Tools/punch/Force=t", "Tools/punch/Position z=2"});
+    all.emplace_back(std::string("Tools/punch/Direction=") + (sideways ? "1 0" : "0 -1"));
+    ParameterTree tree = ParameterTree::parse("", "test", all);
+    Scene scene(tree);
+    Timers timers;
+    Model model(scene.actors, *scene.linear_solver, timers);
+    const auto lost = model.begin_stage(scene.actors.stages.front());
+    BOOST_TEST((lost == (sideways ? std::vector<std::string>{"punch"} : std::vector<std::string>())));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_cannot_go_on_says_why)

@@ -44,23 +44,18 @@ namespace
                                    "Tools/plate/Shape=plate", "Tools/plate/Side=bottom", "Tools/plate/Position z=-1.6",
                                    "Tools/plate/Motion=t"})),
         scene(tree), model(scene.actors, *scene.linear_solver, timers), increment(model),
-        conditions(make_conditions(scene.actors))
+        conditions(scene.actors)
     {
     }
 
     void observe()
     {
-      for (const auto &condition : conditions)
-        condition->observe(increment);
+      conditions.observe(increment);
     }
 
     std::vector<std::string> said(const bool done = false) const
     {
-      std::vector<std::string> result;
-      for (const auto &condition : conditions)
-        for (const auto &text : condition->warnings(done))
-          result.push_back(text);
-      return result;
+      return conditions.warnings(done);
     }
 
     /// Warnings after the increment.
@@ -75,7 +70,7 @@ namespace
     Scene scene;
     Model model;
     Told increment;
-    std::vector<std::unique_ptr<Condition>> conditions;
+    Conditions conditions;
   };
 
   bool one_has(const std::vector<std::string> &texts, const std::string &part)
@@ -94,11 +89,8 @@ BOOST_AUTO_TEST_CASE(a_sound_increment_says_nothing)
   fixture.increment.balance_error_ = 9e-4;
   fixture.increment.smallest_thickness_ = 1.01;
   BOOST_TEST(fixture.warnings().empty());
-  for (const auto &condition : fixture.conditions)
-  {
-    BOOST_TEST(condition->failure(fixture.scene.actors.stages.front()).empty());
-    BOOST_TEST(condition->likely_cause().empty());
-  }
+  BOOST_TEST(fixture.conditions.failure(fixture.scene.actors.stages.front()).empty());
+  BOOST_TEST(fixture.conditions.likely_cause().empty());
 }
 
 BOOST_AUTO_TEST_CASE(energies_count_at_the_end_only)
@@ -179,10 +171,7 @@ BOOST_AUTO_TEST_CASE(an_ironed_shell_ends_the_run_after_two_increments)
   section.squeeze = 250.;
   fixture.increment.sections_ = std::vector<SheetSection>{section};
   const auto failures = [&]() {
-    std::string all;
-    for (const auto &condition : fixture.conditions)
-      all += condition->failure(fixture.increment.stage);
-    return all;
+    return fixture.conditions.failure(fixture.increment.stage);
   };
   fixture.observe();
   BOOST_TEST(failures().empty());
@@ -194,7 +183,7 @@ BOOST_AUTO_TEST_CASE(an_ironed_shell_ends_the_run_after_two_increments)
 BOOST_AUTO_TEST_CASE(a_name_is_taken_once)
 {
   const auto again = [](const Actors &) { return std::unique_ptr<Condition>(); };
-  BOOST_CHECK_THROW(ConditionEntry("snaps", again), std::logic_error);
+  BOOST_CHECK_THROW(ConditionMakers::Entry("snaps", "again", again), std::logic_error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -183,6 +183,19 @@ BOOST_AUTO_TEST_CASE(the_plain_strategy_is_enough_for_most)
   BOOST_TEST(fixture.problem.q[0] == 0.);
 }
 
+BOOST_AUTO_TEST_CASE(a_ladder_is_a_list_of_names)
+{
+  BOOST_TEST(usual_ladder().size() == 4u);
+  BOOST_CHECK_THROW(make_ladder({"plain", "wishful thinking"}), std::out_of_range);
+  // Nothing can touch: the only strategy is none for this problem.
+  Fixture fixture;
+  Increment soft(fixture.problem, fixture.newton, fixture.steps, make_ladder({"soft first touch"}));
+  const auto result = soft.attempt({.1, 0., true, fixture.before}, .1, Effort::usual);
+  BOOST_REQUIRE(result.rejected.has_value());
+  BOOST_TEST((result.rejected->kind == Rejected::Kind::not_solved));
+  BOOST_TEST(result.rejected->sentence == "no strategy applies to this increment");
+}
+
 BOOST_AUTO_TEST_CASE(it_starts_from_the_last_velocity)
 {
   Fixture fixture;

@@ -242,6 +242,28 @@ BOOST_AUTO_TEST_CASE(failures_are_told_apart)
   BOOST_TEST(!wrong.solve(0.).converged());
 }
 
+BOOST_AUTO_TEST_CASE(what_cannot_be_assembled_again_is_said)
+{
+  // The correction makes the state that was found impossible.
+  Scalar corrected = stiffening(10.);
+  corrected.n_corrections = 1;
+  corrected.allowed = [&](double) { return corrected.n_corrections > 0; };
+  const NewtonResult first = corrected.solve(0.);
+  BOOST_TEST((first.outcome == Outcome::inadmissible));
+  BOOST_TEST(first.rounds == 1u);
+  BOOST_TEST(std::string(first.status.cause) == "not allowed");
+  // So is the second assembly, which damping (an uphill step) or a singular matrix asks for.
+  for (const bool singular : {false, true})
+  {
+    Scalar problem([](double) { return 0.; }, [=](double) { return singular ? 0. : -1.; }, 1.);
+    unsigned int n = 0;
+    problem.allowed = [&](double) { return ++n == 1; };
+    const NewtonResult second = problem.solve(0., {}, 0., NewtonVariant::damped);
+    BOOST_TEST((second.outcome == Outcome::inadmissible));
+    BOOST_TEST(n == 2u);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(creeping_is_given_up)
 {
   // Steps of which not a hundredth is admissible, far from equilibrium: not the twenty that are allowed are made.

@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(the_history_has_a_row_per_increment)
 BOOST_AUTO_TEST_CASE(tables_are_written_where_the_scene_asks)
 {
   Run run;
-  run.with(make_table_observer(run.results, *run.scene.output));
+  run.with(ObserverMakers::make("tables", run.results, *run.scene.output));
   BOOST_TEST((run.files() == std::set<std::string>{"profile_0.025.csv", "contact_0.025.csv", "tools_0.025.csv",
                                                    "profile_0.05.csv", "contact_0.05.csv", "tools_0.05.csv"}));
   BOOST_TEST(content_of(run.results.path("contact_0.05.csv")).find("punch,") != std::string::npos);
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(tables_are_written_where_the_scene_asks)
 BOOST_AUTO_TEST_CASE(pictures_are_listed_in_their_series)
 {
   Run run;
-  run.with(make_picture_observer(run.results, *run.scene.output));
+  run.with(ObserverMakers::make("pictures", run.results, *run.scene.output));
   unsigned int n_blanks = 0;
   for (const auto &file : run.files())
     n_blanks += file.rfind("blank_", 0) == 0;
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(pictures_are_listed_in_their_series)
 BOOST_AUTO_TEST_CASE(progress_is_shown_and_not_written)
 {
   Run run;
-  run.with(make_progress_observer(run.results, *run.scene.output));
+  run.with(ObserverMakers::make("progress", run.results, *run.scene.output));
   BOOST_TEST(run.files().empty());
   BOOST_TEST(run.said.str().find("punch: travel 0.05, force ") != std::string::npos);
 }
@@ -152,14 +152,14 @@ BOOST_AUTO_TEST_CASE(progress_is_shown_and_not_written)
 BOOST_AUTO_TEST_CASE(the_summary_says_how_it_ended)
 {
   Run run;
-  run.with(make_summary_observer(run.results, *run.scene.output));
+  run.with(ObserverMakers::make("summary", run.results, *run.scene.output));
   BOOST_TEST((run.files() == std::set<std::string>{"summary.json", "timing.json"}));
   BOOST_TEST(earlier_exit_status(run.results.name()).value_or(-1) == exit_status::done);
   const std::string text = content_of(run.results.path("summary.json"));
   check_contains(text, {"\"title\": \"strip\"", "\"increments\": 10", "\"punch\"", "\"energy_error\""});
 
   Run stopped({"Solver/Maximal increments=3"});
-  BOOST_TEST(stopped.with(make_summary_observer(stopped.results, *stopped.scene.output)) ==
+  BOOST_TEST(stopped.with(ObserverMakers::make("summary", stopped.results, *stopped.scene.output)) ==
              exit_status::not_converged);
   check_contains(content_of(stopped.results.path("summary.json")),
                  {"\"exit_status\": 2", "3 increments are done", "\"increments\": 3"});
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(the_summary_says_how_it_ended)
 BOOST_AUTO_TEST_CASE(a_saved_state_can_be_read)
 {
   Run run({"Solver/Maximal increments=3"});
-  run.with(make_checkpoint_observer(run.results, *run.scene.output));
+  run.with(ObserverMakers::make("checkpoint", run.results, *run.scene.output));
   BOOST_TEST((run.files() == std::set<std::string>{"checkpoint.bin"}));
   const auto saved = Checkpoint::read(run.results.name());
   BOOST_REQUIRE(saved.has_value());
@@ -193,13 +193,45 @@ BOOST_AUTO_TEST_CASE(condition_numbers_are_those_of_the_last_increment)
   BOOST_TEST(text.find("\n5,press,0.5,nan") == std::string::npos, text);
 }
 
+BOOST_AUTO_TEST_CASE(states_are_saved_when_all_else_is_written)
+{
+  Run run({"Output/Condition number every=5"});
+  const auto all = make_observers(run.analysis.model(), *run.scene.output, run.results, nullptr);
+  BOOST_TEST(all.size() == ObserverMakers::names().size() + 2); // history and condition numbers
+  BOOST_TEST((all.front()->turn() == Observer::Turn::measures));
+  BOOST_TEST((all.back()->turn() == Observer::Turn::saves));
+  BOOST_TEST((all[all.size() - 2]->turn() == Observer::Turn::sums_up));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_went_back_knows_where_it_is)
+{
+  // To half of the way, and from there once more: pictures and tables of the second half are written again.
+  Run run;
+  for (const auto *const name : {"tables", "pictures", "summary"})
+    run.analysis.add(ObserverMakers::make(name, run.results, *run.scene.output));
+  run.analysis.begin();
+  for (unsigned int i = 0; i < 5; ++i)
+    run.analysis.advance();
+  const State half = run.analysis.state();
+  for (unsigned int i = 0; i < 5; ++i)
+    run.analysis.advance();
+  run.analysis.set_state(half);
+  BOOST_TEST(run.analysis.run() == exit_status::done);
+  run.results.behind().wait();
+  const auto files = run.files();
+  BOOST_TEST(files.count("profile_0.05_press.csv") == 1u);
+  BOOST_TEST(files.count("profile_0.025_press.csv") == 0u);
+  BOOST_TEST(files.count("blank_0008.vtu") == 1u); // the undeformed one, five, and the last three again
+  BOOST_TEST(files.count("blank_0009.vtu") == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(a_record_is_what_the_files_are)
 {
   Run run;
   RunRecord record;
   const auto columns = history_columns(run.analysis.model(), *run.scene.output, nullptr);
   run.analysis.add(make_history_observer(run.results, columns, nullptr));
-  run.analysis.add(make_table_observer(run.results, *run.scene.output));
+  run.analysis.add(ObserverMakers::make("tables", run.results, *run.scene.output));
   run.with(make_recorder(record, columns, *run.scene.output, Keep::asked, []() { return 1.5; }));
   BOOST_TEST(record.history.size() == 10u);
   BOOST_REQUIRE_EQUAL(record.snapshots.size(), 2u);

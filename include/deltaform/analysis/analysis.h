@@ -1,12 +1,12 @@
 #pragma once
 
+#include <deltaform/analysis/conditions.h>
 #include <deltaform/analysis/increment.h>
 #include <deltaform/analysis/state.h>
 #include <deltaform/analysis/step_control.h>
 #include <deltaform/base/journal.h>
 #include <deltaform/base/timers.h>
 #include <deltaform/model/checkpoint.h>
-#include <deltaform/model/condition.h>
 #include <deltaform/model/model.h>
 #include <deltaform/model/observer.h>
 
@@ -59,7 +59,7 @@ namespace deltaform
     State state() const;
 
     /// Go to @p state, forwards or back, but not back over a refinement; also to that of another analysis whose scene
-    /// has the same entries. Observers are not told. @throws SceneError if it does not fit
+    /// has the same entries. Observers are told by moved(). @throws SceneError if it does not fit
     void set_state(const State &state);
 
     /// All stages. @return exit status: done, not_converged or promise_broken
@@ -78,12 +78,12 @@ namespace deltaform
 
     const Model &model() const
     {
-      return problem_;
+      return model_;
     }
 
     double time() const
     {
-      return problem_.time();
+      return model_.time();
     }
 
     /// Why the run stopped; empty if it did not.
@@ -114,6 +114,9 @@ namespace deltaform
 
     bool refinement_marked();
 
+    /// An increment will be tried: who wants to see its tangent?
+    void announce();
+
     void notify(const AcceptedIncrement &increment);
     AcceptedIncrement accepted(const IncrementCost &cost) const;
 
@@ -123,17 +126,15 @@ namespace deltaform
     /// No attempt at an increment succeeds.
     bool give_up(const Rejected &rejected);
 
-    std::string likely_cause() const;
-
     Actors &actors_;
     AnalysisSettings settings_;
     Journal &journal_;
     Timers &timers_;
     Timers::Index timer_attempt_, timer_output_;
-    Model problem_;
+    Model model_;
     Newton newton_;
     Increment increment_;
-    std::vector<std::unique_ptr<Condition>> conditions_;
+    Conditions conditions_;
     std::vector<std::unique_ptr<Observer>> observers_;
 
     State state_; ///< accepted; that of the model is with the model

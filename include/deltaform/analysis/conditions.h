@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/base/makers.h>
 #include <deltaform/model/actors.h>
 #include <deltaform/model/condition.h>
 
@@ -30,15 +31,8 @@ namespace deltaform
     }
   };
 
-  /// Registers a condition by its name; the last line of the file that defines it.
-  class ConditionEntry
-  {
-  public:
-    using Maker = std::unique_ptr<Condition> (*)(const Actors &actors);
-
-    /// @throws std::logic_error if the name is taken
-    ConditionEntry(const std::string &name, Maker make);
-  };
+  /// Conditions by their names; makers are told the actors. The last line of a condition's file is an Entry.
+  using ConditionMakers = Makers<Condition, const Actors &>;
 
   /// Makes a condition, from the actors if it wants to know them.
   template <typename Own>
@@ -53,6 +47,29 @@ namespace deltaform
     }
   }
 
-  /// Every condition there is, by the order of their names.
-  std::vector<std::unique_ptr<Condition>> make_conditions(const Actors &actors);
+  /// All conditions of a run.
+  class Conditions
+  {
+  public:
+    /// Every one that is registered, in the order of their names.
+    explicit Conditions(const Actors &actors);
+
+    void observe(const AcceptedIncrement &increment);
+
+    /// Why the result cannot be used from here on; empty if it can.
+    std::string failure(const Stage &stage);
+
+    /// What may be the cause that the next increment could not be solved; empty if nothing is known.
+    std::string likely_cause() const;
+
+    /// See Condition::warnings().
+    std::vector<std::string> warnings(bool done) const;
+
+    /// What they remember, in bytes that only they understand.
+    std::string save() const;
+    void load(const std::string &bytes);
+
+  private:
+    std::vector<std::unique_ptr<Condition>> all_;
+  };
 } // namespace deltaform

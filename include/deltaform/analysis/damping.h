@@ -30,11 +30,11 @@ namespace deltaform
 
     /**
      * Make a step of @p d that leads downhill.
-     * @param assemble gives the system the tangent again, without damping
+     * @param assemble gives the system the tangent again, without damping; false if the laws cannot be evaluated
      * @param solve    factorizes it with a shift of its diagonal and computes d; false if it is singular
-     * @return false if the matrix stays singular whatever the damping
+     * @return false if the matrix stays singular whatever the damping, or cannot be assembled
      */
-    bool descend(Vector &d, const std::function<void()> &assemble, const std::function<bool(double shift)> &solve);
+    bool descend(Vector &d, const std::function<bool()> &assemble, const std::function<bool(double shift)> &solve);
 
     /// A step was taken. @param better its residual is smaller: less damping, in the end Newton's step again
     void relax(bool better);

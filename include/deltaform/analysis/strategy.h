@@ -1,10 +1,12 @@
 #pragma once
 
 #include <deltaform/analysis/newton.h>
+#include <deltaform/base/makers.h>
 #include <deltaform/model/increment_problem.h>
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace deltaform
@@ -37,13 +39,13 @@ namespace deltaform
     }
   };
 
+  /// Strategies by their names. The last line of a strategy's file is an Entry.
+  using StrategyMakers = Makers<Strategy>;
+
   using Ladder = std::vector<std::unique_ptr<Strategy>>;
 
-  /// The strategies in the order in which an increment tries them.
-  Ladder usual_ladder();
+  /// Strategies by their names, in the order in which an increment tries them.
+  Ladder make_ladder(const std::vector<std::string> &names);
 
-  std::unique_ptr<Strategy> make_plain_strategy();
-  std::unique_ptr<Strategy> make_soft_first_touch();
-  std::unique_ptr<Strategy> make_damped_strategy();
-  std::unique_ptr<Strategy> make_damped_strategy_with_slack();
+  Ladder usual_ladder();
 } // namespace deltaform

@@ -14,6 +14,12 @@ namespace deltaform
   /// What the scene names, built in dependency order; shared by the parts that run it.
   struct Actors
   {
+    /// Is every penetration measured by the delta that is allowed?
+    bool keeps_promise() const
+    {
+      return contact && contact->enforcement->uses_penalty();
+    }
+
     std::unique_ptr<Blank> blank;
     std::vector<std::unique_ptr<Tool>> tools;
     std::unique_ptr<ContactSettings> contact;

@@ -25,7 +25,7 @@ namespace deltaform
     unsigned int increment = 0; ///< the last one that was accepted
     double time = 0; ///< at its end
     unsigned int stage = 0; ///< to which it belongs
-    std::string simulation, observers;
+    std::string state, observers; ///< in bytes: of the run (State), and what the observers remember
 
     /// File name inside a folder of results.
     static std::string path(const std::string &folder);

@@ -46,6 +46,20 @@ namespace deltaform
      */
     std::vector<std::string> begin_stage(double time, double extent, Vector &q);
 
+    /// Travels of the tools at @p q; 0 of those that follow a motion.
+    std::vector<double> travels(const Vector &q) const;
+
+    /// The blank was refined at @p q, of which travels (as before) and multipliers are still to be set: contact of the
+    /// old points goes over to the new ones.
+    void transfer(const std::vector<double> &travels, Vector &q);
+
+    /// The blank has other nodes: points of all of them, without contact.
+    void resize();
+
+    /// Contact points of all interfaces, in bytes that only they understand.
+    std::vector<std::string> save() const;
+    void load(const std::vector<std::string> &bytes);
+
     /// An increment that ends at @p time begins; what was tried before is forgotten.
     void begin_increment(double time);
 

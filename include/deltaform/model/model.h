@@ -5,16 +5,15 @@
 #include <deltaform/model/actors.h>
 #include <deltaform/model/body.h>
 #include <deltaform/model/contact_set.h>
+#include <deltaform/model/discretization.h>
 #include <deltaform/model/force_book.h>
 #include <deltaform/model/increment_problem.h>
 #include <deltaform/model/model_state.h>
-#include <deltaform/model/numbering.h>
 #include <deltaform/model/support_set.h>
-#include <deltaform/solver/linear_solver.h>
-#include <deltaform/solver/system.h>
 
+#include <algorithm>
 #include <functional>
-#include <memory>
+#include <utility>
 #include <vector>
 
 namespace deltaform
@@ -29,23 +28,34 @@ namespace deltaform
   public:
     Model(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers);
 
-    // The parts refer to each other.
-    Model(const Model &) = delete;
-    Model &operator=(const Model &) = delete;
-
     /// @name Equations
     ///@{
-    double typical_length() const override;
+    double typical_length() const override
+    {
+      return actors_.blank->typical_length();
+    }
     Status assemble(const Vector &q, bool tangent) override;
-    double limit_step(const Vector &q, Vector &d) const override;
-    ActiveSet *active_set() override;
-    unsigned int correct() override;
+    double limit_step(const Vector &q, Vector &d) const override
+    {
+      return std::min(contact_.limit_travels(d, typical_length()), actors_.blank->admissible_step(q, d));
+    }
+    ActiveSet *active_set() override
+    {
+      return contact_.empty() ? nullptr : &contact_;
+    }
+    unsigned int correct() override
+    {
+      return contact_.correct();
+    }
     ///@}
 
     /// @name IncrementProblem
     ///@{
     void begin(double time, double ratio) override;
-    bool soften(double share) override;
+    bool soften(const double share) override
+    {
+      return contact_.soften(share);
+    }
     const Vector &committed() const override
     {
       return state_.unknowns;
@@ -59,12 +69,30 @@ namespace deltaform
       return supports_.is_prescribed();
     }
     double force_floor() const override;
-    IncrementSize increment_size(const Vector &dq) const override;
-    std::string broken_promise() const override;
-    bool releases_at_once() const override;
-    std::string describe(DofIndex unknown) const override;
-    std::string linear_failure() const override;
-    unsigned int n_linear_iterations() const override;
+    IncrementSize increment_size(const Vector &dq) const override
+    {
+      return actors_.blank->increment_size(dq);
+    }
+    std::string broken_promise() const override
+    {
+      return contact_.broken_promise(state_.unknowns);
+    }
+    bool releases_at_once() const override
+    {
+      return state_.releases_at_once;
+    }
+    std::string describe(const DofIndex unknown) const override
+    {
+      return unknown < actors_.blank->n_dofs() ? actors_.blank->describe_dof(unknown) : "";
+    }
+    std::string linear_failure() const override
+    {
+      return system().linear_failure();
+    }
+    unsigned int n_linear_iterations() const override
+    {
+      return system().n_linear_iterations();
+    }
     ///@}
 
     /// What is wrong with the place of a tool that comes with @p stage, seen from the committed state, in words; empty:
@@ -82,8 +110,7 @@ namespace deltaform
     /// while forces of an ended stage fade out: they belong to nodes.
     bool mark();
 
-    /// Refine the marked cells and bring the committed state to the new mesh. Equilibrium is then to be
-    /// found anew, with begin() at the same time.
+    /// Refine the marked cells; the committed state goes along. Then find equilibrium anew: begin() at the same time.
     void refine();
 
     /// Accept @p q as the state at the end of the increment.
@@ -91,7 +118,10 @@ namespace deltaform
 
     /// Call @p action in every assembly of the tangent, when it holds the blank's and the loads' terms and not yet
     /// those of contact; empty: no more.
-    void before_contact(std::function<void(const System &)> action);
+    void before_contact(std::function<void(const System &)> action)
+    {
+      before_contact_ = std::move(action);
+    }
 
     const Actors &actors() const
     {
@@ -103,37 +133,14 @@ namespace deltaform
       return *actors_.blank;
     }
 
-    System &system()
+    Discretization &discretization()
     {
-      return *system_;
+      return discretization_;
     }
 
-    const System &system() const
+    const Discretization &discretization() const
     {
-      return *system_;
-    }
-
-    /// As chosen for the present mesh.
-    const LinearSolverSettings &linear_solver() const
-    {
-      return linear_solver_;
-    }
-
-    /// Is the blank's stiffness assembled and factorized once?
-    bool on_linear_path() const
-    {
-      return linear_solver_.linear_path && actors_.blank->constant_stiffness();
-    }
-
-    const std::vector<double> &scale() const
-    {
-      return numbering_.scale;
-    }
-
-    /// Of the numbers from which forces are computed, see Newton.
-    const std::vector<double> &size() const
-    {
-      return numbering_.size;
+      return discretization_;
     }
 
     /// Contact interfaces that exist in the current stage.
@@ -144,12 +151,6 @@ namespace deltaform
 
     /// Nobody asks for energies.
     void forget_energy();
-
-    /// Is every penetration measured by the delta that is allowed?
-    bool keeps_promise() const
-    {
-      return actors_.contact && actors_.contact->enforcement->uses_penalty();
-    }
 
     /// Works and energies of the committed state.
     EnergyAccount energies() const;
@@ -171,8 +172,7 @@ namespace deltaform
       return state_.travels[tool];
     }
 
-    /// Sum of the forces (moments) of a support on the blank in the committed state. Of one that ended with the stage
-    /// before: what is left of it.
+    /// Sum of the forces (moments) of a support on the blank, committed; of one that ended, what is left of it.
     double reaction(const unsigned int support) const
     {
       return supports_.reaction(support, state_);
@@ -208,19 +208,26 @@ namespace deltaform
     /// Who takes part in a stage, and which unknowns it prescribes.
     void enter_stage(const Stage &stage);
 
-    /// Unknowns, matrix and empty state of the blank's present mesh.
-    void number_unknowns();
+    System &system()
+    {
+      return discretization_.system();
+    }
 
-    /// The same after a change of the mesh, with all that refers to its unknowns.
+    const System &system() const
+    {
+      return discretization_.system();
+    }
+
+    /// An empty state with the present unknowns.
+    void clear_state();
+
+    /// The mesh has changed, and with it all that refers to its unknowns.
     void renumber();
 
     Actors &actors_;
-    LinearSolverSettings linear_solver_;
     Timers &timers_;
     Timers::Index timer_clear_, timer_body_, timer_sum_, timer_contact_, timer_commit_;
-    std::unique_ptr<System> system_;
-    Numbering numbering_;
-
+    Discretization discretization_;
     Body body_;
     ContactSet contact_;
     SupportSet supports_;

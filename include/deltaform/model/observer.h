@@ -12,6 +12,7 @@ namespace deltaform
 {
   class AcceptedIncrement;
   class Model;
+  class System;
   struct Stage;
 
   /// How a run has ended.
@@ -30,18 +31,43 @@ namespace deltaform
   public:
     virtual ~Observer() = default;
 
+    /// Observers are told in the order of their turns.
+    enum class Turn : unsigned char
+    {
+      measures, ///< what others report
+      writes,
+      sums_up, ///< what was written
+      saves ///< a state, from which a run goes on with all that was written
+    };
+
+    virtual Turn turn() const
+    {
+      return Turn::writes;
+    }
+
     /// The first stage begins, with the undeformed blank and the tools at their start.
     virtual void begin(const Model & /*model*/, const Stage & /*stage*/)
     {
     }
 
     /// An increment will be tried, perhaps more than once.
-    virtual void before(Model & /*model*/, unsigned int /*number*/)
+    virtual void before(const Model & /*model*/, unsigned int /*number*/)
+    {
+    }
+
+    /// Asked behind before(): does it want the tangent without contact of every assembly of this increment?
+    virtual bool wants_tangent() const
+    {
+      return false;
+    }
+
+    /// That tangent: terms of the body and the loads, and not yet those of contact.
+    virtual void tangent_without_contact(const System & /*system*/)
     {
     }
 
     /// It is solved, by the unknowns @p q, and will be accepted.
-    virtual void solved(Model & /*model*/, const Vector & /*q*/)
+    virtual void solved(const Model & /*model*/, const Vector & /*q*/)
     {
     }
 
@@ -51,6 +77,12 @@ namespace deltaform
 
     /// The run goes on from a saved state, of which this was the last increment (number 0: there was none).
     virtual void resumed(const AcceptedIncrement & /*increment*/)
+    {
+    }
+
+    /// The run has gone to another of its states, forwards or back, of which this was the last increment. What was
+    /// written stays. Also before resumed().
+    virtual void moved(const AcceptedIncrement & /*increment*/)
     {
     }
 

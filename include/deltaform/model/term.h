@@ -10,9 +10,9 @@ namespace deltaform
   class System;
 
   /**
-   * What adds to the equations R(q) = f_int - f_ext = 0: the body, a load, released forces, contact. A model adds up the
-   * terms that take part in its stage, the body first and contact last, and accepts them in the opposite order, because
-   * contact reads the thickness that the body then updates.
+   * What adds to the equations R(q) = f_int - f_ext = 0: the body, a load, released forces, contact. A model adds up
+   * the terms that take part in its stage, the body first and contact last, and accepts them in the opposite order,
+   * because contact reads the thickness that the body then updates.
    */
   class Term
   {

@@ -21,8 +21,8 @@ namespace deltaform
    * @param travel of the tool
    * @param tolerance overlap (length) that contact copes with by itself
    */
-  std::optional<Misplacement>
-  find_misplacement(const Blank &blank, const ContactInterface &interface, const Vector &q, double travel, double tolerance);
+  std::optional<Misplacement> find_misplacement(const Blank &blank, const ContactInterface &interface, const Vector &q,
+                                                double travel, double tolerance);
 
   /// The same in words for the tools that come with @p stage, seen from the end of the one before; empty: nothing.
   std::string misplaced_tool(const Actors &actors, const ModelState &state, const Stage &stage);

@@ -29,12 +29,24 @@ namespace deltaform
   public:
     ConditionReport(unsigned int every, condition::Method method, Journal &journal, Timers &timers);
 
-    /// Before the increment is solved: keep the tangent without contact terms of the last assembly.
-    void before(Model &model, unsigned int number) override;
+    Turn turn() const override
+    {
+      return Turn::measures;
+    }
+
+    void before(const Model &model, unsigned int number) override;
+
+    bool wants_tangent() const override
+    {
+      return due_;
+    }
+
+    /// Keeps that of the last assembly.
+    void tangent_without_contact(const System &system) override;
 
     /// Measures the converged but not yet committed state, which is not touched: the tangents are those of the last
     /// Newton iteration.
-    void solved(Model &model, const Vector &q) override;
+    void solved(const Model &model, const Vector &q) override;
 
     void accepted(const AcceptedIncrement &increment) override;
 
@@ -42,7 +54,7 @@ namespace deltaform
     static void describe(Columns &columns, const ConditionReport *report);
 
   private:
-    ConditionNumbers measure(Model &problem, const Vector &q);
+    ConditionNumbers measure(const Model &model, const Vector &q);
 
     unsigned int every_;
     condition::Method method_;

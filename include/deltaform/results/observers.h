@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/base/makers.h>
 #include <deltaform/model/columns.h>
 #include <deltaform/model/observer.h>
 #include <deltaform/results/output_settings.h>
@@ -13,16 +14,19 @@ namespace deltaform
 {
   class ConditionReport;
 
-  /// @name What a scene may ask for
-  /// Every one writes into @p folder, which must live longer.
-  ///@{
+  /// Observers of every run by their names, besides its history. The last line of an observer's file is an Entry. A
+  /// maker gives null if the settings do not ask for it; folder and settings live longer than what it makes.
+  using ObserverMakers = Makers<Observer, ResultsFolder &, const OutputSettings &>;
+
+  /// The usual maker.
+  template <typename Own>
+  std::unique_ptr<Observer> make_observer(ResultsFolder &folder, const OutputSettings &output)
+  {
+    return std::make_unique<Own>(folder, output);
+  }
+
+  /// history.csv with these columns. @param start the state that the run goes on from; null: it begins
   std::unique_ptr<Observer> make_history_observer(ResultsFolder &folder, Columns columns, const Checkpoint *start);
-  std::unique_ptr<Observer> make_table_observer(ResultsFolder &folder, const OutputSettings &output);
-  std::unique_ptr<Observer> make_picture_observer(ResultsFolder &folder, const OutputSettings &output);
-  std::unique_ptr<Observer> make_progress_observer(ResultsFolder &folder, const OutputSettings &output);
-  std::unique_ptr<Observer> make_summary_observer(ResultsFolder &folder, const OutputSettings &output);
-  std::unique_ptr<Observer> make_checkpoint_observer(ResultsFolder &folder, const OutputSettings &output);
-  ///@}
 
   /// Measures condition numbers; null where the scene does not ask for them.
   std::unique_ptr<ConditionReport> make_condition_report(const OutputSettings &output, Journal &journal,
@@ -34,10 +38,7 @@ namespace deltaform
   /// The page on the columns of history.csv, in Markdown.
   void print_columns(std::ostream &out);
 
-  /**
-   * All that a scene asks for, in the order in which they have to be told: states are saved last, when what they count
-   * on is written. @param start the state that the run goes on from; null: it begins
-   */
+  /// All that a scene asks for, in the order of their turns. @param start as above
   std::vector<std::unique_ptr<Observer>> make_observers(const Model &model, const OutputSettings &output,
                                                         ResultsFolder &folder, const Checkpoint *start);
 } // namespace deltaform

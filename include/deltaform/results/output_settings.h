@@ -25,5 +25,12 @@ namespace deltaform
     condition::Method condition_method = condition::Method::automatic;
     bool energies = true; ///< in the history
     double checkpoint_interval = 5; ///< seconds
+
+  private:
+    /// @param name of the tool; empty: the first that moves
+    void choose_main_tool(const std::string &name, const std::vector<std::unique_ptr<Tool>> &tools, double end);
+
+    /// The times at which the main tool has the travels.
+    void find_travel_times(const Section &section, const std::vector<std::unique_ptr<Tool>> &tools, double end);
   };
 } // namespace deltaform
