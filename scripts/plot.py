@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draw the results of deltaform: forces, strain along the blank, penetration, deformed section, energies.
+"""Plot the results of deltaform: forces, strain along the blank, penetration, deformed section, energies.
 
     scripts/plot.py output/cup                          output/cup/plot.png with all panels
     scripts/plot.py output/cup output/cup_fine          the two on top of each other
@@ -7,7 +7,7 @@
     scripts/plot.py output/cup --separate               force.png, profile.png and so on
 
 Reads history.csv, profile_*.csv, contact_*.csv, tools_*.csv, of solids the pictures of the blank, and the warnings of
-summary.json. Of a run of several stages the last state of each is drawn. Needs numpy and matplotlib only.
+summary.json. Of a run of several stages the last state of each is shown. Needs numpy and matplotlib only.
 """
 import argparse
 import os
@@ -60,7 +60,7 @@ def arguments():
     parser.add_argument("--panel", choices=["all", *panels.PANELS], default="all", help="default: all in one picture")
     parser.add_argument("--separate", action="store_true", help="one picture per panel")
     parser.add_argument("--file", help="of the picture (.png, .pdf, .svg); default: plot.png in the first folder")
-    parser.add_argument("--travel", type=float, help="at which penetration and section are drawn; default: the end of every stage")
+    parser.add_argument("--travel", type=float, help="at which penetration and section are plotted; default: the end of every stage")
     parser.add_argument(
         "--quantity", default="eps_thickness", help="column of profile_*.csv for the profile; default: %(default)s"
     )

@@ -5,7 +5,7 @@
     xvfb-run -a scripts/render.py output/cup --revolve           the cup as a body, cut open by a quarter
     xvfb-run -a scripts/render.py output/cup --frame 5 --field stress_von_mises --file a.png
 
-Needs VTK's Python modules (Debian: python3-vtk9) and, to draw without a screen, xvfb-run.
+Needs VTK's Python modules (Debian: python3-vtk9) and, to render without a screen, xvfb-run.
 """
 import argparse
 import glob
@@ -53,7 +53,7 @@ SWEEP = 270.0
 
 
 class NoPicture(Exception):
-    """What is asked for cannot be drawn. The message is a sentence for the user."""
+    """What is asked for cannot be rendered. The message is a sentence for the user."""
 
 
 def arguments():

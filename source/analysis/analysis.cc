@@ -96,7 +96,10 @@ namespace deltaform
         // The state at the end of the last stage is saved.
         if (const std::string wrong = problem_.misplaced_tool(stage()); !wrong.empty())
           return stop("before its first increment: " + wrong, exit_status::not_converged);
-        problem_.begin_stage(stage());
+        for (const auto &tool : problem_.begin_stage(stage()))
+          warn({"stage '" + stage().name + "': tool '" + tool +
+                "' is driven by a force and does not find the blank along its Direction, so that nothing resists it. "
+                "Look at its Position, Side and Direction"});
         if (state_.stage == 0)
         {
           const Timers::Scope timer(timers_, timer_output_);

@@ -8,7 +8,7 @@ namespace deltaform
 {
   namespace
   {
-    /// How well is the work of friction known at the end (doc/time_integration.md)?
+    /// How well is the work of friction known at the end (doc/theory/friction.md)?
     class FrictionWork : public SavedCondition<FrictionWork>
     {
     public:

@@ -80,14 +80,13 @@ namespace deltaform
     if (!result.rejected && !solved.converged())
       result.rejected = Rejected{Rejected::Kind::not_solved, explain(solved)};
     if (!result.rejected)
-      result.rejected = too_large(
-        length, may_be_snap, effort == Effort::all && (may_be_snap || problem_.releases_at_once()), result);
+      result.rejected =
+        too_large(length, effort == Effort::all && (may_be_snap || problem_.releases_at_once()), result);
     return result;
   }
 
 
-  std::optional<Rejected>
-  Increment::too_large(const double length, const bool snapped, const bool may_snap, IncrementResult &result) const
+  std::optional<Rejected> Increment::too_large(const double length, const bool may_snap, IncrementResult &result) const
   {
     const auto refused = [](const char *what, const double value, const double allowed) {
       return Rejected{Rejected::Kind::too_large,
@@ -97,17 +96,15 @@ namespace deltaform
     Vector dq = result.q;
     dq -= problem_.committed();
     const auto [strain, rotation] = problem_.increment_size(dq);
-    // A new equilibrium at the same time is no step in time: it may be as far as the mesh was wrong. But where only a
-    // last resort finds one, it may be another one altogether.
-    const bool at_rest = length <= 0.;
-    if (strain > settings_.largest_strain)
+    // A new equilibrium at the same time is as far as the mesh was wrong, and no shorter increment brings it closer: it
+    // is said.
+    if (length <= 0.)
     {
-      if (!at_rest || snapped)
-        return refused("strain", strain, settings_.largest_strain);
-      result.strain_at_rest = strain;
-    }
-    if (at_rest)
+      result.strain_at_rest = strain > settings_.largest_strain ? strain : 0.;
       return std::nullopt;
+    }
+    if (strain > settings_.largest_strain)
+      return refused("strain", strain, settings_.largest_strain);
     if (rotation <= settings_.largest_rotation)
       return std::nullopt;
     // Where the blank snaps through, a shorter increment does not make the way shorter.

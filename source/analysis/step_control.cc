@@ -29,9 +29,9 @@ namespace deltaform
                        0.,
                        Range{0., 1., false, true},
                        "1",
-                       "Increments are made so short that flow in one of them goes astray by about this share of "
-                       "itself (half the turn of its direction, mean over the blank). 0: not controlled.")),
-      extrapolate(section.flag("Extrapolate", true, "Start Newton from the last increment's velocity."))
+                       "Relative error of the plastic strain of an increment: half the turn of the flow direction, "
+                       "mean over the blank. Increments are made as long as it allows. 0: it is not used.")),
+      extrapolate(section.flag("Extrapolate", true, "Predictor: Newton starts from the last increment's velocity."))
   {
   }
 

@@ -20,6 +20,7 @@
 #include <deltaform/results/observers.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/scene.h>
+#include <deltaform/solver/linear_method.h>
 
 #include <deal.II/base/config.h>
 
@@ -105,13 +106,13 @@ namespace deltaform
     }
 
 
-    template <typename T>
+    template <typename... T>
     void list(const std::string &title)
     {
       std::cout << title << '\n';
-      for (const auto &name : Registry<T>::names())
+      for (const auto &name : Registry<T...>::names())
         std::cout << "  " << name << std::string(name.size() < 24 ? 24 - name.size() : 1, ' ')
-                  << Registry<T>::sentence(name) << '\n';
+                  << Registry<T...>::sentence(name) << '\n';
       std::cout << '\n';
     }
 
@@ -128,6 +129,8 @@ namespace deltaform
       list<FrictionLaw>("Tools/<name>/Friction law");
       list<Enforcement>("Contact/Enforcement");
       list<PenaltyRule>("Contact/Penalty rule");
+      list<LinearMethod>("Solver/Linear solver");
+      list<Load, const Blank &>("Loads/<name>/Kind");
       return exit_status::done;
     }
 

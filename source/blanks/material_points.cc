@@ -7,12 +7,12 @@
 
 namespace deltaform
 {
-  MaterialPoints::MaterialPoints(Section &blank, const ThirdDirection third)
+  MaterialPoints::MaterialPoints(Section &blank, const ThirdDirection third, const bool axisymmetric)
     : third_(third)
   {
     auto section = blank.root().sub("Material");
     law_ = Registry<Material>::choose(section, "Model", "elastoplastic", "Stress-strain law.");
-    check_usable(*law_, third, section);
+    check_usable(*law_, third, axisymmetric, section);
   }
 
 
@@ -38,6 +38,7 @@ namespace deltaform
     batch.strain = &strain_[first];
     batch.third_stress = third_stress;
     batch.committed = history_.committed(first);
+    batch.duration = duration_;
     batch.carried = carried_.at(first);
     batch.trial = history_.trial(first);
     batch.stress = &stress_[first];
@@ -79,6 +80,8 @@ namespace deltaform
     const BlankEnergy total = energy();
     history_.put(state);
     carried_.put(state);
+    if (law_->traits().needs_duration)
+      state.put("duration of the last increment", duration_);
     state.put("stress", committed_stress_);
     state.put("energies", std::vector<double>{total.elastic, total.plastic, total.normal});
   }
@@ -88,6 +91,8 @@ namespace deltaform
   {
     history_.take(state);
     carried_.take(state);
+    if (law_->traits().needs_duration)
+      state.take("duration of the last increment", duration_);
     state.take("stress", committed_stress_);
     stress_ = committed_stress_;
     std::vector<double> energies = state.at("energies");

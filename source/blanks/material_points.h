@@ -25,8 +25,8 @@ namespace deltaform
     MaterialPoints() = default;
 
     /// Read the law from the section Material beside @p blank.
-    /// @throws SceneError if it cannot serve a blank that asks for @p third
-    MaterialPoints(Section &blank, ThirdDirection third);
+    /// @throws SceneError if it cannot serve a blank of this symmetry that asks for @p third
+    MaterialPoints(Section &blank, ThirdDirection third, bool axisymmetric);
 
     /// @p n points of the undeformed body; energies remain.
     void reset(std::size_t n);
@@ -116,9 +116,11 @@ namespace deltaform
 
     /// @name Between increments
     ///@{
-    /// The increment to come is @p ratio times as long as the last one. @return is the last flow carried on?
-    bool begin_increment(const double ratio)
+    /// The increment to come, see Blank::begin_increment(). @return is the last flow carried on?
+    bool begin_increment(const double duration, const double ratio)
     {
+      if (duration > 0.)
+        duration_ = duration;
       return carried_.carry(ratio);
     }
 
@@ -177,6 +179,7 @@ namespace deltaform
     std::unique_ptr<Material> law_;
     ThirdDirection third_ = ThirdDirection::strain_given;
     PointHistory history_;
+    double duration_ = 1.; ///< of the increment (time)
     CarriedFlow carried_; ///< of no points if the law does not want it
     std::vector<Mandel> strain_, stress_, committed_stress_;
     std::optional<BlankEnergy> energy_ = BlankEnergy();

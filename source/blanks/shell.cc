@@ -50,7 +50,7 @@ namespace deltaform
         ? ContactPoint::normal_offset
         : ContactPoint::outer_fibre;
 
-    material_ = MaterialPoints(section, ThirdDirection::stress_given);
+    material_ = MaterialPoints(section, ThirdDirection::stress_given, axisymmetric_);
 
     if (membrane_)
       n_layers_ = 1;

@@ -2,7 +2,7 @@
 
 #include <deltaform/base/section.h>
 #include <deltaform/base/types.h>
-#include <deltaform/kinematics/meridian.h>
+#include <deltaform/geometry/meridian.h>
 
 #include <array>
 #include <vector>

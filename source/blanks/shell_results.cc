@@ -18,9 +18,9 @@ namespace deltaform
   } // namespace
 
 
-  void Shell::begin_increment(const double ratio)
+  void Shell::begin_increment(const double duration, const double ratio)
   {
-    material_.begin_increment(ratio);
+    material_.begin_increment(duration, ratio);
   }
 
 

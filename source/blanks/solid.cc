@@ -34,7 +34,7 @@ namespace deltaform
                     "Parts of the boundary that tools with Side = bottom touch; 'bottom, end' goes around the "
                     "corner.");
     auto top = section.names("Contact top", "top", "Parts of the boundary that tools with Side = top touch.");
-    material_ = MaterialPoints(section, ThirdDirection::strain_given);
+    material_ = MaterialPoints(section, ThirdDirection::strain_given, axisymmetric_);
     if (section.documentation() && space_.mesh().boundaries().empty())
       return;
 

@@ -70,7 +70,7 @@ namespace deltaform
                       ContactThickness thickness,
                       ContactNode &result) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
-    void begin_increment(double ratio) override;
+    void begin_increment(double duration, double ratio) override;
     double flow_error() const override;
     IncrementSize increment_size(const Vector &dq) const override;
     void commit(const Vector &q) override;

@@ -55,9 +55,9 @@ namespace deltaform
   }
 
 
-  void Solid::begin_increment(const double ratio)
+  void Solid::begin_increment(const double duration, const double ratio)
   {
-    if (!material_.begin_increment(ratio) || !finite_)
+    if (!material_.begin_increment(duration, ratio) || !finite_)
       return;
     // The last flow is known in the axes of the last increment's end: they go on turning.
     for (unsigned int i = 0; i < spin_.size(); ++i)

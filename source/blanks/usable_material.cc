@@ -2,15 +2,21 @@
 
 namespace deltaform
 {
-  void check_usable(const Material &material, const ThirdDirection third, const Section &section)
+  void check_usable(const Material &material,
+                    const ThirdDirection third,
+                    const bool axisymmetric,
+                    const Section &section)
   {
     const std::string model = "Model";
     const MaterialTraits traits = material.traits();
     const bool solid = third == ThirdDirection::strain_given;
     if (solid ? !traits.strain_given : !traits.stress_given)
       section.fail(model, std::string("this material is for ") + (solid ? "shells" : "solids") + " only.");
-    if (traits.needs_duration)
-      section.fail(model, "blanks do not tell a material yet how long an increment takes: no rate factor.");
+    if (axisymmetric && traits.symmetry == Symmetry::orthotropic)
+      section.sub("Yield surface")
+        .fail("Law",
+              "a sheet that differs along and across the rolling direction does not stay a body of revolution: in an "
+              "axisymmetric scene r must be the same in all directions of the sheet.");
     if (!solid)
       return;
     if (traits.symmetry != Symmetry::isotropic)

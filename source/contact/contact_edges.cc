@@ -1,5 +1,6 @@
 // Where contact wants the edges of a blank that is refined to be shorter.
 #include <deltaform/contact/contact_measures.h>
+#include <deltaform/geometry/curvature.h>
 
 #include <algorithm>
 #include <array>
@@ -31,7 +32,7 @@ namespace deltaform
       // Ends on the straights beside an arc do not see it, nor do those on large arcs beside a small one.
       if (!std::isfinite(feet[0].distance) || !std::isfinite(feet[1].distance))
         return radius;
-      const double between = contact.tool().shape().smallest_radius(feet[0].arc_length, feet[1].arc_length);
+      const double between = smallest_radius(contact.tool().shape(), feet[0].arc_length, feet[1].arc_length);
       if (!(between < radius))
         return radius;
       const double nearness = .25 * length * std::min(1., length / between);

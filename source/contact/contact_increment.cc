@@ -4,6 +4,7 @@
 
 #include <deltaform/contact/contact_interface.h>
 #include <deltaform/contact/contact_measures.h>
+#include <deltaform/geometry/curvature.h>
 
 #include <cmath>
 
@@ -104,8 +105,8 @@ namespace deltaform
   {
     const ContactPointState &now = trial_.points[i], &before = committed_.points[i];
     if (now.touching)
-      return tool_.shape().slip(
-        before.touching ? before.arc_length : now.slip_start, now.arc_length, work_[i].node.offset);
+      return offset_slip(tool_.shape(),
+                         before.touching ? before.arc_length : now.slip_start, now.arc_length, work_[i].node.offset);
     // What has let go may be anywhere, also beyond the end of the tool: along the tangent where it was held last.
     const Projection last = projector_.look(i, before.position);
     return slip_transfer(tool_.shape(), node(q, i).offset, last).share *

@@ -2,6 +2,7 @@
 #include "slip_transfer.h"
 
 #include <deltaform/contact/contact_interface.h>
+#include <deltaform/geometry/curvature.h>
 
 #include <cmath>
 #include <limits>
@@ -116,7 +117,7 @@ namespace deltaform
     {
       const ContactPointState &before = committed_.points[i];
       const double start = before.touching ? before.arc_length : state.slip_start;
-      const double slip = tool_.shape().slip(start, projection.arc_length, node.offset);
+      const double slip = offset_slip(tool_.shape(), start, projection.arc_length, node.offset);
       friction = friction_->respond(i, before, state, slip, normal.force);
     }
     status_changed_ |= state.touching != normal.touching;

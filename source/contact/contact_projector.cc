@@ -21,8 +21,8 @@ namespace deltaform
       "Squeeze",
       "on",
       {"on", "off"},
-      "Does the half of a shell's thickness on this side give way at once, by pressure over Young's "
-      "modulus, or only when the increment is accepted?");
+      "Through-thickness compliance of a shell. on: the half of the thickness on this side is an elastic spring, "
+      "compressed by the contact pressure within the increment. off: it is rigid until the increment is accepted.");
     gives_way_ = squeeze == "on";
     reset();
   }

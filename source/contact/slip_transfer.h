@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/geometry/curvature.h>
 #include <deltaform/tools/shape.h>
 
 namespace deltaform
@@ -19,13 +20,13 @@ namespace deltaform
   {
     if (offset == 0. || projection.slip_rate == 0.)
       return {projection.slip_rate, -projection.turning * projection.slip_rate, 0., projection.slip_rate};
-    const double k = shape.mean_curvature(projection.arc_length, offset);
+    const double k = mean_curvature(shape, projection.arc_length, offset);
     const double s = 1. / (1. + k * projection.distance);
     const double k_point = projection.turning / (1. - projection.turning * projection.distance);
     return {s,
             -s * s * k,
             -s * s * projection.distance * projection.slip_rate *
-              shape.curvature_change(projection.arc_length, offset),
+              curvature_change(shape, projection.arc_length, offset),
             projection.slip_rate * (1. + k_point * offset) / (1. + k * offset)};
   }
 } // namespace deltaform

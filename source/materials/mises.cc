@@ -1,4 +1,4 @@
-#include "mises_return.h"
+#include "closed_returns.h"
 
 #include <deltaform/base/registry.h>
 #include <deltaform/materials/yield_surface.h>

@@ -1,5 +1,5 @@
+#include "closed_returns.h"
 #include "consistency.h"
-#include "mises_return.h"
 
 #include <algorithm>
 
@@ -18,12 +18,66 @@ namespace deltaform
    *     flow(e_n + 2/3 l q(l)) = q(l),   d e_p = l (A/3, B, T),
    *
    * with l the one unknown. It is solved as 1 - flow / q = 0, which for a = b and a constant flow stress is linear.
+   * Normal anisotropy r (Hill 1948) has the same eigenvectors, with other eigenvalues:
+   *
+   *     q^2 = (A^2 + (1 + 2 r) (B^2 + T^2)) / (1 + r),
+   *     a = (2/3) E / ((1 + r) (1 - nu)),   b = (4/3) G (1 + 2 r) / (1 + r),
+   *     d e_p = (2/3) l (A, (1 + 2 r) B, (1 + 2 r) T) / (1 + r).
+   *
    * J.C. Simo, R.L. Taylor, A return mapping algorithm for plane stress elastoplasticity, Int. J. Numer. Meth. Eng.
    * 22 (1986) 649; J.C. Simo, T.J.R. Hughes, Computational Inelasticity, Springer 1998, box 3.3.
    */
   namespace
   {
     constexpr double half_root = 0.70710678118654752440; // 1 / sqrt 2
+
+    /// The parts of q^2 and of the flow: Mises, known to the compiler.
+    struct MisesParts
+    {
+      static double square_a(const double a_square)
+      {
+        return a_square / 2.;
+      }
+      static double square_b(const double b_square)
+      {
+        return 1.5 * b_square;
+      }
+      static double flow_a(const double a)
+      {
+        return a / 3.;
+      }
+      static double flow_b(const double b)
+      {
+        return b;
+      }
+    };
+
+    /// The same of Hill 1948 with normal anisotropy r.
+    struct NormalAnisotropyParts
+    {
+      double weight_a, weight_b;
+
+      explicit NormalAnisotropyParts(const double r)
+        : weight_a(1. / (1. + r)), weight_b((1. + 2. * r) / (1. + r))
+      {
+      }
+      double square_a(const double a_square) const
+      {
+        return weight_a * a_square;
+      }
+      double square_b(const double b_square) const
+      {
+        return weight_b * b_square;
+      }
+      double flow_a(const double a) const
+      {
+        return 2. / 3. * weight_a * a;
+      }
+      double flow_b(const double b) const
+      {
+        return 2. / 3. * weight_b * b;
+      }
+    };
 
     /// q(l) and what else depends on the multiplier alone.
     struct Returned
@@ -35,7 +89,7 @@ namespace deltaform
 
     struct TrialStress
     {
-      double a_square, b_square; ///< A^2 / 2 and 3/2 (B^2 + T^2) of the trial stress
+      double a_square, b_square; ///< parts of q^2 of the trial stress, of A and of (B, T)
       double a, b;
 
       Returned at(const double l) const
@@ -72,7 +126,103 @@ namespace deltaform
         return l;
       }
     };
+
+
+    template <typename Parts>
+    PointOutcome quadratic_return(const Parts &parts,
+                                  const FlowLaw &law,
+                                  Mandel &strain,
+                                  const double third_stress,
+                                  const double *committed,
+                                  double *trial,
+                                  Mandel &stress,
+                                  double *tangent)
+    {
+      const Elasticity &elastic = law.elastic;
+      const double shift = third_stress * elastic.shift;
+      const double e1 = strain[0] - committed[0] - shift;
+      const double e2 = strain[1] - committed[1] - shift;
+      const double A = elastic.biaxial * half_root * (e1 + e2);
+      const double B = 2. * elastic.shear * half_root * (e1 - e2);
+      const double T = 2. * elastic.shear * (strain[3] - committed[3]);
+
+      const auto set_stress = [&](const double at_a, const double at_b) {
+        stress = {{half_root * (at_a * A + at_b * B) + third_stress,
+                   half_root * (at_a * A - at_b * B) + third_stress,
+                   third_stress,
+                   at_b * T}};
+        strain[2] = elastic.third_strain(stress) + trial[2];
+      };
+      const auto stay_elastic = [&]() {
+        keep_history(committed, trial);
+        set_stress(1., 1.);
+        if (tangent != nullptr)
+          std::copy(elastic.condensed_tangent.begin(), elastic.condensed_tangent.end(), tangent);
+        return PointOutcome::good;
+      };
+
+      const TrialStress stress_at{parts.square_a(A * A),
+                                  parts.square_b(B * B + T * T),
+                                  parts.flow_a(elastic.biaxial),
+                                  parts.flow_b(2. * elastic.shear)};
+      const double q_square = stress_at.a_square + stress_at.b_square;
+      if (q_square <= law.initial_flow_stress * law.initial_flow_stress)
+        return stay_elastic();
+      if (!std::isfinite(q_square))
+        return PointOutcome::not_finite;
+
+      FlowStress flow{};
+      Returned r{};
+      const auto excess = [&](const double l) -> Excess {
+        r = stress_at.at(l);
+        flow = law.hardening.evaluate(committed[FlowHistory::equivalent] + r.x);
+        return {1. - flow.value * r.inverse_q, (flow.value * r.slope - flow.slope * r.x_slope) * r.inverse_q};
+      };
+      // q <= q_trial / (1 + a l), or with b if that is less, and the flow stress does not fall under its initial value.
+      const double ratio = std::sqrt(q_square) / law.initial_flow_stress;
+      const double upper = ratio / std::min(stress_at.a, stress_at.b);
+      const double start = std::fmin(ratio - 1., 1.) / stress_at.b;
+      const double guess = stress_at.multiplier(expected_increment(committed, trial));
+      const PlasticFlow solved = solve_consistency(excess, guess, start, upper);
+      if (!solved.found)
+        return PointOutcome::not_converged;
+      const double l = solved.amount;
+      if (l == 0.)
+        return stay_elastic();
+
+      const double a_now = r.scale_a * A, b_now = r.scale_b * B, t_now = r.scale_b * T;
+      const double flow_a = parts.flow_a(half_root * l * a_now), flow_b = parts.flow_b(half_root * l * b_now);
+      trial[0] = committed[0] + flow_a + flow_b;
+      trial[1] = committed[1] + flow_a - flow_b;
+      trial[2] = -(trial[0] + trial[1]);
+      trial[3] = committed[3] + parts.flow_b(l * t_now);
+      trial[FlowHistory::equivalent] = committed[FlowHistory::equivalent] + r.x;
+      set_stress(r.scale_a, r.scale_b);
+
+      if (tangent != nullptr)
+      {
+        // Xi = (C^-1 + l P)^-1 and m = Xi P t in the components (A, B, T):
+        // d t = (Xi - m x m / (P t . m + (4/9) q^2 / (1/H - 2/3 l))) d e. Infinite terms, from H = 0 or H infinite, do
+        // what they should.
+        const double xi_a = elastic.biaxial * r.scale_a, xi_b = 2. * elastic.shear * r.scale_b;
+        const double m_a = parts.flow_a(xi_a * a_now);
+        const double m_b = parts.flow_b(xi_b * b_now), m_t = parts.flow_b(xi_b * t_now);
+        const double inverse = 1. / (parts.flow_a(m_a * a_now) + parts.flow_b(m_b * b_now) + parts.flow_b(m_t * t_now) +
+                                     4. / 9. * r.q * r.q / (1. / flow.slope - 2. / 3. * l));
+        const double aa = xi_a - inverse * m_a * m_a, bb = xi_b - inverse * m_b * m_b, ab = -inverse * m_a * m_b;
+        const double at = -inverse * m_a * m_t * half_root, bt = -inverse * m_b * m_t * half_root;
+        tangent[0] = (aa + bb) / 2. + ab;
+        tangent[1] = tangent[4] = (aa - bb) / 2.;
+        tangent[5] = (aa + bb) / 2. - ab;
+        tangent[3] = tangent[12] = at + bt;
+        tangent[7] = tangent[13] = at - bt;
+        tangent[15] = xi_b - inverse * m_t * m_t;
+        tangent[2] = tangent[6] = tangent[8] = tangent[9] = tangent[10] = tangent[11] = tangent[14] = 0.;
+      }
+      return PointOutcome::good;
+    }
   } // namespace
+
 
   PointOutcome plane_stress_return(const FlowLaw &law,
                                    Mandel &strain,
@@ -82,83 +232,19 @@ namespace deltaform
                                    Mandel &stress,
                                    double *tangent)
   {
-    const Elasticity &elastic = law.elastic;
-    const double shift = third_stress * elastic.shift;
-    const double e1 = strain[0] - committed[0] - shift;
-    const double e2 = strain[1] - committed[1] - shift;
-    const double A = elastic.biaxial * half_root * (e1 + e2);
-    const double B = 2. * elastic.shear * half_root * (e1 - e2);
-    const double T = 2. * elastic.shear * (strain[3] - committed[3]);
+    return quadratic_return(MisesParts(), law, strain, third_stress, committed, trial, stress, tangent);
+  }
 
-    const auto set_stress = [&](const double at_a, const double at_b) {
-      stress = {{half_root * (at_a * A + at_b * B) + third_stress,
-                 half_root * (at_a * A - at_b * B) + third_stress,
-                 third_stress,
-                 at_b * T}};
-      strain[2] = elastic.third_strain(stress) + trial[2];
-    };
-    const auto stay_elastic = [&]() {
-      keep_history(committed, trial);
-      set_stress(1., 1.);
-      if (tangent != nullptr)
-        std::copy(elastic.condensed_tangent.begin(), elastic.condensed_tangent.end(), tangent);
-      return PointOutcome::good;
-    };
 
-    const TrialStress stress_at{A * A / 2., 1.5 * (B * B + T * T), elastic.biaxial / 3., 2. * elastic.shear};
-    const double q_square = stress_at.a_square + stress_at.b_square;
-    if (q_square <= law.initial_flow_stress * law.initial_flow_stress)
-      return stay_elastic();
-    if (!std::isfinite(q_square))
-      return PointOutcome::not_finite;
-
-    FlowStress flow{};
-    Returned r{};
-    const auto excess = [&](const double l) -> Excess {
-      r = stress_at.at(l);
-      flow = law.hardening.evaluate(committed[FlowHistory::equivalent] + r.x);
-      return {1. - flow.value * r.inverse_q, (flow.value * r.slope - flow.slope * r.x_slope) * r.inverse_q};
-    };
-    // q <= q_trial / (1 + a l), because a < b, and the flow stress does not fall under its initial value.
-    const double ratio = std::sqrt(q_square) / law.initial_flow_stress;
-    const double upper = ratio / stress_at.a;
-    const double start = std::fmin(ratio - 1., 1.) / stress_at.b;
-    const double guess = stress_at.multiplier(expected_increment(committed, trial));
-    const PlasticFlow solved = solve_consistency(excess, guess, start, upper);
-    if (!solved.found)
-      return PointOutcome::not_converged;
-    const double l = solved.amount;
-    if (l == 0.)
-      return stay_elastic();
-
-    const double a_now = r.scale_a * A, b_now = r.scale_b * B, t_now = r.scale_b * T;
-    const double flow_a = half_root * l * a_now / 3., flow_b = half_root * l * b_now;
-    trial[0] = committed[0] + flow_a + flow_b;
-    trial[1] = committed[1] + flow_a - flow_b;
-    trial[2] = -(trial[0] + trial[1]);
-    trial[3] = committed[3] + l * t_now;
-    trial[FlowHistory::equivalent] = committed[FlowHistory::equivalent] + r.x;
-    set_stress(r.scale_a, r.scale_b);
-
-    if (tangent != nullptr)
-    {
-      // Xi = (C^-1 + l P)^-1 and m = Xi P t in the components (A, B, T):
-      // d t = (Xi - m x m / (P t . m + (4/9) q^2 / (1/H - 2/3 l))) d e. Infinite terms, from H = 0 or H infinite, do
-      // what they should.
-      const double xi_a = elastic.biaxial * r.scale_a, xi_b = 2. * elastic.shear * r.scale_b;
-      const double m_a = xi_a * a_now / 3., m_b = xi_b * b_now, m_t = xi_b * t_now;
-      const double inverse =
-        1. / (m_a * a_now / 3. + m_b * b_now + m_t * t_now + 4. / 9. * r.q * r.q / (1. / flow.slope - 2. / 3. * l));
-      const double aa = xi_a - inverse * m_a * m_a, bb = xi_b - inverse * m_b * m_b, ab = -inverse * m_a * m_b;
-      const double at = -inverse * m_a * m_t * half_root, bt = -inverse * m_b * m_t * half_root;
-      tangent[0] = (aa + bb) / 2. + ab;
-      tangent[1] = tangent[4] = (aa - bb) / 2.;
-      tangent[5] = (aa + bb) / 2. - ab;
-      tangent[3] = tangent[12] = at + bt;
-      tangent[7] = tangent[13] = at - bt;
-      tangent[15] = xi_b - inverse * m_t * m_t;
-      tangent[2] = tangent[6] = tangent[8] = tangent[9] = tangent[10] = tangent[11] = tangent[14] = 0.;
-    }
-    return PointOutcome::good;
+  PointOutcome plane_stress_return(const double r,
+                                   const FlowLaw &law,
+                                   Mandel &strain,
+                                   const double third_stress,
+                                   const double *committed,
+                                   double *trial,
+                                   Mandel &stress,
+                                   double *tangent)
+  {
+    return quadratic_return(NormalAnisotropyParts(r), law, strain, third_stress, committed, trial, stress, tangent);
   }
 } // namespace deltaform

@@ -1,5 +1,5 @@
+#include "closed_returns.h"
 #include "consistency.h"
-#include "mises_return.h"
 
 #include <algorithm>
 

@@ -36,7 +36,7 @@ namespace deltaform
   namespace
   {
     /// How the first line begins. The layout counts what changes in the bytes between two releases.
-    constexpr const char *writer = "deltaform " DELTAFORM_VERSION " checkpoint, layout 5, ";
+    constexpr const char *writer = "deltaform " DELTAFORM_VERSION " checkpoint, layout 6, ";
 
     /// The first line of the file: who wrote it, and how to tell whether it is whole.
     std::string head(const std::string &content)

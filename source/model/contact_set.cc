@@ -13,6 +13,24 @@ namespace deltaform
   namespace
   {
     constexpr unsigned int depth_of_augmentation = 8; ///< rounds that the acceleration looks back to
+
+    /// Move a tool along its direction until it touches, by its unknown @p travel. @return has it found the blank?
+    bool bring_into_contact(const ContactInterface &interface, const double extent, double &travel, const Vector &q)
+    {
+      // The distance is Lipschitz: going by the gap never goes too far.
+      constexpr unsigned int most_steps = 1000;
+      const double reach = 1e3 * (1. + extent);
+      for (unsigned int step = 0; step < most_steps; ++step)
+      {
+        const double gap = interface.projector().closest(q, travel).second;
+        if (!(gap < reach))
+          return false;
+        if (gap <= 1e-12 * extent)
+          return true;
+        travel += gap;
+      }
+      return false;
+    }
   }
 
 
@@ -37,6 +55,21 @@ namespace deltaform
   }
 
 
+  std::vector<std::string> ContactSet::begin_stage(const double time, const double extent, Vector &q)
+  {
+    std::vector<std::string> lost;
+    for (auto *interface : active_)
+    {
+      const Tool &tool = interface->tool();
+      if (tool.force_driven() && interface->n_touching() == 0 &&
+          !bring_into_contact(*interface, extent, q[interface->travel_dof()], q))
+        lost.push_back(tool.name());
+      interface->begin_stage(q, time);
+    }
+    return lost;
+  }
+
+
   void ContactSet::begin_increment(const double time)
   {
     for (auto *interface : active_)
@@ -56,13 +89,13 @@ namespace deltaform
   }
 
 
-  void ContactSet::predict_factors(const Vector &q, const System &system, const bool tangent)
+  void ContactSet::read_body(const Vector &q, const System &body, const bool tangent)
   {
     if (!actors_.contact || !(factors_due_ || (actors_.contact->rule->in_every_iteration() && tangent)))
       return;
     if (factors_due_)
       for (auto *interface : active_)
-        interface->read_stiffness(q, system);
+        interface->read_stiffness(q, body);
     Vector coupling;
     if (actors_.contact->enforcement->uses_penalty() && actors_.contact->rule->needs_coupling())
     {
@@ -70,7 +103,7 @@ namespace deltaform
       coupling.reinit(q.size());
       for (const auto *interface : active_)
         interface->add_mismatch(q, mismatch);
-      system.multiply(mismatch, coupling);
+      body.multiply(mismatch, coupling);
     }
     for (auto *interface : active_)
       interface->predict_factors(q, coupling.size() > 0 ? &coupling : nullptr);
@@ -78,18 +111,19 @@ namespace deltaform
   }
 
 
-  void ContactSet::assemble(const Vector &q, System &system, const bool tangent)
+  Status ContactSet::assemble(const Vector &q, double /*time*/, AssemblyTarget &target)
   {
     for (auto *interface : active_)
-      interface->assemble(q, system);
-    if (!tangent || !changed())
-      return;
+      interface->assemble(q, target);
+    if (!target.wants_tangent() || !changed())
+      return {};
     std::size_t signature = 0;
     for (const auto *interface : active_)
       for (const auto &state : interface->trial())
         boost::hash_combine(signature, state.touching);
     cycling_ |= std::find(visited_.begin(), visited_.end(), signature) != visited_.end();
     visited_.push_back(signature);
+    return {};
   }
 
 
@@ -161,7 +195,7 @@ namespace deltaform
   }
 
 
-  void ContactSet::commit(const Vector &q)
+  void ContactSet::accept(const Vector &q)
   {
     for (auto *interface : active_)
       interface->commit(q);
@@ -190,6 +224,27 @@ namespace deltaform
         own.resize(actors_.blank->n_contact_nodes(side), 0.);
         actors_.blank->set_contact_pressure(side, own);
       }
+  }
+
+
+  void ContactSet::add_to(EnergyAccount &account) const
+  {
+    // Also of tools that have left.
+    ContactEnergy energy;
+    for (const auto &interface : actors_.interfaces)
+      energy += interface->energy();
+    account.friction += energy.friction;
+    account.friction_error += energy.friction_error();
+    account.contact += energy.stored;
+    account.epsilon_work += energy.epsilon;
+    account.thickness_work += energy.thickness;
+  }
+
+
+  void ContactSet::forget_energy()
+  {
+    for (auto &interface : actors_.interfaces)
+      interface->forget_energy();
   }
 
 

@@ -12,17 +12,15 @@ namespace deltaform
   Model::Model(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers)
     : actors_(actors), linear_solver_(linear_solver), timers_(timers),
       timer_clear_(timers.section("2 clear matrix and residual")),
-      timer_blank_(timers.section("3-6 blank: strains, material, residual, tangent")),
+      timer_body_(timers.section("3-6 blank: strains, material, residual, tangent")),
       timer_sum_(timers.section("6 sum over processes")),
       timer_contact_(timers.section("7-9 contact: projection, forces, tangent")),
-      timer_commit_(timers.section("12 commit")), contact_(actors)
+      timer_commit_(timers.section("12 commit")), body_(*actors.blank), contact_(actors), supports_(actors, numbering_),
+      book_(actors, numbering_, supports_, contact_), terms_{&body_, &contact_}
   {
     number_unknowns();
-    state_.tool_forces.resize(actors_.tools.size());
-    state_.travels.resize(actors_.tools.size());
-    state_.load_resultants.resize(actors_.loads.size());
-    for (unsigned int i = 0; i < actors_.tools.size(); ++i)
-      state_.travels[i] = actors_.tools[i]->force_driven() ? 0. : actors_.tools[i]->travel(0.);
+    for (const auto &tool : actors_.tools)
+      state_.travels.push_back(tool->travel(0.));
   }
 
 
@@ -41,12 +39,9 @@ namespace deltaform
 
     const unsigned int n = numbering_.n();
     state_.unknowns.reinit(n);
-    prescribed_.reinit(n);
     state_.hold.reinit(n);
-    state_.released.reset(n, actors_.tools.size(), actors_.supports.size(), actors_.loads.size());
-    state_.load_forces.reinit(n);
-    state_.reactions.reinit(n);
-    is_prescribed_ = numbering_.is_fixed;
+    book_.clear(state_);
+    supports_.enter_stage(state_.stage);
     if (on_linear_path())
       system_->keep_constant_part(numbering_.contact_unknowns, std::clamp<std::size_t>(width / 2, 100, 600));
     if (on_linear_path() || linear_solver_.iterative())
@@ -67,64 +62,40 @@ namespace deltaform
   }
 
 
-  double Model::travel(const unsigned int tool) const
-  {
-    return state_.travels[tool];
-  }
-
-
-  double Model::reaction(const unsigned int support) const
-  {
-    const Support &which = actors_.supports[support];
-    if (!which.acts_in(stage_name_))
-      return state_.released.share(time_) * state_.released.of_supports[support];
-    double sum = 0.;
-    for (const auto dof : which.dofs)
-      if (!numbering_.is_fixed[dof])
-        sum += state_.reactions[dof];
-    return sum;
-  }
-
-
   bool Model::releases_at_once() const
   {
     return state_.releases_at_once;
   }
 
 
-  void Model::assemble_loads(const Vector &q, AssemblyTarget &target) const
-  {
-    for (const auto &load : actors_.loads)
-      if (load.acts_in(stage_name_))
-        load.assemble(*actors_.blank, q, time_, target);
-    state_.released.assemble(time_, target);
-  }
-
-
   Status Model::assemble(const Vector &q, const bool tangent)
   {
     {
-      Timers::Scope timer(timers_, timer_clear_);
+      const Timers::Scope timer(timers_, timer_clear_);
       system_->clear(tangent || contact_.factors_due());
     }
     Status status;
     {
-      Timers::Scope timer(timers_, timer_blank_);
-      status = actors_.blank->assemble(q, *system_);
+      const Timers::Scope timer(timers_, timer_body_);
+      status = body_.assemble(q, time_, *system_);
     }
     if (!status.good())
       return status;
     {
-      Timers::Scope timer(timers_, timer_sum_);
+      const Timers::Scope timer(timers_, timer_sum_);
       system_->sum_over_ranks();
     }
 
-    Timers::Scope timer(timers_, timer_contact_);
-    contact_.predict_factors(q, *system_, tangent);
-    assemble_loads(q, *system_);
-    if (tangent && before_contact_)
-      before_contact_(*system_);
-    contact_.assemble(q, *system_, tangent);
+    const Timers::Scope timer(timers_, timer_contact_);
+    for (Term *const term : terms_)
+      term->read_body(q, *system_, tangent);
+    for (Term *const term : terms_)
+    {
+      if (term == &contact_ && tangent && before_contact_)
+        before_contact_(*system_);
+      if (term != &body_ && status.good())
+        status = term->assemble(q, time_, *system_);
+    }
     return status;
   }
 
@@ -156,21 +127,14 @@ namespace deltaform
   void Model::begin(const double time, const double ratio)
   {
     discard(time);
-    actors_.blank->begin_increment(ratio);
+    actors_.blank->begin_increment(time - state_.time, ratio);
   }
 
 
   void Model::discard(const double time)
   {
     time_ = time;
-    prescribed_ = state_.unknowns;
-    for (const auto &support : actors_.supports)
-      if (support.acts_in(stage_name_))
-        for (unsigned int i = 0; i < support.dofs.size(); ++i)
-        {
-          const DofIndex dof = support.dofs[i];
-          prescribed_[dof] = numbering_.is_fixed[dof] ? 0. : (support.hold ? state_.hold[dof] : support.at(i, time));
-        }
+    supports_.prescribe(state_, time);
     contact_.begin_increment(time);
     system_->forget_factors();
   }

@@ -1,9 +1,6 @@
 // A finer mesh between two increments: all that hangs on the unknowns follows.
-#include "collector.h"
-
 #include <deltaform/blanks/refinement.h>
 #include <deltaform/model/model.h>
-
 
 namespace deltaform
 {
@@ -18,11 +15,10 @@ namespace deltaform
 
   void Model::renumber()
   {
-    for (auto &support : actors_.supports)
-      support.renumber(*actors_.blank);
     for (auto &load : actors_.loads)
-      load.renumber(*actors_.blank);
+      load->renumber();
     number_unknowns();
+    supports_.renumber();
   }
 
 
@@ -30,11 +26,10 @@ namespace deltaform
   {
     std::vector<Vector> fields{state_.unknowns, state_.hold};
     std::vector<double> travels;
-    for (const auto &pair : actors_.interfaces)
-      travels.push_back(pair->tool().force_driven() ? state_.unknowns[pair->travel_dof()] : 0.);
+    for (const auto &interface : actors_.interfaces)
+      travels.push_back(interface->tool().force_driven() ? state_.unknowns[interface->travel_dof()] : 0.);
     actors_.blank->refine(fields);
     renumber();
-    set_prescribed();
     const unsigned int n_blank = actors_.blank->n_dofs();
     for (unsigned int i = 0; i < n_blank; ++i)
     {
@@ -43,16 +38,12 @@ namespace deltaform
     }
     for (unsigned int p = 0; p < actors_.interfaces.size(); ++p)
     {
-      auto &pair = *actors_.interfaces[p];
-      if (pair.tool().force_driven())
-        state_.unknowns[pair.travel_dof()] = travels[p];
-      pair.transfer(state_.unknowns, actors_.blank->heritage(pair.tool().side()));
-      pair.start_multipliers(state_.unknowns);
+      auto &interface = *actors_.interfaces[p];
+      if (interface.tool().force_driven())
+        state_.unknowns[interface.travel_dof()] = travels[p];
+      interface.transfer(state_.unknowns, actors_.blank->heritage(interface.tool().side()));
+      interface.start_multipliers(state_.unknowns);
     }
-    // Forces of loads, of which the next commit takes the work; the supports do not move until then.
-    Collector loads(state_.unknowns.size());
-    assemble_loads(state_.unknowns, loads);
-    for (unsigned int i = 0; i < n_blank; ++i)
-      state_.load_forces[i] = is_prescribed_[i] ? 0. : -loads.residual[i];
+    book_.renew_loads(state_);
   }
 } // namespace deltaform

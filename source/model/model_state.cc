@@ -19,9 +19,9 @@ namespace deltaform
     template <typename Archive, typename State>
     void archive_common(Archive &archive, State &state)
     {
-      archive &state.time &state.unknowns &state.hold &state.released &state.releases_at_once &state.tool_forces
-        &state.travels &state.load_resultants &state.load_forces &state.reactions &state.work.tools &state.work.loads
-          &state.largest_force &state.largest_resultant &state.interfaces;
+      archive &state.time &state.stage &state.unknowns &state.hold &state.released &state.releases_at_once;
+      archive &state.tool_forces &state.travels &state.load_resultants &state.load_forces &state.reactions;
+      archive &state.work.tools &state.work.loads &state.largest_force &state.largest_resultant &state.interfaces;
     }
   } // namespace
 

@@ -33,7 +33,7 @@ namespace deltaform
   }
 
 
-  void ReleasedForces::assemble(const double time, AssemblyTarget &target) const
+  void ReleasedForces::add(const double time, AssemblyTarget &target) const
   {
     const double now = share(time), zero = 0.;
     if (now == 0.)

@@ -133,7 +133,7 @@ namespace deltaform
                  {"plastic_energy", "force*length", "dissipated in the blank so far"},
                  {"friction_energy", "force*length",
                   "dissipated by slip so far; of a node that touches or lets go within an increment, by half "
-                  "its force over the increment's slip ([how exact](time_integration.md#work-of-friction))"},
+                  "its force over the increment's slip ([how exact](theory/friction.md#friction-work))"},
                  {"contact_energy", "force*length",
                   "stored in the penalty springs now: eps p²/2, and t²/(2 eps_t) of sticking friction"},
                  {"epsilon_work", "force*length",

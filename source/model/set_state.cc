@@ -14,12 +14,12 @@ namespace deltaform
   {
     ModelState result = state_;
     result.body = actors_.blank->state();
-    for (const auto &pair : actors_.interfaces)
+    for (const auto &interface : actors_.interfaces)
     {
       ByteStream bytes;
       {
         boost::archive::binary_oarchive archive(bytes.stream());
-        archive << static_cast<const ContactInterface &>(*pair);
+        archive << static_cast<const ContactInterface &>(*interface);
       }
       result.interfaces.push_back(bytes.take());
     }
@@ -56,9 +56,6 @@ namespace deltaform
       boost::archive::binary_iarchive archive(bytes);
       archive >> *actors_.interfaces[i];
     }
-    for (unsigned int i = 0; i < actors_.tools.size(); ++i)
-      if (actors_.tools[i]->force_driven())
-        actors_.tools[i]->set_travel(state_.travels[i]);
     enter_stage(stage);
     discard(state_.time);
   }

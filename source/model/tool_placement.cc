@@ -57,12 +57,12 @@ namespace deltaform
 
 
   std::optional<Misplacement> find_misplacement(const Blank &blank,
-                                                const ContactInterface &pair,
+                                                const ContactInterface &interface,
                                                 const Vector &q,
                                                 const double travel,
                                                 const double tolerance)
   {
-    const Tool &tool = pair.tool();
+    const Tool &tool = interface.tool();
     const std::string name = "tool '" + tool.name() + "'";
     if (tool.shape().in_scene_frame())
       if (const Lie lie = look(blank, tool, q, travel); is_walked_backwards(lie, tolerance))
@@ -74,13 +74,34 @@ namespace deltaform
                               "). Give the points, and their fillet radii, in the opposite order: walk it with the "
                               "blank to its left"};
 
-    const auto [node, gap] = pair.projector().closest(q, travel);
+    const auto [node, gap] = interface.projector().closest(q, travel);
     if (!(gap < -tolerance))
       return std::nullopt;
     return Misplacement{"Position z",
                         name + " overlaps the blank: node " + std::to_string(node) + " at " +
-                          place(pair.node(q, node).x) + " lies " + text::rounded(-gap) +
+                          place(interface.node(q, node).x) + " lies " + text::rounded(-gap) +
                           " inside. Move the tool back by that (Position, or Motion at this time), or let it start "
                           "clear of the blank and approach by Motion"};
+  }
+
+
+  std::string misplaced_tool(const Actors &actors, const ModelState &state, const Stage &stage)
+  {
+    if (state.stage.empty())
+      return "";
+    for (const auto &interface : actors.interfaces)
+    {
+      const Tool &tool = interface->tool();
+      if (tool.exists_in(state.stage) || !tool.exists_in(stage.name))
+        continue;
+      // The thickness has changed by forming: a tool that leaves room for the initial one overlaps a little.
+      const TimeFunction *own = tool.allowed_penetration();
+      const double delta = own ? (*own)(stage.begin) : actors.contact->allowed_penetration(stage.begin);
+      const double tolerance = std::max(.1 * actors.blank->typical_length(), delta);
+      const double travel = tool.force_driven() ? state.unknowns[interface->travel_dof()] : tool.travel(stage.begin);
+      if (const auto wrong = find_misplacement(*actors.blank, *interface, state.unknowns, travel, tolerance))
+        return wrong->message + " (Tools/" + tool.name() + "/" + wrong->entry + ")";
+    }
+    return "";
   }
 } // namespace deltaform

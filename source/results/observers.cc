@@ -11,11 +11,12 @@ namespace deltaform
 {
   namespace
   {
-    std::vector<std::string> names_of_tools(const Model &model)
+    template <typename Named>
+    std::vector<std::string> names_of(const std::vector<std::unique_ptr<Named>> &all)
     {
       std::vector<std::string> result;
-      for (const auto &tool : model.actors().tools)
-        result.push_back(tool->name());
+      for (const auto &one : all)
+        result.push_back(one->name());
       return result;
     }
 
@@ -75,7 +76,7 @@ namespace deltaform
   {
     Columns columns;
     describe_increment(columns);
-    describe_tools(names_of_tools(model), columns);
+    describe_tools(names_of(model.actors().tools), columns);
     describe_cost(columns);
     describe_contact(columns);
     describe_thickness(columns);

@@ -51,8 +51,8 @@ namespace deltaform
     {
       std::map<std::string, double> on_face;
       for (const auto &load : actors.loads)
-        if (!load.face.empty() && load.acts_in(stage))
-          on_face[load.face] += load.value(time);
+        if (const std::string face = load->pressed_face(); !face.empty() && load->acts_in(stage))
+          on_face[face] += load->value()(time);
       std::vector<double> result(n_nodes, 0.);
       for (const auto &[face, pressure] : on_face)
         for (const auto node : actors.blank->face_nodes(face))
@@ -81,7 +81,7 @@ namespace deltaform
       if (!actors.tools.empty())
         fields = contact_fields(problem, n_nodes);
       const auto &loads = actors.loads;
-      if (std::any_of(loads.begin(), loads.end(), [](const Load &load) { return !load.face.empty(); }))
+      if (std::any_of(loads.begin(), loads.end(), [](const auto &load) { return !load->pressed_face().empty(); }))
         fields.push_back({"load_pressure", "stress", true, 1, load_pressure(actors, stage, time, n_nodes)});
       return fields;
     }

@@ -55,7 +55,13 @@ namespace deltaform
     root.sub("Supports").names("Names", "", "Prescribed displacements, one subsection each.");
     const Support support("<name>", root.sub("Supports").sub("<name>"), *blank);
     root.sub("Loads").names("Names", "", "Loads, one subsection each.");
-    const Load load("<name>", root.sub("Loads").sub("<name>"), *blank);
+    Section load_section = root.sub("Loads").sub("<name>");
+    LoadRegistry::choose(load_section, "Kind", "pressure", "What kind of load it is.", *blank);
+    for (const auto &name : LoadRegistry::names())
+    {
+      Section own = load_section.sub("Kind: " + name);
+      LoadRegistry::make(name, own, *blank);
+    }
 
     Section steps_section = root.sub("Steps");
     const auto stages = read_stages(steps_section);

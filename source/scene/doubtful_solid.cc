@@ -11,8 +11,8 @@ namespace deltaform
   std::vector<ToolWall> walls_along_z(const std::string &tool, const Side side, const Shape &shape)
   {
     std::vector<ToolWall> walls;
-    for (const Shape::Segment &segment : shape.segments())
-      if (segment.kind == Shape::Segment::Kind::line && std::abs(segment.tangent[0]) < 1e-6)
+    for (const Segment &segment : shape.segments())
+      if (segment.kind == Segment::Kind::line && std::abs(segment.tangent[0]) < 1e-6)
       {
         const bool endless = std::isinf(segment.first) || std::isinf(segment.last);
         walls.push_back(

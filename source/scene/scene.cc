@@ -22,7 +22,10 @@ namespace deltaform
     for (const auto &name : named("Supports", "Prescribed displacements, one subsection each."))
       actors.supports.emplace_back(name, root.sub("Supports").sub(name), *actors.blank);
     for (const auto &name : named("Loads", "Loads, one subsection each."))
-      actors.loads.emplace_back(name, root.sub("Loads").sub(name), *actors.blank);
+    {
+      Section own = root.sub("Loads").sub(name);
+      actors.loads.push_back(LoadRegistry::choose(own, "Kind", "pressure", "What kind of load it is.", *actors.blank));
+    }
 
     Section steps_section = root.sub("Steps");
     actors.stages = read_stages(steps_section);

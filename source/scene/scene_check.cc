@@ -113,8 +113,8 @@ namespace deltaform
                       root.sub("Supports").sub(support.name),
                       "Value");
       for (const auto &load : actors.loads)
-        if (load.acts_in(stage.name))
-          inspect(load.value, stage, root.sub("Loads").sub(load.name), "Value");
+        if (load->acts_in(stage.name))
+          inspect(load->value(), stage, root.sub("Loads").sub(load->name()), "Value");
     }
   }
 
@@ -139,7 +139,7 @@ namespace deltaform
     for (const auto &support : actors.supports)
       take("Supports", support.name, {"_reaction"});
     for (const auto &load : actors.loads)
-      take("Loads", load.name, {"_force_z", "_force_r"});
+      take("Loads", load->name(), {"_force_z", "_force_r"});
   }
 
 
@@ -193,7 +193,7 @@ namespace deltaform
     for (const auto &support : actors.supports)
       known(support.stages, root.sub("Supports").sub(support.name));
     for (const auto &load : actors.loads)
-      known(load.stages, root.sub("Loads").sub(load.name));
+      known(load->stages(), root.sub("Loads").sub(load->name()));
 
     const Stage *before = nullptr;
     for (const auto &stage : actors.stages)
@@ -225,8 +225,8 @@ namespace deltaform
       }
       for (const auto &load : actors.loads)
       {
-        changes |= load.acts_in(stage.name) && (varies(load.value) || (!before && load.value(stage.end) != 0));
-        changes |= before && load.acts_in(before->name) != load.acts_in(stage.name);
+        changes |= load->acts_in(stage.name) && (varies(load->value()) || (!before && load->value()(stage.end) != 0));
+        changes |= before && load->acts_in(before->name) != load->acts_in(stage.name);
       }
       if (!changes)
         root.sub("Steps")

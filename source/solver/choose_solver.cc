@@ -1,4 +1,4 @@
-// Which direct solver is the faster one: measured in doc/distributed.md, "Which solver".
+// Which direct solver is the faster one: measured in doc/performance.md, "Which solver".
 #include <deltaform/base/ranks.h>
 #include <deltaform/solver/linear_solver.h>
 
@@ -55,7 +55,9 @@ namespace deltaform
   void LinearSolverSettings::choose(const std::size_t n, const std::size_t width)
   {
     constexpr std::size_t small = 5000, narrow = 50;
-    if (automatic)
-      name = n < small || width < narrow ? "klu" : "mumps";
+    if (!automatic)
+      return;
+    name = n < small || width < narrow ? "klu" : "mumps";
+    method = method_called(name);
   }
 } // namespace deltaform

@@ -1,5 +1,7 @@
 // Amesos: the symbolic phase is done once, because the pattern does not change; pivots are kept as long as they are
 // good.
+#include "direct_solver.h"
+
 #include "trilinos_matrix.h"
 
 #include <Amesos.h>
@@ -18,8 +20,8 @@ namespace deltaform
     {
     public:
       DirectSolver(const std::string &name, std::unique_ptr<TrilinosMatrix> matrix)
-        : matrix_(std::move(matrix)), keeps_pivots_(name == "klu" && !matrix_->is_distributed),
-          factorization_(Amesos().Create(name == "mumps" ? "Mumps" : "Klu", *matrix_->problem))
+        : matrix_(std::move(matrix)), keeps_pivots_(name == "Klu" && !matrix_->is_distributed),
+          factorization_(Amesos().Create(name, *matrix_->problem))
       {
         AssertThrow(factorization_, dealii::ExcMessage("This Trilinos has no Amesos solver '" + name + "'."));
         Teuchos::ParameterList list;
@@ -127,9 +129,9 @@ namespace deltaform
   } // namespace
 
 
-  std::unique_ptr<LinearSolver> make_direct_solver(const LinearSolverSettings &settings,
-                                                   std::unique_ptr<TrilinosMatrix> matrix)
+  std::unique_ptr<LinearSolver> DirectMethod::make(const LinearSolverSettings &,
+                                                   std::unique_ptr<TrilinosMatrix> matrix) const
   {
-    return std::make_unique<DirectSolver>(settings.name, std::move(matrix));
+    return std::make_unique<DirectSolver>(library_, std::move(matrix));
   }
 } // namespace deltaform

@@ -2,6 +2,8 @@
 // for elasticity the rigid ones: Vanek, Mandel, Brezina (1996), Computing 56, 179-196. A penalty along an inclined
 // normal makes both unknowns of a node stiff, and one combination of them soft: what smooths or scales must take them
 // together.
+#include "iterative_solver.h"
+
 #include "trilinos_matrix.h"
 
 #include <deltaform/base/text.h>
@@ -20,11 +22,12 @@ namespace deltaform
     class IterativeSolver : public LinearSolver
     {
     public:
-      IterativeSolver(LinearSolverSettings settings, std::unique_ptr<TrilinosMatrix> matrix)
-        : settings_(std::move(settings)), matrix_(std::move(matrix)),
-          multigrid_(settings_.name.find("amg") != std::string::npos),
-          blocks_(settings_.name.find("blocks") != std::string::npos),
-          symmetric_(settings_.name.compare(0, 2, "cg") == 0)
+      IterativeSolver(const LinearSolverSettings &settings,
+                      const Preconditioner preconditioner,
+                      const bool symmetric,
+                      std::unique_ptr<TrilinosMatrix> matrix)
+        : tolerance_(settings.tolerance), max_iterations_(static_cast<int>(settings.max_iterations)),
+          matrix_(std::move(matrix)), kind_(preconditioner), symmetric_(symmetric)
       {
       }
 
@@ -43,9 +46,9 @@ namespace deltaform
 
       bool factorize() override
       {
-        if (blocks_)
+        if (kind_ == Preconditioner::blocks)
           return matrix_->all(invert_blocks());
-        if (!multigrid_)
+        if (kind_ != Preconditioner::multigrid)
           return true;
         Teuchos::ParameterList list;
         ML_Epetra::SetDefaults("SA", list);
@@ -120,29 +123,31 @@ namespace deltaform
         solver.SetAztecOption(AZ_output, AZ_none);
         solver.SetAztecOption(AZ_conv, AZ_rhs);
         solver.SetAztecOption(AZ_kspace, 100);
-        if (multigrid_)
+        if (kind_ == Preconditioner::multigrid)
           solver.SetPrecOperator(preconditioner_.get());
-        else if (blocks_)
+        else if (kind_ == Preconditioner::blocks)
           solver.SetPrecOperator(block_diagonal_.get());
         else
         {
           solver.SetAztecOption(AZ_precond, AZ_Jacobi);
           solver.SetAztecOption(AZ_poly_ord, 1);
         }
-        solver.Iterate(static_cast<int>(settings_.max_iterations), settings_.tolerance);
+        solver.Iterate(max_iterations_, tolerance_);
         n_iterations_ += static_cast<unsigned int>(solver.NumIters());
         const double why = solver.GetAztecStatus()[AZ_why];
         if (why == AZ_maxits)
           failure_ = std::string(method == AZ_cg ? "conjugate gradients" : "GMRES") + " stopped after " +
                      std::to_string(solver.NumIters()) + " iterations at " + text::format(solver.ScaledResidual()) +
-                     " of the right side, wanted is " + text::format(settings_.tolerance);
+                     " of the right side, wanted is " + text::format(tolerance_);
         // The recursive residual has converged, the true one has reached its round-off: as good as it gets.
         return why == AZ_normal || why == AZ_loss;
       }
 
-      LinearSolverSettings settings_;
+      double tolerance_;
+      int max_iterations_;
       std::unique_ptr<TrilinosMatrix> matrix_;
-      bool multigrid_, blocks_, symmetric_;
+      Preconditioner kind_;
+      bool symmetric_; ///< conjugate gradients first
       int n_motions_ = 0;
       std::vector<double> null_space_;
       std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> preconditioner_;
@@ -153,9 +158,9 @@ namespace deltaform
   } // namespace
 
 
-  std::unique_ptr<LinearSolver> make_iterative_solver(const LinearSolverSettings &settings,
-                                                      std::unique_ptr<TrilinosMatrix> matrix)
+  std::unique_ptr<LinearSolver> IterativeMethod::make(const LinearSolverSettings &settings,
+                                                      std::unique_ptr<TrilinosMatrix> matrix) const
   {
-    return std::make_unique<IterativeSolver>(settings, std::move(matrix));
+    return std::make_unique<IterativeSolver>(settings, preconditioner_, symmetric_, std::move(matrix));
   }
 } // namespace deltaform

@@ -1,7 +1,10 @@
 // The choice of a linear solver, and the matrix that all of them work on.
 #include "trilinos_matrix.h"
 
+#include <deltaform/base/parameter_tree.h>
 #include <deltaform/base/ranks.h>
+#include <deltaform/base/registry.h>
+#include <deltaform/solver/linear_method.h>
 
 #include <Epetra_MpiComm.h>
 
@@ -10,23 +13,36 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    std::vector<std::string> choices()
+    {
+      std::vector<std::string> result = Registry<LinearMethod>::names();
+      result.insert(result.begin(), "automatic");
+      return result;
+    }
+  } // namespace
+
+
+  std::shared_ptr<const LinearMethod> LinearSolverSettings::method_called(const std::string &name)
+  {
+    // A method has no entries of its own: tolerances are those of all.
+    ParameterTree none = ParameterTree::parse("", "no scene");
+    Section section = none.root();
+    return Registry<LinearMethod>::make(name, section);
+  }
+
+
   LinearSolverSettings::LinearSolverSettings(Section &section)
     : name(section.choice("Linear solver",
                           "automatic",
-                          {"automatic",
-                           "klu",
-                           "mumps",
-                           "cg amg",
-                           "gmres amg",
-                           "cg blocks",
-                           "gmres blocks",
-                           "cg diagonal",
-                           "gmres diagonal"},
+                          choices(),
                           "Direct: klu for thin strips, mumps for blocks. Iterative, for large solids: conjugate "
                           "gradients (no friction) or GMRES, preconditioned by algebraic multigrid, by the "
                           "diagonal or by its blocks of one node each, which do not care how contact is inclined. "
                           "automatic: klu or mumps, by the size and shape of the mesh.")),
       automatic(name == "automatic"),
+      method(method_called(automatic ? "klu" : name)),
       tolerance(section.number("Linear solver tolerance",
                                1e-10,
                                Range::inside(0, 1),
@@ -48,14 +64,8 @@ namespace deltaform
 
 
   LinearSolverSettings::LinearSolverSettings(std::string the_name)
-    : name(std::move(the_name))
+    : name(std::move(the_name)), method(method_called(name))
   {
-  }
-
-
-  bool LinearSolverSettings::iterative() const
-  {
-    return name.find(' ') != std::string::npos;
   }
 
 
@@ -114,20 +124,16 @@ namespace deltaform
   }
 
 
-  namespace
+  bool LinearSolverSettings::iterative() const
   {
-    std::unique_ptr<LinearSolver> make(const LinearSolverSettings &settings, std::unique_ptr<TrilinosMatrix> matrix)
-    {
-      return settings.iterative() ? make_iterative_solver(settings, std::move(matrix))
-                                  : make_direct_solver(settings, std::move(matrix));
-    }
-  } // namespace
+    return method->iterative();
+  }
 
 
   std::unique_ptr<LinearSolver> LinearSolver::local(const LinearSolverSettings &settings,
                                                     const dealii::DynamicSparsityPattern &pattern)
   {
-    return make(settings, std::make_unique<TrilinosMatrix>(pattern));
+    return settings.method->make(settings, std::make_unique<TrilinosMatrix>(pattern));
   }
 
 
@@ -136,6 +142,6 @@ namespace deltaform
                                                           const DofIndex first,
                                                           const DofIndex end)
   {
-    return make(settings, std::make_unique<TrilinosMatrix>(pattern, first, end));
+    return settings.method->make(settings, std::make_unique<TrilinosMatrix>(pattern, first, end));
   }
 } // namespace deltaform

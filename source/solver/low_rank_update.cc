@@ -31,11 +31,36 @@ namespace deltaform
   }
 
 
+  namespace
+  {
+    /// D by candidates.
+    using SparseSum = std::map<std::pair<unsigned int, unsigned int>, double>;
+
+    /// The block of every candidate in @p all, rising: unknowns that D couples get the same, that of the least of them.
+    std::vector<std::size_t> coupled_blocks(const SparseSum &sum, const std::vector<unsigned int> &all)
+    {
+      std::vector<std::size_t> block(all.size());
+      std::iota(block.begin(), block.end(), std::size_t(0));
+      const auto place_in = [](const std::vector<unsigned int> &list, const unsigned int candidate) {
+        return static_cast<std::size_t>(std::lower_bound(list.begin(), list.end(), candidate) - list.begin());
+      };
+      for (const auto &[place, value] : sum)
+        if (value != 0.)
+        {
+          const std::size_t one = block[place_in(all, place.first)], other = block[place_in(all, place.second)];
+          if (one != other)
+            std::replace(block.begin(), block.end(), std::max(one, other), std::min(one, other));
+        }
+      return block;
+    }
+  } // namespace
+
+
   bool LowRankUpdate::set(const std::vector<UpdateEntry> &entries,
                           const std::vector<DofIndex> &bordered,
                           const std::vector<bool> &prescribed)
   {
-    std::map<std::pair<unsigned int, unsigned int>, double> sum;
+    SparseSum sum;
     for (unsigned int i = 0; i < candidates_.size(); ++i)
       if (ground_[i] != 0.)
         sum[{i, i}] = -ground_[i];
@@ -62,19 +87,7 @@ namespace deltaform
     if (all.size() > largest_rank_ || (!all.empty() && all.back() == invalid_index))
       return false;
 
-    // Unknowns that D couples get the same block: that of the least of them.
-    std::vector<std::size_t> block(all.size());
-    std::iota(block.begin(), block.end(), std::size_t(0));
-    const auto place_in = [](const std::vector<unsigned int> &list, const unsigned int candidate) {
-      return static_cast<std::size_t>(std::lower_bound(list.begin(), list.end(), candidate) - list.begin());
-    };
-    for (const auto &[place, value] : sum)
-      if (value != 0.)
-      {
-        const std::size_t one = block[place_in(all, place.first)], other = block[place_in(all, place.second)];
-        if (one != other)
-          std::replace(block.begin(), block.end(), std::max(one, other), std::min(one, other));
-      }
+    const auto block = coupled_blocks(sum, all);
     active_.clear();
     blocks_.clear();
     for (std::size_t b = 0; b < all.size(); ++b)
@@ -100,53 +113,63 @@ namespace deltaform
   }
 
 
-  bool LowRankUpdate::solve(const Vector &d,
-                            const Border &border,
-                            const std::vector<bool> &prescribed,
-                            const Compliance &compliance,
-                            Vector &forces,
-                            Eigen::VectorXd &w)
+  bool LowRankUpdate::complete_columns(const Compliance &compliance)
+  {
+    for (const auto place : active_)
+    {
+      auto &column = columns_[place];
+      if (column.size() != 0)
+        continue;
+      if (!compliance(candidates_[place], column))
+        return false;
+      ++n_columns_;
+    }
+    return true;
+  }
+
+
+  LowRankUpdate::Reduced
+  LowRankUpdate::reduce(const Vector &d, const Border &border, const std::vector<bool> &prescribed) const
   {
     const auto m = static_cast<Eigen::Index>(active_.size()), n_border = border.block.rows();
-    Eigen::MatrixXd G(m, m), B(m, n_border), C(n_border, m);
-    for (Eigen::Index j = 0; j < m; ++j)
-      for (Eigen::Index b = 0; b < n_border; ++b)
-      {
-        const DofIndex dof = candidates_[active_[j]];
-        B(j, b) = prescribed[dof] ? 0. : border.columns[b][dof];
-        C(b, j) = border.rows[b][dof];
-      }
+    Reduced result;
+    result.B.resize(m, n_border);
+    result.C.resize(n_border, m);
+    result.matrix.resize(m + n_border, m + n_border);
+    result.right_side.resize(m + n_border);
     for (Eigen::Index j = 0; j < m; ++j)
     {
-      auto &column = columns_[active_[j]];
-      if (column.size() == 0)
+      const DofIndex dof = candidates_[active_[j]];
+      for (Eigen::Index b = 0; b < n_border; ++b)
       {
-        if (!compliance(candidates_[active_[j]], column))
-          return false;
-        ++n_columns_;
+        result.B(j, b) = prescribed[dof] ? 0. : border.columns[b][dof];
+        result.C(b, j) = border.rows[b][dof];
       }
       for (Eigen::Index i = 0; i < m; ++i)
-        G(i, j) = column[active_[i]];
+        result.matrix(i, j) = columns_[active_[j]][active_[i]];
+      result.right_side[j] = d[dof];
     }
+    result.matrix.topRightCorner(m, n_border).noalias() = result.matrix.topLeftCorner(m, m) * result.B;
+    result.matrix.bottomRightCorner(n_border, n_border) = border.block;
+    result.right_side.tail(n_border) = border.right_side;
+    return result;
+  }
 
-    // Unknowns y = S V^T d_A: (S^-1 + V^T G U) y + V^T G B w = V^T (F^-1 b)_A, C V S^-1 y + W w = b_w, with columns
-    // multiplied by S where it is small.
-    Eigen::MatrixXd matrix(m + n_border, m + n_border);
-    Eigen::VectorXd right_side(m + n_border), columns = Eigen::VectorXd::Ones(m + n_border);
-    matrix.topLeftCorner(m, m) = G;
-    matrix.topRightCorner(m, n_border).noalias() = G * B;
-    matrix.bottomRightCorner(n_border, n_border) = border.block;
-    for (Eigen::Index i = 0; i < m; ++i)
-      right_side[i] = d[candidates_[active_[i]]];
-    right_side.tail(n_border) = border.right_side;
+
+  Eigen::VectorXd LowRankUpdate::turn_to_principal(Reduced &reduced)
+  {
+    auto &matrix = reduced.matrix;
+    const auto m = static_cast<Eigen::Index>(active_.size()), n_border = matrix.rows() - m;
     for (const auto &block : blocks_)
     {
       const auto n = block.factors.size();
       auto of_block = matrix.middleRows(block.first, n);
       of_block = (block.right.transpose() * of_block).eval();
-      right_side.segment(block.first, n) = (block.right.transpose() * right_side.segment(block.first, n)).eval();
-      C.middleCols(block.first, n) = (C.middleCols(block.first, n) * block.right).eval();
+      auto right_side = reduced.right_side.segment(block.first, n);
+      right_side = (block.right.transpose() * right_side).eval();
+      reduced.C.middleCols(block.first, n) = (reduced.C.middleCols(block.first, n) * block.right).eval();
     }
+    Eigen::VectorXd columns = Eigen::VectorXd::Ones(m + n_border);
     stiff_.clear();
     for (const auto &block : blocks_)
     {
@@ -157,49 +180,80 @@ namespace deltaform
       {
         const Eigen::Index j = block.first + k;
         const double factor = block.factors[k], compliance_here = matrix.col(j).head(m).lpNorm<Eigen::Infinity>();
-        // y = columns[j] times the unknown
         const bool stiff = factor * compliance_here > 1.;
         stiff_.push_back(stiff);
         columns[j] = stiff ? 1. : factor;
         matrix.col(j).head(m) *= columns[j];
         matrix(j, j) += stiff ? 1. / factor : 1.;
-        matrix.col(j).tail(n_border) = C.col(j) * (stiff ? 1. / factor : 1.);
+        matrix.col(j).tail(n_border) = reduced.C.col(j) * (stiff ? 1. / factor : 1.);
       }
     }
-    const DofIndex first = d.size() - n_border;
-    for (Eigen::Index b = 0; b < n_border; ++b)
-      if (prescribed[first + b])
+    return columns;
+  }
+
+
+  namespace
+  {
+    /// Solve with columns and rows scaled to a largest entry of one; the solution is multiplied by @p columns.
+    /// @return false if the matrix is (nearly) singular
+    bool solve_scaled(Eigen::MatrixXd &matrix,
+                      Eigen::VectorXd &right_side,
+                      Eigen::VectorXd &columns,
+                      Eigen::VectorXd &solution)
+    {
+      for (Eigen::Index j = 0; j < matrix.cols(); ++j)
       {
-        matrix.row(m + b).setZero();
-        matrix(m + b, m + b) = 1.;
+        const double largest = matrix.col(j).lpNorm<Eigen::Infinity>();
+        if (!(largest > 0.))
+          return false;
+        matrix.col(j) /= largest;
+        columns[j] /= largest;
       }
-    for (Eigen::Index j = 0; j < m + n_border; ++j)
-    {
-      const double largest = matrix.col(j).lpNorm<Eigen::Infinity>();
-      if (!(largest > 0.))
-        return false;
-      matrix.col(j) /= largest;
-      columns[j] /= largest;
-    }
-    for (Eigen::Index i = 0; i < m + n_border; ++i)
-    {
-      const double largest = matrix.row(i).lpNorm<Eigen::Infinity>();
-      if (!(largest > 0.))
-        return false;
-      matrix.row(i) /= largest;
-      right_side[i] /= largest;
-    }
-    Eigen::VectorXd solution(m + n_border);
-    if (m + n_border > 0)
-    {
+      for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+      {
+        const double largest = matrix.row(i).lpNorm<Eigen::Infinity>();
+        if (!(largest > 0.))
+          return false;
+        matrix.row(i) /= largest;
+        right_side[i] /= largest;
+      }
+      solution.resize(matrix.rows());
+      if (matrix.rows() == 0)
+        return true;
       const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix);
       constexpr double singular = 1e-13;
       if (!(lu.rcond() > singular))
         return false;
       solution = columns.cwiseProduct(lu.solve(right_side));
+      return true;
     }
+  } // namespace
+
+
+  bool LowRankUpdate::solve(const Vector &d,
+                            const Border &border,
+                            const std::vector<bool> &prescribed,
+                            const Compliance &compliance,
+                            Vector &forces,
+                            Eigen::VectorXd &w)
+  {
+    if (!complete_columns(compliance))
+      return false;
+    Reduced reduced = reduce(d, border, prescribed);
+    Eigen::VectorXd columns = turn_to_principal(reduced);
+    const auto m = static_cast<Eigen::Index>(active_.size()), n_border = border.block.rows();
+    const DofIndex first = d.size() - n_border;
+    for (Eigen::Index b = 0; b < n_border; ++b)
+      if (prescribed[first + b])
+      {
+        reduced.matrix.row(m + b).setZero();
+        reduced.matrix(m + b, m + b) = 1.;
+      }
+    Eigen::VectorXd solution;
+    if (!solve_scaled(reduced.matrix, reduced.right_side, columns, solution))
+      return false;
     w = solution.tail(n_border);
-    Eigen::VectorXd at_A = B * w;
+    Eigen::VectorXd at_A = reduced.B * w;
     for (const auto &block : blocks_)
       at_A.segment(block.first, block.factors.size()) +=
         block.left * solution.segment(block.first, block.factors.size());

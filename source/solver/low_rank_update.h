@@ -91,6 +91,25 @@ namespace deltaform
     }
 
   private:
+    /// The equations for d_A and w: first with the matrix [G, G B; 0, W], as turn_to_principal() finds it.
+    struct Reduced
+    {
+      Eigen::MatrixXd B, C, matrix;
+      Eigen::VectorXd right_side;
+    };
+
+    /// Find the columns of G that are not known yet. @return false if there is no solution for one
+    bool complete_columns(const Compliance &compliance);
+
+    Reduced reduce(const Vector &d, const Border &border, const std::vector<bool> &prescribed) const;
+
+    /**
+     * To unknowns y = S V^T d_A: (S^-1 + V^T G U) y + V^T G B w = V^T (F^-1 b)_A, C V S^-1 y + W w = b_w, with columns
+     * multiplied by S where it is small.
+     * @return y over the unknown of every column
+     */
+    Eigen::VectorXd turn_to_principal(Reduced &reduced);
+
     std::vector<DofIndex> candidates_;
     std::size_t largest_rank_;
     Eigen::VectorXd ground_;

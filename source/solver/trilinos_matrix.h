@@ -32,9 +32,4 @@ namespace deltaform
   private:
     void make_vectors();
   };
-
-  std::unique_ptr<LinearSolver> make_direct_solver(const LinearSolverSettings &settings,
-                                                   std::unique_ptr<TrilinosMatrix> matrix);
-  std::unique_ptr<LinearSolver> make_iterative_solver(const LinearSolverSettings &settings,
-                                                      std::unique_ptr<TrilinosMatrix> matrix);
 } // namespace deltaform

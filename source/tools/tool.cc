@@ -6,19 +6,6 @@
 
 namespace deltaform
 {
-  double Tool::travel(const double time) const
-  {
-    return force_driven() ? travel_ : motion_(time);
-  }
-
-
-  void Tool::set_travel(const double travel)
-  {
-    Assert(force_driven(), dealii::ExcMessage("The travel of a tool with a motion cannot be set."));
-    travel_ = travel;
-  }
-
-
   double Tool::force(const double time) const
   {
     Assert(force_driven(), dealii::ExcMessage("A tool with a motion has no given force."));

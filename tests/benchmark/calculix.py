@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Hertz (11), upsetting (18) and the cup (20, solid) in deltaform and in CalculiX: error against processor time.
 
-    tests/benchmark/calculix.py [--program PROGRAM] [--ccx ccx] [--problem hertz upsetting cup] [--limit SECONDS] [--write doc/speed_calculix.md]
+    tests/benchmark/calculix.py [--program PROGRAM] [--ccx ccx] [--problem hertz upsetting cup] [--limit SECONDS] [--write]
 
 Meshes, materials, tools and motions are the same in both. In CalculiX a tool is a chain of fixed elements finer than the
 sheet's (faces within 1e-6 of the true shape), contact is face-to-face penalty. Both run with one thread; measured
@@ -16,12 +16,12 @@ import subprocess
 import sys
 import tempfile
 
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(ROOT, "scripts", "studies"))
 import calculix_input as inp
 from measure import Measured, measure
-
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-
+from measured import MeasuredTable
 
 WEDGES = 180  # CalculiX expands axisymmetric elements to a wedge of 2 degrees and prints its reactions
 
@@ -174,6 +174,10 @@ def cup(deltaform, calculix, folder_of):
 CUP_REFERENCE = 1.1775
 # 454 280 with 20 x 30, 454 025 with 40 x 60 elements of degree 2
 ROUGH_REFERENCE = 454025.
+TITLES = {"start_up": "time of a job of one element", "hertz": "11: Hertz, error of the force against time",
+          "upsetting": "18: upsetting to 60 %, no friction, error of the force against time",
+          "rough": "18: upsetting to 40 %, friction .1, error of the force (454.03 kN) against time",
+          "cup": "20: cup, solid, to .6 in, error of the force (1.1775 tonf) against time"}
 PROBLEMS = {"hertz": hertz, "upsetting": upsetting, "rough": rough, "cup": cup}
 
 
@@ -198,10 +202,9 @@ def measured(problem, deltaform, calculix, folder_of):
 
 
 def table(rows, times):
-    return ["| program | mesh | error | processor time [s] | without start-up [s] | wall time [s] |", "|---|---|---|---|---|---|"] + [
-        "| %s | %s | %s | %.2f | %.2f | %.2f |" % (
-            name, mesh, error, cost.processor, max(0., cost.processor - times[name.split()[0]].processor), cost.wall)
-        for name, mesh, error, cost in rows]
+    return MeasuredTable(["program", "mesh", "error", "processor time [s]", "without start-up [s]", "wall time [s]"], (
+        (name, mesh, error, "%.2f" % cost.processor, "%.2f" % max(0., cost.processor - times[name.split()[0]].processor), "%.2f" % cost.wall)
+        for name, mesh, error, cost in rows))
 
 
 def main():
@@ -211,7 +214,7 @@ def main():
     parser.add_argument("--problem", nargs="+", choices=sorted(PROBLEMS), default=["hertz", "upsetting", "rough", "cup"])
     parser.add_argument("--limit", type=float, default=300., help="seconds of processor time after which a run is given up")
     parser.add_argument("--keep", metavar="FOLDER", help="leave the files of the runs here")
-    parser.add_argument("--write", metavar="FILE", help="renew the tables of this page")
+    parser.add_argument("--write", action="store_true", help="renew doc/measured/calculix_*.csv")
     arguments = parser.parse_args()
 
     deltaform = Deltaform(arguments.program, arguments.limit)
@@ -233,13 +236,13 @@ def main():
         # Before and after: what other work on the machine adds to a start is not to be taken off the runs.
         for name, later in start_up(deltaform, calculix, folder_of).items():
             times[name] = min(times[name], later, key=lambda cost: cost.processor)
-        parts = {"start-up": ["| program | processor time [s] | wall time [s] |", "|---|---|---|"] +
-                             ["| %s | %.3f | %.3f |" % (name, t.processor, t.wall) for name, t in times.items()]}
+        parts = {"start_up": MeasuredTable(["program", "processor time [s]", "wall time [s]"], (
+            (name, "%.3f" % t.processor, "%.3f" % t.wall) for name, t in times.items()))}
         parts.update({problem: table(own, times) for problem, own in rows.items()})
-        for lines in parts.values():
-            print("\n".join(lines))
-    if arguments.write:
-        inp.renew(arguments.write, parts)
+    for name, part in parts.items():
+        print(part)
+        if arguments.write:
+            part.write("calculix_" + name, TITLES[name])
 
 
 if __name__ == "__main__":

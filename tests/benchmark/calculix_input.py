@@ -1,6 +1,5 @@
 """Input of CalculiX for the problems of calculix.py: the meshes, materials and tools of deltaform's scenes."""
 import math
-import re
 
 
 class Job:
@@ -188,14 +187,3 @@ def cup(n, across, kind, travel, stiffness=1e5):
     for name, slave in (("PUNCH", "TOP"), ("DIE", "BOTTOM"), ("HOLDER", "TOP")):
         lines += contact(name, slave, "S" + name, stiffness, .2, .1 * stiffness)
     return "\n".join(lines + step(boundary, .002, .02, nlgeom=True, prints=["PUNCH"])) + "\n"
-
-
-def renew(path, parts):
-    """Replace the tables '<!-- table NAME -->' of a page."""
-    with open(path, encoding="utf-8") as stream:
-        text = stream.read()
-    for name, lines in parts.items():
-        pattern = "(<!-- table %s -->\n).*?(<!-- end -->)" % re.escape(name)
-        text = re.sub(pattern, lambda match: match.group(1) + "\n".join(lines) + "\n" + match.group(2), text, flags=re.S)
-    with open(path, "w", encoding="utf-8") as stream:
-        stream.write(text)

@@ -1,5 +1,5 @@
 // What deltaform cannot be faster than: a program that is linked to the same libraries, starts MPI with the same
-// settings as a single deltaform process, and ends it. scripts/benchmark.py compares the two.
+// settings as a single deltaform process, and ends it. scripts/studies/benchmark.py compares the two.
 #include <deal.II/base/mpi.h>
 
 #include <cstdlib>

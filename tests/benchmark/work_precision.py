@@ -7,7 +7,7 @@ Every line of a plot varies one choice and keeps the others at the problem's bas
 at the error of what it does not vary. 'all together' refines everything at once. The error is against the exact answer
 where there is one, else against a run that is finer in everything, whose own error is estimated by a coarser one.
 Writes work_precision.csv, a row per run, and a picture per problem into FOLDER (output/work_precision); --write renews
-doc/work_precision.md and its pictures in doc/gallery. Needs numpy and matplotlib; about ten minutes of one core, --quick
+doc/measured/work_*.csv and the pictures in doc/gallery. Needs numpy and matplotlib; about ten minutes of one core, --quick
 (first and last member of every line, no shell with friction, no solid) two.
 """
 import argparse
@@ -17,13 +17,13 @@ import os
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path.insert(0, os.path.join(ROOT, "scripts"))
+sys.path.insert(0, os.path.join(ROOT, "scripts", "studies"))
 sys.path.insert(0, os.path.join(ROOT, "tests", "scenes"))
+from measured import MeasuredTable  # noqa: E402
 import reference_values as exact  # noqa: E402
-from experiments import Program, markdown, renew  # noqa: E402
+from experiments import Program  # noqa: E402
 from work_precision_problems import problems  # noqa: E402
 
-PAGE = os.path.join(ROOT, "doc", "work_precision.md")
 GALLERY = os.path.join(ROOT, "doc", "gallery")
 GOALS = (1e-2, 1e-3)
 COLOURS = ["#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7", "#7b4fa3"]
@@ -79,22 +79,21 @@ def goals(problem, rows, doubt):
             cells.append((name, goal, f"{best['line']}: {best['value']}", f"{best['seconds']:.2f}", f"{best['iterations']:g}",
                           f"{best['error of ' + name]:.1e}"))
     known = "" if problem.reference is not None else "known to " + ", ".join(f"{d:.0e} ({n})" for n, d in zip(problem.quantities, doubt))
-    return [[problem.name if i == 0 else "", known if i == 0 else "", c[0], f"{100 * c[1]:g} %", *c[2:]] for i, c in enumerate(cells)]
+    return [[problem.name, known, c[0], f"{100 * c[1]:g} %", *c[2:]] for c in cells]
 
 
 def table(problem, rows):
     """Every run of a problem."""
     head = ["line", "value", "unknowns", "increments", "iterations", "seconds", *("error of " + name for name in problem.quantities)]
-    cells, before = [], None
+    cells = []
     for row in rows:
-        name = row["line"] if row["line"] != before else ""
-        before = row["line"]
+        name = row["line"]
         if "seconds" not in row:
             cells.append([name, row["value"], "", "", "", f"status {row['status']}", *("" for _ in problem.quantities)])
             continue
         cells.append([name, row["value"], f"{row['unknowns']:g}", f"{row['increments']:g}", f"{row['iterations']:g}", f"{row['seconds']:.2f}",
                       *(f"{row['error of ' + quantity]:.1e}" for quantity in problem.quantities)])
-    return markdown(head, cells)
+    return MeasuredTable(head, cells)
 
 
 def picture(problem, rows, doubt, path):
@@ -141,7 +140,7 @@ def main():
     parser.add_argument("--output", default=os.path.join(ROOT, "output", "work_precision"), help="folder for the CSV file and the pictures")
     parser.add_argument("--quick", action="store_true", help="first and last member of every line, the fast problems only")
     parser.add_argument("--only", nargs="+", metavar="NAME", help="problems whose key is one of these")
-    parser.add_argument("--write", action="store_true", help="renew doc/work_precision.md and its pictures")
+    parser.add_argument("--write", action="store_true", help="renew doc/measured/work_*.csv and the pictures")
     options = parser.parse_args()
     os.makedirs(options.output, exist_ok=True)
     program = Program(os.path.join(options.build, "deltaform"), short=.5)
@@ -163,13 +162,14 @@ def main():
         writer = csv.DictWriter(file, columns)
         writer.writeheader()
         writer.writerows(all_rows)
-    tables["goals"] = markdown(["problem", "reference", "quantity", "error at most", "least time by", "seconds", "iterations", "error reached"], best)
-    print("\n" + tables["goals"])
+    fastest = MeasuredTable(["problem", "reference", "quantity", "error at most", "least time by", "seconds", "iterations", "error reached"], best)
+    print(f"\n{fastest}")
     print(f"\n{program.seconds:.0f} s of computing in {len(program.known)} runs")
     if options.write:
-        if options.only:
-            del tables["goals"]
-        renew(PAGE, tables)
+        for problem in chosen:
+            tables[problem.key].write("work_" + problem.key, f"{problem.name}: error against computing time, one choice varied per line")
+        if not options.only:
+            fastest.write("work_goals", "least computing time for errors of 1 % and .1 %")
 
 
 if __name__ == "__main__":

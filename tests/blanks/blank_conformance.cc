@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(carried_flow_turns_with_the_blank)
                        Vector q = direction;
                        q *= 1. + .2 * time;
                        const Vector turned = moved_rigidly(blank, q, turn * time, Tensor1());
-                       blank.begin_increment(length / last);
+                       blank.begin_increment(length, length / last);
                        last = length;
                        norms.push_back(residual(blank, turned).norm());
                        blank.commit(turned);

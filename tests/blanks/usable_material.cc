@@ -45,13 +45,60 @@ BOOST_AUTO_TEST_CASE(solids)
   check_refused("solid", "Yield surface", "test: plane stress", "shells only");
   check_refused("solid", "Yield surface", "test: anisotropic", "axes of an anisotropic metal");
   check_refused("solid", "Backstress", "test: Chaboche", "backstress_1");
-  check_refused("solid", "Rate factor", "test: rate", "how long");
 }
 
 BOOST_AUTO_TEST_CASE(shells)
 {
-  check_refused("shell", "Rate factor", "test: rate", "how long");
   check_refused("shell", "Yield surface", "of a spelling error", "one of");
+}
+
+BOOST_AUTO_TEST_CASE(a_law_hears_how_long_an_increment_takes)
+{
+  // Stretched evenly, so that cells of solids have one stress. Linear hardening and the factor of Cowper and Symonds:
+  // sigma = (4 + 20 p) (1 + (p/(t D))^(1/5)), D = 40.
+  for (const std::string kind : {"shell", "solid"})
+    for (const double duration : {1e-4, .3, 20.})
+      for (const bool once_more : {false, true})
+      {
+        auto blank = make(kind, "Rate factor", "test: rate");
+        const auto role = roles(*blank);
+        const auto X = blank->positions(Vector(blank->n_dofs()));
+        Vector q(blank->n_dofs());
+        for (unsigned int i = 0; i < q.size(); ++i)
+          if (role[i].node != invalid_index)
+            q[i] = (role[i].axis == 0 ? .03 : -.01) * X[role[i].node][role[i].axis];
+        blank->begin_increment(duration, 0.);
+        if (once_more)
+        {
+          // At the same time: as long as the last one, also where the state has come from another blank.
+          const KeyedArrays state = blank->state();
+          blank = make(kind, "Rate factor", "test: rate");
+          blank->set_state(state);
+          blank->begin_increment(0., 0.);
+        }
+        residual(*blank, q);
+        blank->commit(q);
+        const Drawing drawing = blank->draw(q, {});
+        const auto values = [&](const std::string &name) {
+          for (const auto &field : drawing.fields)
+            if (field.name == name)
+              return field.values;
+          return std::vector<double>();
+        };
+        const auto p = values("equivalent_plastic_strain"), stress = values("stress_von_mises");
+        unsigned int n_flowed = 0;
+        BOOST_TEST_CONTEXT(kind << ", " << duration << ", once more: " << once_more)
+        {
+          for (unsigned int i = 0; i < p.size(); ++i)
+            if (p[i] > 0.)
+            {
+              ++n_flowed;
+              const double expected = (4. + 20. * p[i]) * (1. + std::pow(p[i] / duration / 40., .2));
+              BOOST_TEST(stress[i] == expected, boost::test_tools::tolerance(1e-9));
+            }
+          BOOST_TEST(2u * n_flowed > p.size());
+        }
+      }
 }
 
 BOOST_AUTO_TEST_CASE(laws_that_do_not_go_together)

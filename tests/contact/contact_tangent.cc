@@ -3,6 +3,7 @@
 #include "fake_surface.h"
 
 #include <deltaform/base/registry.h>
+#include <deltaform/geometry/curvature.h>
 
 #include <tuple>
 
@@ -50,7 +51,7 @@ namespace
       {
         Point2 foot;
         Tensor1 normal;
-        if (segment.kind == Shape::Segment::Kind::line)
+        if (segment.kind == Segment::Kind::line)
         {
           foot = segment.start + part * (segment.end - segment.start);
           normal = Tensor1({-segment.tangent[1], segment.tangent[0]});
@@ -146,7 +147,7 @@ namespace
         result.emplace_back(pair.touching,
                             pair.sticking,
                             foot.segment,
-                            surface.offset > 0. ? shape.curvature_change(foot.arc_length, surface.offset) : 0.);
+                            surface.offset > 0. ? curvature_change(shape, foot.arc_length, surface.offset) : 0.);
       }
       return result;
     }

@@ -11,6 +11,7 @@
 cmake_minimum_required(VERSION 3.16)
 
 set(floor_base 0)
+set(floor_geometry 1)
 set(floor_kinematics 1)
 set(floor_materials 2)
 set(floor_tools 2)

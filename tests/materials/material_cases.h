@@ -68,6 +68,28 @@ namespace deltaform
       return result;
     }
 
+    /// The documented entries of a registered law in its section of the scene: "Material/Yield surface/r-bar=1.6".
+    template <typename Kind>
+    std::vector<std::string> law_entries(const std::string &section, const std::string &law)
+    {
+      // The documentation shows entries of which a scene must not have all.
+      static const std::map<std::string, std::vector<std::string>> not_together = {
+        {"hill", {"r0", "r90", "Rolling direction"}}};
+      const std::string path = "Material/" + section + "/";
+      std::vector<std::string> result = {path + "Law=" + law};
+      for (const auto &entry : documented_entries([&](ParameterTree &tree) {
+             Section own = tree.root();
+             Registry<Kind>::make(law, own);
+           }))
+      {
+        const auto others = not_together.find(law);
+        const std::string name = entry.substr(0, entry.find('='));
+        if (others == not_together.end() || std::count(others->second.begin(), others->second.end(), name) == 0)
+          result.push_back(path + entry);
+      }
+      return result;
+    }
+
     /// A material, and what is expected of it beyond its traits.
     struct MaterialCase
     {
@@ -90,15 +112,15 @@ namespace deltaform
             entries.push_back("Material/Hardening/" + entry);
           cases.push_back({name + ", " + law + ", other parameters", make_material(name, law, entries)});
         }
-      const auto add_each = [&](const std::string &section, const std::vector<std::string> &laws) {
+      const auto add_each = [&](const std::string &section, const auto &entries_of, const auto &laws) {
         for (const auto &law : laws)
           cases.push_back({section + " " + law,
-                           make_material("elastoplastic", "swift", {"Material/" + section + "/Law=" + law}),
+                           make_material("elastoplastic", "swift", entries_of(section, law)),
                            section != "Yield surface" || law == "mises"});
       };
-      add_each("Yield surface", Registry<YieldSurface>::names());
-      add_each("Backstress", Registry<BackStress>::names());
-      add_each("Rate factor", Registry<RateFactor>::names());
+      add_each("Yield surface", law_entries<YieldSurface>, Registry<YieldSurface>::names());
+      add_each("Backstress", law_entries<BackStress>, Registry<BackStress>::names());
+      add_each("Rate factor", law_entries<RateFactor>, Registry<RateFactor>::names());
     }
 
     inline std::unique_ptr<YieldSurface> make_mises()

@@ -25,7 +25,7 @@ namespace
   double residual(const ReleasedForces &released, const double time)
   {
     testing::DenseTarget target(3, false);
-    released.assemble(time, target);
+    released.add(time, target);
     BOOST_TEST(target.residual[0] == 0.);
     BOOST_TEST(target.residual[2] == 0.);
     return target.residual[1];

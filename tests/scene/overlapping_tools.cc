@@ -59,7 +59,6 @@ BOOST_AUTO_TEST_CASE(who_cannot_clash)
   BOOST_TEST_REQUIRE(only_then.size() == 1u);
   BOOST_TEST(has(only_then[0], "stage 'two'"));
   const ReadScene pressed(strip(punch_and_die("3.5", "  set Force = 4*t\n")));
-  pressed.scene->actors.tools[0]->set_travel(3.);
   BOOST_TEST(deltaform::overlapping_tools(pressed.scene->actors).empty());
   // Less than a hundredth of the thickness is none.
   BOOST_TEST(found(punch_and_die("3.5", "  set Motion = 1.009*t/2\n")).empty());

@@ -1,22 +1,23 @@
 #!/usr/bin/env python3
-"""Runs the shipped reference problems in series of meshes, layers and increments, and renews the tables of a document.
+"""Runs the shipped reference problems in series of meshes, layers and increments: errors and orders of convergence.
 
-    python3 tests/scenes/benchmarks.py build/deltaform doc/benchmarks.md [TABLE ...]
+    python3 tests/scenes/benchmarks.py build/release/deltaform [--write] [TABLE ...]
 
-A table of the document stands between '<!-- table NAME -->' and '<!-- end -->'; without names all are renewed.
-Standard library only; about two minutes.
+Without names all tables are made; --write renews doc/measured/verification_*.csv. Standard library only; about two minutes.
 """
+import argparse
 import math
 import os
-import re
 import subprocess
 import sys
 import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.append(os.path.join(ROOT, "scripts", "studies"))  # behind this folder: both have a shell_and_solid.py
 import reference_values as exact
 import solid_tables
+from measured import MeasuredTable
 from run_files import rows_of
 
 
@@ -49,11 +50,6 @@ class Runner:
         return [{name: number(cell) for name, cell in row.items()} for row in rows_of(path)]
 
 
-def markdown(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
-
-
 def error(value, reference):
     return "%.1e" % (value / reference - 1)
 
@@ -84,7 +80,7 @@ def mesh_table(run, scene, sizes, quantities, floor, extra=()):
         columns = [series(sizes, e, floor) for e in errors]
         for i, n in enumerate(sizes):
             rows.append([str(degree), str(n)] + [column[i] for column in columns])
-    return markdown(["degree", "elements"] + [q[0] for q in quantities], rows)
+    return MeasuredTable(["degree", "elements"] + [q[0] for q in quantities], rows)
 
 
 def stretch(run):
@@ -98,7 +94,7 @@ def stretch(run):
         rows.append([scene, error(row["stress_meridional_mid"], reference[0]),
                      error(row["equivalent_plastic_strain"], reference[1]),
                      error(row["thickness"] / thickness, reference[2])])
-    return markdown(["scene", "Kirchhoff stress", "equivalent plastic strain", "thickness"], rows)
+    return MeasuredTable(["scene", "Kirchhoff stress", "equivalent plastic strain", "thickness"], rows)
 
 
 def stretch_increments(run):
@@ -110,7 +106,7 @@ def stretch_increments(run):
                    "Solver/Growth=%.9g" % (1 + .4 / n))
         errors.append(rows[0][0]["equivalent_plastic_strain"] / reference[1] - 1)
         increments.append(len(rows[1]))
-    return markdown(["first increment, growth", "increments", "plastic strain"],
+    return MeasuredTable(["first increment, growth", "increments", "plastic strain"],
                     [["%.1e, %.3f" % (1e-3 / n, 1 + .4 / n), str(count), cell]
                      for n, count, cell in zip(sizes, increments, series(sizes, errors))])
 
@@ -148,7 +144,7 @@ def cylinder_thickness(run):
                         "Loads/moment/Value=0: 0, 1: %g, 2: 0" % load, "Loads/force/Value=1: 0, 2: %g" % load)[0]["u_r"] / load
             _, thin, thick = exact.cylinder_edge(100., 100. / ratio, 2.1e5, .3, moment, force)
             rows.append([str(ratio), name, "%.7g" % value, "%.7g" % thick, error(value, thick), "%.7g" % thin, error(value, thin)])
-    return markdown(["R/h", "load", "w/load", "with shear deformation", "error", "thin shell", "difference"], rows)
+    return MeasuredTable(["R/h", "load", "w/load", "with shear deformation", "error", "thin shell", "difference"], rows)
 
 
 def elastica(run):
@@ -164,7 +160,7 @@ def springback(run):
                            "Blank/Layer rule=" + rule)[-1]["rotation"] for layers in sizes]
         columns.append(["%.5f" % radius for radius in radii])
         columns.append(series(sizes, [radius / exact.SPRINGBACK_FIBRES - 1 for radius in radii]))
-    return markdown(["layers", "R' Gauss", "error", "R' Lobatto", "error"],
+    return MeasuredTable(["layers", "R' Gauss", "error", "R' Lobatto", "error"],
                     [[str(layers)] + [column[i] for column in columns] for i, layers in enumerate(sizes)])
 
 
@@ -180,7 +176,7 @@ def capstan(run):
             reference = exact.capstan(friction, math.radians(degrees), 50., 1.)
             value = ratio_of(run("capstan_%d" % degrees, "history.csv", "Tools/drum/Friction coefficient=%g" % friction), degrees)
             rows.append(["%g" % friction, str(degrees), "%.6f" % value, "%.6f" % reference, error(value, reference)])
-    return markdown(["mu", "wrap", "T2/T1", "exact", "error"], rows)
+    return MeasuredTable(["mu", "wrap", "T2/T1", "exact", "error"], rows)
 
 
 def capstan_series(run):
@@ -198,30 +194,61 @@ def capstan_series(run):
                 errors.append(ratio_of(table, 90) * 100 / reference - 1 if table else None)
             columns.append(series(sizes, errors, 1.5e-5))
         rows += [[str(degree), str(n)] + [column[i] for column in columns] for i, n in enumerate(sizes)]
-    return markdown(["degree", "elements"] + ["delta = %s h" % delta for delta in deltas], rows)
+    return MeasuredTable(["degree", "elements"] + ["delta = %s h" % delta for delta in deltas], rows)
 
 
 TABLES = {"stretch": stretch, "stretch increments": stretch_increments, "plate large": plate_large,
           "plate linear": plate_linear, "cylinder": cylinder, "cylinder thickness": cylinder_thickness,
           "elastica": elastica, "springback": springback, "capstan": capstan, "capstan series": capstan_series}
-TABLES.update(solid_tables.make(markdown, series))
+TABLES.update(solid_tables.make(MeasuredTable, series))
+
+
+TITLES = {
+    "stretch": "1: stretch to a logarithmic strain of .8 (Swift's law): relative errors",
+    "stretch increments": "1: plane-strain stretch over the first increments: relative error of the plastic strain (observed order)",
+    "plate large": "4: clamped circular plate, large deflection: relative error of the centre deflection (observed order)",
+    "plate linear": "5: clamped circular plate, linear: relative error of the centre deflection (observed order)",
+    "cylinder": "6: long cylinder with edge loads, R/h = 100: relative error of the radial displacement (observed order)",
+    "cylinder thickness": "6: long cylinder: displacement of the loaded edge against theories with and without shear deformation",
+    "elastica": "7: elastica: relative error of the tip's deflection under P L^2/(E'I) (observed order)",
+    "springback": "9: springback after pure bending: radius over the number of layers, relative error (observed order)",
+    "capstan": "16: belt friction, tension 100 per unit width: ratio of the tensions and its relative error",
+    "capstan series": "16: belt friction, a hundredth of the tension: relative error over the mesh (observed order)",
+    "thick sphere": "2: thick sphere, elastic-plastic: relative error of the outer displacement (observed order)",
+    "thick cylinder": "3: thick cylinder at large strain: relative error of the radial stress at the inner wall",
+    "thick cylinder mesh": "3: thick cylinder: error of the mesh alone, against 80 elements of degree 2 (observed order)",
+    "necking": "8: necking of a round bar at an elongation of 4: force and r/R (relative error)",
+    "contact patch": "10: contact patch test: largest relative deviation of a nodal contact pressure",
+    "hertz": "11 sphere, 12 cylinder, 13 flat punch: relative errors of force and largest pressure (observed order)",
+    "delta": "11: sphere, adaptive penalty: largest penetration [mm] and relative change of the force against the active set",
+    "half space": "11 and 13, degree 2, active set: uniform and refined meshes, relative errors",
+    "half space delta": "11 refined, rule adaptive: relative errors over delta [mm]",
+    "greco": "14: stick, slip and separation: u_x of the bottom [micrometre]",
+    "indentation": "17: elastic-plastic indentation: F/(2 pi d) [N/mm]",
+    "upsetting": "18: upsetting: forces, iterations and cutbacks",
+    "stretching": "19: hemispherical stretching: forces (difference to the solid with 160 x 2), "
+        "thickness strain at 40 mm, largest difference",
+    "stretching published": "19: hemispherical stretching, mu = 0: forces [kN] at the published "
+        "travels (difference to the published force)",
+    "stretching refined": "19: solid refined during the run, mu = 0: forces (difference to 160 x 2), penetrations [mm], energy error",
+    "cup models": "20: cup, shell and solid: force, thickness strain, draw-in"}
 
 
 def main():
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    run, document, wanted = Runner(sys.argv[1]), sys.argv[2], sys.argv[3:]
-    with open(document) as stream:
-        text = stream.read()
-    for name in re.findall("<!-- table (.*?) -->", text):
-        if wanted and name not in wanted:
-            continue
-        print("table", name, flush=True)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("tables", nargs="*", metavar="TABLE", help="one of: " + ", ".join(TABLES))
+    parser.add_argument("--write", action="store_true", help="renew doc/measured/verification_*.csv")
+    options = parser.parse_args()
+    unknown = [name for name in options.tables if name not in TABLES]
+    if unknown:
+        parser.error(f"there is no table '{unknown[0]}'")
+    run = Runner(options.program)
+    for name in options.tables or TABLES:
         table = TABLES[name](run)
-        pattern = "(<!-- table %s -->\n).*?(<!-- end -->)" % re.escape(name)
-        text = re.sub(pattern, lambda match: match.group(1) + table + "\n" + match.group(2), text, flags=re.S)
-        with open(document, "w") as stream:
-            stream.write(text)
+        print(f"{TITLES[name]}\n{table}\n", flush=True)
+        if options.write:
+            table.write("verification_" + name, TITLES[name])
 
 
 if __name__ == "__main__":

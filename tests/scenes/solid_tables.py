@@ -32,7 +32,7 @@ def at(rows, column, value):
     return min(rows, key=lambda row: abs(row[column] - value))
 
 
-def make(markdown, series):
+def make(table_of, series):
     def by_mesh(run, scene, sizes, quantities, floor=0., extra=(), mesh=cells_of):
         """Quantities: (title, file, function of rows, reference)."""
         rows = []
@@ -44,7 +44,7 @@ def make(markdown, series):
                     errors[i].append(value(tables[i]) / reference - 1 if tables else None)
             columns = [series(sizes, e, floor) for e in errors]
             rows += [[str(degree), str(n)] + [column[i] for column in columns] for i, n in enumerate(sizes)]
-        return markdown(["degree", "elements each way"] + [q[0] for q in quantities], rows)
+        return table_of(["degree", "elements each way"] + [q[0] for q in quantities], rows)
 
     def thick_sphere(run):
         loaded, unloaded = sphere(250.)
@@ -52,18 +52,18 @@ def make(markdown, series):
                        [("u_b, P = 250", "profile_1.csv", lambda rows: rows[0]["u_r_bottom"], loaded),
                         ("u_b, unloaded", "profile_2.csv", lambda rows: rows[0]["u_r_bottom"], unloaded)])
 
-    def thick_cylinder(run):
+    def thick_cylinder(run, alone=False):
         quantities = [("a = %d" % a, "history.csv",
                        lambda rows, a=a: -at(rows, "wall_travel", a - 10.)["wall_force_r"] / (2 * math.pi * a),
                        -cylinder_stress(a)) for a in (20, 40, 85)]
         mesh = lambda degree, n: ["Blank/Degree=%d" % degree, "Blank/Elements=%d" % n]
-        exact = by_mesh(run, "thick_cylinder", (5, 10, 20, 40), quantities, 1e-1, mesh=mesh)
+        if not alone:
+            return by_mesh(run, "thick_cylinder", (5, 10, 20, 40), quantities, 1e-1, mesh=mesh)
         # The error of the mesh alone: elastic strains and increments are the same on all.
         finest = run("thick_cylinder", "history.csv", *mesh(2, 80))
-        own = by_mesh(run, "thick_cylinder", (5, 10, 20, 40),
-                      [("mesh alone, " + title, file, value, value(finest)) for title, file, value, _ in quantities],
-                      1e-8, mesh=mesh)
-        return exact + "\n\n" + own
+        return by_mesh(run, "thick_cylinder", (5, 10, 20, 40),
+                       [("mesh alone, " + title, file, value, value(finest)) for title, file, value, _ in quantities],
+                       1e-8, mesh=mesh)
 
     def necking(run):
         rows = []
@@ -77,7 +77,7 @@ def make(markdown, series):
                              "%.4f (%.1e)" % (table[-1]["min_thickness"] / 6.413,
                                               table[-1]["min_thickness"] / 6.413 / .9426 - 1),
                              "%.0e" % abs(table[-1]["energy_error"])])
-        return markdown(["degree", "elements", "increment", "force (kN), error", "r/R, error", "energy balance"], rows)
+        return table_of(["degree", "elements", "increment", "force (kN), error", "r/R, error", "energy balance"], rows)
 
     def upsetting(run):
         rows = []
@@ -91,7 +91,7 @@ def make(markdown, series):
                 rows.append([friction, str(degree), "%d x %d" % (n, 3 * n // 2)] + force +
                             [str(int(sum(row["newton_iterations"] for row in table))) if table else "",
                              str(int(sum(row["cutbacks"] for row in table))) if table else ""])
-        return markdown(["mu", "degree", "elements", "kN at 40 %", "kN at 60 %", "Newton iterations", "cutbacks"], rows)
+        return table_of(["mu", "degree", "elements", "kN at 40 %", "kN at 60 %", "Newton iterations", "cutbacks"], rows)
 
     def stretching(run):
         rows = []
@@ -124,7 +124,7 @@ def make(markdown, series):
                          for low in (0., 2.)]
                 rows.append([mu, title] + ["%.2f (%+.2f %%)" % (f / 1e3, 100 * (f / g - 1))
                                            for f, g in zip(force, reference)] + ["%.4f" % w for w in worst])
-        return markdown(["mu", "blank", "kN at 20 mm", "kN at 40 mm", "thickness strain, r < 50", "2 < r < 50"], rows)
+        return table_of(["mu", "blank", "kN at 20 mm", "kN at 40 mm", "thickness strain, r < 50", "2 < r < 50"], rows)
 
     def published(run):
         """Forces at the published travels, which the runs hit exactly."""
@@ -138,7 +138,7 @@ def make(markdown, series):
             computed = [at(table, "punch_travel", travel)["punch_force_z"] for table in tables]
             rows.append(["%.1f" % travel, "%g" % (force / 1e3)] +
                         ["%.2f (%+.1f %%)" % (value / 1e3, 100 * (value / force - 1)) for value in computed])
-        return markdown(["mm", "published", "shell, 200", "shell, 200, no transverse normal stress",
+        return table_of(["mm", "published", "shell, 200", "shell, 200, no transverse normal stress",
                          "solid, degree 2, 80 x 2"], rows)
 
     def cup_models(run):
@@ -156,7 +156,7 @@ def make(markdown, series):
             rows.append([title] + ["%.4f" % at(table[0], "punch_travel", t)["punch_force_z"] for t in (.6, 1.)] +
                         ["%.4f" % min(r["eps_thickness"] for r in table[2]),
                          "%.4f" % (2.22 - table[2][-1]["r"])])
-        return markdown(["blank", "tonf at .6 in", "tonf at 1 in", "smallest thickness strain", "draw-in (in)"], rows)
+        return table_of(["blank", "tonf at .6 in", "tonf at 1 in", "smallest thickness strain", "draw-in (in)"], rows)
 
     def patch(run):
         rows = []
@@ -177,7 +177,7 @@ def make(markdown, series):
                     worst = max(abs(row["pressure"] / 10. - 1) for row in table) if table else float("nan")
                     cells.append("< 1e-9" if worst < 1e-9 else "%.1e" % worst)
                 rows.append([title, mesh] + cells)
-        return markdown(["contact", "mesh", "degree 1", "degree 2"], rows)
+        return table_of(["contact", "mesh", "degree 1", "degree 2"], rows)
 
     def hertz(run):
         rows = []
@@ -196,7 +196,7 @@ def make(markdown, series):
                 errors[3].append(punch[-1]["punch_force_z"] / (2 / .91 * .01) - 1 if punch else None)
             columns = [series(sizes, e, 1e-3 if i < 3 else 0.) for i, e in enumerate(errors)]
             rows += [[str(degree), str(n)] + [column[i] for column in columns] for i, n in enumerate(sizes)]
-        return markdown(["degree", "elements each way", "11: F, sphere", "11: p0, sphere", "12: p0, cylinder",
+        return table_of(["degree", "elements each way", "11: F, sphere", "11: p0, sphere", "12: p0, cylinder",
                          "13: F, flat punch"], rows)
 
     def delta(run):
@@ -213,7 +213,7 @@ def make(markdown, series):
                 for table in tables[1:]:
                     rows[-1] += ["%.1e, %.1e" % (table[-1]["max_penetration"], table[-1]["sphere_force_z"] / held - 1)] \
                         if table else ["failed"]
-        return markdown(["degree", "elements each way", "mesh: F, active set"] +
+        return table_of(["degree", "elements each way", "mesh: F, active set"] +
                         ["delta = %s: p, F" % d for d in cases], rows)
 
     def greco(run):
@@ -222,7 +222,7 @@ def make(markdown, series):
             table = run("greco", "profile_1.csv", *cells_of(degree, n))
             rows.append([str(degree), str(n)] + ["%.2f" % (1e3 * at(table, "R0", x)["u_r_bottom"])
                                                  for x in (0., 1.25, 5., 7.5, 11.25)])
-        return markdown(["degree", "elements each way", "x = 0", "1.25", "5", "7.5", "11.25"], rows)
+        return table_of(["degree", "elements each way", "x = 0", "1.25", "5", "7.5", "11.25"], rows)
 
     def indentation(run):
         rows = []
@@ -232,7 +232,7 @@ def make(markdown, series):
             rows.append([str(degree), str(n)] +
                         ["%.4g" % (at(table, "sphere_travel", d)["sphere_force_z"] / (2 * math.pi * d))
                          for d in (.5, 1.)] if table else [str(degree), str(n), "failed", "failed"])
-        return markdown(["degree", "elements", "F/(2 pi d), d = .5", "d = 1"], rows)
+        return table_of(["degree", "elements", "F/(2 pi d), d = .5", "d = 1"], rows)
 
     ungraded = ["Blank/Grading=1", "Blank/Grading through thickness=1", "Steps/press/First increment=1",
                 "Steps/press/Largest increment=1", "Solver/Largest rotation increment=10"]
@@ -266,7 +266,7 @@ def make(markdown, series):
                              str(unknowns), str(int(last["contact_pairs"])), "%.1e" % (last[tool + "_force_z"] / force - 1),
                              "%.1e" % (first["pressure"] / pressure(first["R0"]) - 1) if mean else "",
                              "%.1e" % (sum(mean) / len(mean)) if mean else ""])
-        return markdown(["problem", "mesh", "unknowns", "nodes in contact", "force", "innermost pressure",
+        return table_of(["problem", "mesh", "unknowns", "nodes in contact", "force", "innermost pressure",
                          "mean error of p, r < .7"], rows)
 
     def half_space_delta(run):
@@ -286,7 +286,7 @@ def make(markdown, series):
             rows.append([delta] + ["%.1e" % (tables[0][k]["sphere_force_z"] / force - 1) for k in (4, 6, 8, 10)] +
                         ["%.1e" % tables[0][-1]["max_penetration"], "%.1e" % (sum(mean) / len(mean)),
                          str(int(sum(row["newton_iterations"] for row in tables[0])))])
-        return markdown(["delta", "force, refined 4 times", "6 times", "8 times", "10 times", "p",
+        return table_of(["delta", "force, refined 4 times", "6 times", "8 times", "10 times", "p",
                          "mean error of the pressure, .1 < r < .7", "Newton iterations"], rows)
 
     def stretching_refined(run):
@@ -315,10 +315,11 @@ def make(markdown, series):
                             ["%.2f (%+.2f %%)" % (f / 1e3, 100 * (f / g - 1)) for f, g in zip(force, reference)] +
                             ["%.1e" % table[-1]["max_penetration"], "%.1e" % table[-1]["max_penetration_between_nodes"],
                              "%.1e" % abs(table[-1]["energy_error"])])
-        return markdown(["delta", "elements", "unknowns", "kN at 20 mm", "kN at 40 mm", "p", "p between nodes",
+        return table_of(["delta", "elements", "unknowns", "kN at 20 mm", "kN at 40 mm", "p", "p between nodes",
                          "energy balance"], rows)
 
-    return {"thick sphere": thick_sphere, "thick cylinder": thick_cylinder, "necking": necking, "upsetting": upsetting,
+    return {"thick sphere": thick_sphere, "thick cylinder": thick_cylinder,
+            "thick cylinder mesh": lambda run: thick_cylinder(run, True), "necking": necking, "upsetting": upsetting,
             "stretching": stretching, "stretching published": published,
             "cup models": cup_models, "contact patch": patch, "hertz": hertz, "delta": delta, "greco": greco,
             "indentation": indentation, "half space": half_space, "half space delta": half_space_delta,

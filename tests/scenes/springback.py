@@ -2,7 +2,7 @@
 """The U-bend of a shell springs back as that of a solid does: springback.py DELTAFORM SCENE FOLDER.
 
 SCENE is prm/u_bend.prm, with the holder force of 19.6 kN on 35 mm of width. The solid has 350 x 2 elements of degree 2
-(doc/springback.md); the tolerances are the sum of what both meshes are known to leave: .3 and .7 degrees, 1.3 and .8 degrees,
+(doc/verification.md); the tolerances are the sum of what both meshes are known to leave: .3 and .7 degrees, 1.3 and .8 degrees,
 1.4e-4 and 1.1e-3 per mm of curl.
 """
 import os

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs scenes drawn at random and checks that each ends well: done with the promise kept, or with a clear error.
 
-    stress.py PROGRAM FOLDER [--first N] [--count N] [--sensible] [--seeds LIST] [--jobs N] [--seconds N] [--resume N] [--write PAGE] [--keep]
+    stress.py PROGRAM FOLDER [--first N] [--count N] [--sensible] [--seeds LIST] [--jobs N] [--seconds N] [--resume N] [--write NAME] [--keep]
 
 Never allowed, whatever the scene: a crash, a hang (more than --seconds of processor time), NaN or infinity in a result, a promise
 p <= delta that is broken silently, an exit status without its message, a run that ends as done although its files show that forces are
@@ -28,9 +28,12 @@ import time
 
 import draw
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "scenes"))
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "tests" / "scenes"))
+sys.path.append(str(ROOT / "scripts" / "studies"))
 import check_run
 import resume
+from measured import MeasuredTable
 from run_files import CsvFile, NoRun, Run, not_finite
 
 BAD = ("crash", "hang", "NaN in a result", "promise broken silently", "status and message disagree", "wrong without a word",
@@ -184,28 +187,17 @@ def run_one(program, work, seed, limit, interrupt, keep):
     return dict(tags, outcome=kind, message=message, seconds=seconds, status=status)
 
 
-def table(results, arguments):
-    """The page of results in Markdown."""
-    outcomes = [kind for kind in ("done", "necks", "stopped", "refused") + BAD if any(r["outcome"] == kind for r in results)]
-    lines = ["# Stress test", "",
-             f"Made by `tests/stress/stress.py build/release/deltaform FOLDER --first {arguments.first} --count {arguments.count} "
-             f"{'--sensible ' if arguments.sensible else ''}--seconds {arguments.seconds:g} --resume {arguments.resume} --write doc/stress.md`: scenes drawn at random from the seeds {arguments.first} to "
-             f"{arguments.first + arguments.count - 1}{', of which only the sensible ones were run' if arguments.sensible else ''}. A scene that takes more than {arguments.seconds:g} s of processor time counts as a "
-             "hang.", "",
-             "| outcome | meaning |", "|---|---|",
-             "| done | full stroke, p <= delta in every increment; forces in balance within "
-             f"{100 * SHARE:g} %, at most {100 * check_run.ENERGY:g} % of the work missing, at least a third of the thickness left, or a warning in "
-             "summary.json (checked in the files, not believed) |",
-             "| necks | exit status 2; the message names the node that necks |",
-             "| stopped | exit status 2 or 3, with a message that says why; what was computed is written |",
-             "| refused | exit status 1 before anything runs, with a message that names the entry |", ""]
+def summary(results, arguments):
+    """Outcomes by group, and sentences about them. @return table, sentences, share of the sensible scenes that completed"""
+    seeds = arguments.seeds or f"{arguments.first}-{arguments.first + arguments.count - 1}{', sensible ones' if arguments.sensible else ''}"
+    outcomes = ("done", "necks", "stopped", "refused") + BAD
+    outcomes = [kind for kind in outcomes if kind not in BAD or kind == "hang" or any(r["outcome"] == kind for r in results)]
+    table = MeasuredTable(["seeds", "group", "member", "scenes", *outcomes])
 
     def add(title, groups):
-        lines.extend([f"| {title} | scenes | " + " | ".join(outcomes) + " |", "|---|" + "---:|" * (len(outcomes) + 1)])
         for name, members in groups:
             count = collections.Counter(r["outcome"] for r in members)
-            lines.append(f"| {name} | {len(members)} | " + " | ".join(str(count[o]) for o in outcomes) + " |")
-        lines.append("")
+            table.add(seeds, title, name, len(members), *(count[o] for o in outcomes))
 
     sensible = [r for r in results if r["sensible"]]
     add("judgement", [("sensible", sensible), ("not sensible", [r for r in results if not r["sensible"]]), ("all", results)])
@@ -214,61 +206,62 @@ def table(results, arguments):
     names = sorted({f for r in results for f in r["features"]})
     add("with", [(f, [r for r in results if f in r["features"]]) for f in names])
     complete = sum(r["outcome"] in ("done", "necks") for r in sensible)
-    lines.append(f"**{complete} of {len(sensible)} sensible scenes completed ({100 * complete / max(1, len(sensible)):.1f} %; aim: 98 %)**; "
-                 f"{sum(r['outcome'] in BAD for r in results)} of {len(results)} ended in a way that is never allowed. "
-                 f"Median processor time {sorted(r['seconds'] for r in results)[len(results) // 2]:.2f} s, longest "
-                 f"{max(r['seconds'] for r in results):.1f} s.")
+    times = sorted(r["seconds"] for r in results)
     first_rule = [r for r in results if set(r["against"]) <= draw.AFTERWARDS]
     first_complete = sum(r["outcome"] in ("done", "necks") for r in first_rule)
-    lines.append(f"Without the {len(draw.AFTERWARDS)} clauses that were added to the rule when a failure had shown what it had forgotten "
-                 f"({'; '.join(sorted(draw.AFTERWARDS))}): {first_complete} of {len(first_rule)} "
-                 f"({100 * first_complete / max(1, len(first_rule)):.1f} %).")
+    sentences = [
+        f"{complete} of {len(sensible)} sensible scenes completed ({100 * complete / max(1, len(sensible)):.1f} %; aim: 98 %).",
+        f"{sum(r['outcome'] in BAD for r in results)} of {len(results)} ended in a way that is never allowed.",
+        f"Processor time: median {times[len(times) // 2]:.2f} s, longest {times[-1]:.1f} s; limit {arguments.seconds:g} s.",
+        f"Without the {len(draw.AFTERWARDS)} clauses that were added to the rule when a failure had shown what it had forgotten "
+        f"({'; '.join(sorted(draw.AFTERWARDS))}): {first_complete} of {len(first_rule)} "
+        f"({100 * first_complete / max(1, len(first_rule)):.1f} %)."]
     resumed = [r for r in results if r.get("resumed")]
     if resumed:
-        lines.append(f"{len(resumed)} scenes were killed at random moments ({sum(r['resumed'] for r in resumed)} times) and resumed; "
-                     f"{sum(r['outcome'] == 'resumed run differs' for r in resumed)} of them gave other results than the run left alone.")
-    lines += warned(results)
-    lines += ["", "## What is called sensible", "", "```", draw.RULE, "```", "", "## Failures by kind", "",
-              "| kind | sensible | others | scenes (the first eight; sensible ones in bold) |", "|---|---:|---:|---|"]
-    kinds = collections.defaultdict(list)
+        sentences.append(f"{len(resumed)} scenes were killed at random moments ({sum(r['resumed'] for r in resumed)} times) and resumed; "
+                         f"{sum(r['outcome'] == 'resumed run differs' for r in resumed)} of them gave other results than the run left alone.")
+    return table, sentences, complete / max(1, len(sensible))
+
+
+def kinds(results, kinds_of, seeds):
+    """How many scenes are of a kind, the commonest first."""
+    members_of = collections.defaultdict(list)
     for r in results:
-        if r["outcome"] != "done":
-            kinds[f"{r['outcome']}: {shorten(r['message'])}"].append(r)
-    for kind, members in sorted(kinds.items(), key=lambda item: -len(item[1])):
-        shown = first_eight(members)
-        lines.append(f"| {kind.replace('|', '/')} | {sum(r['sensible'] for r in members)} | "
-                     f"{sum(not r['sensible'] for r in members)} | {shown} |")
-    return "\n".join(lines) + "\n", complete / max(1, len(sensible))
+        for kind in kinds_of(r):
+            members_of[kind].append(r)
+    table = MeasuredTable(["seeds", "kind", "sensible", "others", "scenes (the first eight, sensible ones first)"])
+    for kind, members in sorted(members_of.items(), key=lambda item: -len(item[1])):
+        count = sum(r["sensible"] for r in members)
+        table.add(seeds, kind, count, len(members) - count, first_eight(members))
+    return table
 
 
-def warned(results):
-    """How many scenes that are done carry warnings of the program, by kind."""
+def warned(results, seeds):
+    """How many scenes that are done carry warnings of the program, by kind. @return table and sentence"""
     done = [r for r in results if r["outcome"] == "done"]
-    kinds = collections.defaultdict(list)
-    for r in done:
-        for kind in {kind_of_warning(text) for text in r.get("warnings", [])}:
-            kinds[kind].append(r)
+    table = kinds(done, lambda r: {kind_of_warning(text) for text in r.get("warnings", [])}, seeds)
     count = sum(bool(r.get("warnings")) for r in done)
-    if not count:
-        return [f"None of the {len(done)} scenes that are done carries a warning of the program."]
-    lines = [f"{count} of the {len(done)} scenes that are done carry a warning of the program (`warnings` in summary.json):", "",
-             "| warning | sensible | others | scenes (the first eight; sensible ones in bold) |", "|---|---:|---:|---|"]
-    for kind, members in sorted(kinds.items(), key=lambda item: -len(item[1])):
-        lines.append(f"| {kind.replace('|', '/')} | {sum(r['sensible'] for r in members)} | {sum(not r['sensible'] for r in members)} | "
-                     f"{first_eight(members)} |")
-    return lines
+    return table, f"{count} of the {len(done)} scenes that are done carry a warning of the program."
+
+
+def tell(results, arguments):
+    """Prints what came out; --write NAME: into doc/measured/NAME.csv and its companions. @return share of completed sensible scenes"""
+    table, sentences, share = summary(results, arguments)
+    seeds = table.rows[0][0]
+    with_warning, sentence = warned(results, seeds)
+    sentences.append(sentence)
+    failed = kinds([r for r in results if r["outcome"] != "done"], lambda r: [f"{r['outcome']}: {shorten(r['message'])}"], seeds)
+    print("\n\n".join(map(str, (table, with_warning, failed, "\n".join(sentences)))))
+    if arguments.write:
+        table.write(arguments.write, "outcomes of the scenes drawn at random, by group. " + " ".join(sentences))
+        with_warning.write(arguments.write + "_warnings", "scenes that are done with a warning, by kind")
+        failed.write(arguments.write + "_failures", "scenes that are not done, by kind")
+    return share
 
 
 def first_eight(members):
     members.sort(key=lambda r: (not r["sensible"], r["seed"]))
-    return ", ".join(f"**{r['seed']}**" if r["sensible"] else str(r["seed"]) for r in members[:8])
-
-
-def write_page(path, page):
-    """What was written by hand, from "## Found by hand" on, stays."""
-    old = path.read_text() if path.exists() else ""
-    by_hand = old.find("## Found by hand")
-    path.write_text(page + ("\n" + old[by_hand:] if by_hand >= 0 else ""))
+    return ", ".join(str(r["seed"]) for r in members[:8])
 
 
 def main():
@@ -283,8 +276,8 @@ def main():
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--resume", type=int, default=0)
     parser.add_argument("--share", type=float, default=0, help="of the sensible scenes that has to complete")
-    parser.add_argument("--write", type=pathlib.Path, help="page for the table")
-    parser.add_argument("--again", type=pathlib.Path, help="make the page of an earlier results.jsonl, run nothing")
+    parser.add_argument("--write", metavar="NAME", help="renew doc/measured/NAME.csv, NAME_warnings.csv and NAME_failures.csv")
+    parser.add_argument("--again", type=pathlib.Path, help="the tables of an earlier results.jsonl, run nothing")
     parser.add_argument("--keep", action="store_true")
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
@@ -301,7 +294,7 @@ def main():
         results.sort(key=lambda r: r["seed"])
         if not arguments.sensible:
             arguments.first, arguments.count = results[0]["seed"], len(results)
-        write_page(arguments.write, table(results, arguments)[0])
+        tell(results, arguments)
         return 0
     results = []
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool, open(arguments.folder / "results.jsonl", "w") as log:
@@ -314,10 +307,7 @@ def main():
             log.flush()
             if r["outcome"] in BAD or r["sensible"] and r["outcome"] != "done":
                 print(f"{r['seed']}: {'sensible, ' if r['sensible'] else ''}{r['outcome']}: {r['message']}", flush=True)
-    page, share = table(results, arguments)
-    print(page[page.index("| judgement"):page.index("## What")])
-    if arguments.write:
-        write_page(arguments.write, page)
+    share = tell(results, arguments)
     return 1 if any(r["outcome"] in BAD for r in results) or share < arguments.share else 0
 
 

@@ -1,3 +1,4 @@
+#include <deltaform/geometry/curvature.h>
 #include <deltaform/tools/shape.h>
 
 #include <boost/test/unit_test.hpp>
@@ -59,7 +60,7 @@ BOOST_AUTO_TEST_CASE(fillets_become_arcs)
   BOOST_TEST(s[3].sweep == pi / 2);
   BOOST_TEST(s[4].length == 4.);
   BOOST_TEST(std::abs(profile.length() - (10 + 1.5 * pi)) < 1e-14);
-  BOOST_TEST(profile.smallest_radius() == 1.);
+  BOOST_TEST(smallest_radius(profile) == 1.);
   BOOST_TEST(profile.bounding_box().first.distance(Point2(0, -6)) < 1e-15);
   BOOST_TEST(profile.bounding_box().second.distance(Point2(10, 0)) < 1e-15);
 }
@@ -191,24 +192,24 @@ BOOST_AUTO_TEST_CASE(the_smallest_radius_between_two_feet)
   const double infinity = std::numeric_limits<double>::infinity();
   // Convex of radius 1 at s in [3, 3 + pi/2], concave of radius 2 from 6 + pi/2 to 6 + 3 pi/2.
   const Polygon profile({{0, 0}, {4, 0}, {4, -6}, {10, -6}}, {0, 1, 2, 0});
-  BOOST_TEST(profile.smallest_radius(0., 2.9) == infinity);
-  BOOST_TEST(profile.smallest_radius(2.9, 5.) == 1.);
-  BOOST_TEST(profile.smallest_radius(5., 2.9) == 1.);
-  BOOST_TEST(profile.smallest_radius(5., 8.) == 2.);
-  BOOST_TEST(profile.smallest_radius(1., 12.) == 1.);
-  BOOST_TEST(profile.smallest_radius(4.6, 7.5) == infinity); // the straight between them
+  BOOST_TEST(smallest_radius(profile, 0., 2.9) == infinity);
+  BOOST_TEST(smallest_radius(profile, 2.9, 5.) == 1.);
+  BOOST_TEST(smallest_radius(profile, 5., 2.9) == 1.);
+  BOOST_TEST(smallest_radius(profile, 5., 8.) == 2.);
+  BOOST_TEST(smallest_radius(profile, 1., 12.) == 1.);
+  BOOST_TEST(smallest_radius(profile, 4.6, 7.5) == infinity); // the straight between them
   // A sharp corner that points to the blank, and one that does not.
   const Polygon sharp({{0, 0}, {4, 0}, {4, -6}, {10, -6}}, {0, 0, 0, 0});
-  BOOST_TEST(sharp.smallest_radius(3., 5.) == 0.);
-  BOOST_TEST(sharp.smallest_radius(9., 11.) == infinity);
+  BOOST_TEST(smallest_radius(sharp, 3., 5.) == 0.);
+  BOOST_TEST(smallest_radius(sharp, 9., 11.) == infinity);
   // Across the axis, and the short way round a closed profile.
   const Polygon punch({{0, 0}, {4, 0}, {4, -6}}, {0, 1, 0}, Shape::End::axis, Shape::End::free);
-  BOOST_TEST(punch.smallest_radius(-2., 2.) == infinity);
-  BOOST_TEST(punch.smallest_radius(-4., 2.) == 1.);
+  BOOST_TEST(smallest_radius(punch, -2., 2.) == infinity);
+  BOOST_TEST(smallest_radius(punch, -4., 2.) == 1.);
   const Polygon square({{0, 0}, {0, 2}, {2, 2}, {2, 0}}, {0., .2, .3, 0.}, true);
-  BOOST_TEST(square.smallest_radius(.5, 1.) == infinity);
-  BOOST_TEST(square.smallest_radius(1., 2.5) == .2);
-  BOOST_TEST(square.smallest_radius(.5, square.length() - .5) == 0.); // over the corner where it begins
+  BOOST_TEST(smallest_radius(square, .5, 1.) == infinity);
+  BOOST_TEST(smallest_radius(square, 1., 2.5) == .2);
+  BOOST_TEST(smallest_radius(square, .5, square.length() - .5) == 0.); // over the corner where it begins
 }
 
 BOOST_AUTO_TEST_CASE(impossible_profiles_name_the_corner)

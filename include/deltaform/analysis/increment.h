@@ -56,9 +56,8 @@ namespace deltaform
     IncrementResult attempt(const IncrementStart &start, double length, Effort effort);
 
   private:
-    /// Is the step to @p result too large? @param snapped a last resort has found it @param may_snap so that nodes may
-    /// turn by more than allowed; remembered in @p result
-    std::optional<Rejected> too_large(double length, bool snapped, bool may_snap, IncrementResult &result) const;
+    /// Is the step to @p result too large? Remembers a snap, and the strain of a new equilibrium at the same time.
+    std::optional<Rejected> too_large(double length, bool may_snap, IncrementResult &result) const;
 
     /// Why a solve failed, in words.
     std::string explain(const NewtonResult &result) const;

@@ -23,7 +23,7 @@ namespace deltaform
     double thickness = 0; ///< work done on the springs by the thickness that is updated between increments, so far
 
     /// How far `friction` is to be expected from that of short increments, as a standard deviation: sqrt(sum of J^2/12)
-    /// over increments and tools, J = sum of (t_1 - t_0) ds over the points of a tool (doc/time_integration.md). About
+    /// over increments and tools, J = sum of (t_1 - t_0) ds over the points of a tool (doc/theory/friction.md). About
     /// proportional to the length of the increments.
     double friction_error() const
     {

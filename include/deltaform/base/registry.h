@@ -18,13 +18,14 @@ namespace deltaform
    *     static const Registry<Hardening>::Entry entry("swift", "K (e0 + e)^n", make_as<Swift, Hardening>);
    *
    * The registry feeds the choices in the scene, `--list`, the generated parameter page and the conformance tests. Its
-   * makers read the law's parameters from the section of the scene in which the law was named.
+   * makers read the law's parameters from the section of the scene in which the law was named; some are told more
+   * (@p Args): a load its blank.
    */
-  template <typename T>
+  template <typename T, typename... Args>
   class Registry
   {
   public:
-    using Maker = std::unique_ptr<T> (*)(Section &);
+    using Maker = std::unique_ptr<T> (*)(Section &, Args...);
 
     struct Record
     {
@@ -56,22 +57,25 @@ namespace deltaform
       return records().at(name).sentence;
     }
 
-    static std::unique_ptr<T> make(const std::string &name, Section &section)
+    static std::unique_ptr<T> make(const std::string &name, Section &section, Args... args)
     {
       const auto record = records().find(name);
       AssertThrow(record != records().end(),
                   dealii::ExcMessage("Nothing is registered under the name '" + name + "'."));
-      return record->second.maker(section);
+      return record->second.maker(section, args...);
     }
 
     /**
      * Read the entry @p entry of @p section, whose value is one of the registered names, and make what it names from
      * the same section.
      */
-    static std::unique_ptr<T>
-    choose(Section &section, const std::string &entry, const std::string &default_name, const std::string &what_for)
+    static std::unique_ptr<T> choose(Section &section,
+                                     const std::string &entry,
+                                     const std::string &default_name,
+                                     const std::string &what_for,
+                                     Args... args)
     {
-      return make(section.choice(entry, default_name, names(), what_for), section);
+      return make(section.choice(entry, default_name, names(), what_for), section, args...);
     }
 
   private:
@@ -84,9 +88,9 @@ namespace deltaform
   };
 
   /// The usual maker: construct from the section.
-  template <typename Derived, typename Base>
-  std::unique_ptr<Base> make_as(Section &section)
+  template <typename Derived, typename Base, typename... Args>
+  std::unique_ptr<Base> make_as(Section &section, Args... args)
   {
-    return std::make_unique<Derived>(section);
+    return std::make_unique<Derived>(section, args...);
   }
 } // namespace deltaform

@@ -8,8 +8,9 @@
 namespace deltaform
 {
   /**
-   * Wall time and calls of named steps. A section is looked up once and then known by its index, so that timing costs
-   * two readings of the clock. Sections may nest; the inner time then counts in both.
+   * Wall time and number of calls of named sections, the steps of timing.json. A section is looked up by its name
+   * once; from then on its index serves, and timing costs two readings of the clock. If sections nest, the time of the
+   * inner one counts in both.
    */
   class Timers
   {
@@ -18,10 +19,10 @@ namespace deltaform
 
     Timers();
 
-    /// The index of the section called @p name, which is made if there is none yet.
+    /// Index of the section @p name; a new one is made if there is none.
     Index section(const std::string &name);
 
-    /// Measures from its construction to its end.
+    /// Adds the time between its construction and its destruction to a section.
     class Scope
     {
     public:
@@ -42,8 +43,8 @@ namespace deltaform
       std::chrono::steady_clock::time_point start_;
     };
 
-    /// Measures what lies between its construction and its end and in none of the scopes between them, which must not
-    /// nest: what a step does apart from its named parts.
+    /// As Scope, less the time of the scopes within: what a step does apart from its named parts. These scopes must
+    /// not nest.
     class Remainder
     {
     public:
@@ -61,7 +62,7 @@ namespace deltaform
       Remainder &operator=(const Remainder &) = delete;
 
     private:
-      Scope scope_; // ends last, and adds what the parts were taken from
+      Scope scope_; // destroyed last: adds the whole time, of which the parts have been taken off
       Timers &timers_;
       Index index_;
       double named_;
@@ -95,6 +96,6 @@ namespace deltaform
 
     Clock::time_point start_;
     std::vector<Section> sections_;
-    double named_ = 0.; ///< sum of all seconds
+    double named_ = 0.; ///< sum of the seconds of all sections
   };
 } // namespace deltaform

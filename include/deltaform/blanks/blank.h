@@ -135,10 +135,13 @@ namespace deltaform
 
     /// @name Once per increment
     ///@{
-    /// The increment to come is @p ratio times as long as the last accepted one; 0: there is none that it continues.
-    virtual void begin_increment(const double /*ratio*/)
-    {
-    }
+    /**
+     * The increment to come.
+     * @param duration time that it takes (time), for materials that want to know; 0, where equilibrium is sought anew
+     *   at the same time: as long as the last one
+     * @param ratio of its length to that of the last accepted one; 0: there is none that it continues
+     */
+    virtual void begin_increment(double duration, double ratio) = 0;
 
     /// Estimated share of the plastic strain of this increment (committed to trial) that the integration of flow in one
     /// step leads astray, mean over the blank.

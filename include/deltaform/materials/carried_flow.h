@@ -10,21 +10,22 @@
 namespace deltaform
 {
   /**
-   * What the two-step backward differentiation formula keeps of the last increment. With the ratio w of the increment's
-   * length to the last one's it reads, for a history h with the rate f,
+   * The predictor of BDF2, the two-step backward differentiation formula, for the flow of all points. w is the length
+   * of the increment over that of the last one, h the plastic strain and the equivalent plastic strain, f their rate:
    *
-   *     h_n+1 = h_n + w^2/(1 + 2 w) (h_n - h_n-1) + (1 + w)/(1 + 2 w) dt f_n+1,
+   *     h_n+1 = h* + (1 + w)/(1 + 2 w) dt f_n+1,      h* = h_n + w^2/(1 + 2 w) (h_n - h_n-1).
    *
-   * which is backward Euler from a start that has been carried on: the same return map, with the same tangent, of
-   * second order and as stable against large increments (L-stable). C.W. Gear, Numerical Initial Value Problems in
-   * Ordinary Differential Equations, Prentice-Hall 1971; for plasticity P. Papadopoulos, R.L. Taylor, On the
-   * application of multi-step integration methods to infinitesimal elastoplasticity, Int. J. Numer. Meth. Eng. 37
-   * (1994) 3169.
+   * This is backward Euler from the predictor h* instead of h_n: the same return map and the same tangent, of second
+   * order and L-stable. The class keeps h_n - h_n-1 and computes h* - h_n. Derivation: doc/theory/materials.md.
+   * C.W. Gear, Numerical Initial Value Problems in Ordinary Differential Equations, Prentice-Hall 1971; for plasticity
+   * P. Papadopoulos, R.L. Taylor, On the application of multi-step integration methods to infinitesimal
+   * elastoplasticity, Int. J. Numer. Meth. Eng. 37 (1994) 3169.
    */
   class CarriedFlow
   {
   public:
-    /// Longer in relation to the last one an increment goes without: the formula loses its stability at 1 + sqrt(2).
+    /// Largest ratio w; a longer increment is backward Euler. BDF2 is zero-stable for growing increments up to
+    /// w = 1 + sqrt(2).
     static constexpr double largest_ratio = 2.;
 
     CarriedFlow() = default;
@@ -39,7 +40,7 @@ namespace deltaform
       return !last_.empty();
     }
 
-    /// Before @p history is committed.
+    /// Keep the flow of the increment that ends. Call before @p history is committed.
     void keep(const PointHistory &history)
     {
       const double *before = history.committed(0), *after = history.trial(0);
@@ -47,7 +48,7 @@ namespace deltaform
         last_[i] = after[i] - before[i];
     }
 
-    /// The increment to come is @p ratio times as long as the last one. @return is anything carried?
+    /// Compute the predictor for an increment @p ratio times as long as the last one. @return false: backward Euler
     bool carry(const double ratio)
     {
       active_ = used() && ratio > 0. && ratio <= largest_ratio;
@@ -59,14 +60,14 @@ namespace deltaform
       return true;
     }
 
-    /// There is no last increment that the next one continues.
+    /// The next increment does not continue the last one: it is backward Euler.
     void forget()
     {
       active_ = false;
       last_.assign(last_.size(), 0.);
     }
 
-    /// Values of point @p point and all that follow; null if nothing is carried.
+    /// h* - h_n of @p point, followed by those of the points behind it; null for backward Euler.
     const double *at(const std::size_t point) const
     {
       return active_ ? carried_.data() + point * values_per_point_ : nullptr;
@@ -76,7 +77,7 @@ namespace deltaform
       return active_ ? carried_.data() + point * values_per_point_ : nullptr;
     }
 
-    /// Put the flow of the last increment into a state, or take it from there.
+    /// Write the flow of the last increment to a state, and read it from there.
     void put(KeyedArrays &state) const
     {
       state.put("flow of the last increment", last_);
@@ -91,6 +92,6 @@ namespace deltaform
   private:
     unsigned int values_per_point_ = 0;
     bool active_ = false;
-    std::vector<double> last_, carried_;
+    std::vector<double> last_, carried_; ///< h_n - h_n-1 and h* - h_n of all points
   };
 } // namespace deltaform

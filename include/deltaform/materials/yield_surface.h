@@ -20,8 +20,9 @@ namespace deltaform
   /**
    * A yield surface q(stress) = flow stress with associated flow. The equivalent stress q is convex, homogeneous of
    * degree one (q(a t) = a q(t) for a >= 0), not negative, does not depend on the pressure, and is the stress itself
-   * in uniaxial tension along direction 1; the increment of the equivalent plastic strain is then work-conjugate to
-   * it. Kirchhoff stress less the backstress, in Mandel's components and the axes of the point (Mandel).
+   * in uniaxial tension along one direction, which the law names (that of the flow curve); the increment of the
+   * equivalent plastic strain is then work-conjugate to it. Kirchhoff stress less the backstress, in Mandel's
+   * components and the axes of the point (Mandel).
    *
    * All that a surface has to give is evaluate(): the general return map does the rest, for solids and for shells.
    */

@@ -2,8 +2,9 @@
 
 #include <deltaform/blanks/blank.h>
 #include <deltaform/contact/contact_interface.h>
-#include <deltaform/model/boundary_conditions.h>
+#include <deltaform/model/load.h>
 #include <deltaform/model/stage.h>
+#include <deltaform/model/support.h>
 
 #include <memory>
 #include <vector>
@@ -18,7 +19,7 @@ namespace deltaform
     std::unique_ptr<ContactSettings> contact;
     std::vector<std::unique_ptr<ContactInterface>> interfaces; ///< one per tool, in the order of the tools
     std::vector<Support> supports;
-    std::vector<Load> loads;
+    std::vector<std::unique_ptr<Load>> loads;
     std::vector<Stage> stages;
   };
 } // namespace deltaform

@@ -4,6 +4,7 @@
 #include <deltaform/model/accounts.h>
 #include <deltaform/model/actors.h>
 #include <deltaform/model/equations.h>
+#include <deltaform/model/term.h>
 #include <deltaform/solver/system.h>
 
 #include <array>
@@ -16,7 +17,7 @@ namespace deltaform
    * The contact interfaces of a stage as one part of the equations: their penalty factors, residual and tangent, and
    * the inequalities, which are active where a point touches.
    */
-  class ContactSet : public ActiveSet
+  class ContactSet : public Term, public ActiveSet
   {
   public:
     explicit ContactSet(Actors &actors);
@@ -36,6 +37,15 @@ namespace deltaform
 
     bool takes_part(const ContactInterface &interface) const;
 
+    /**
+     * A stage begins at @p time: bring tools that are driven by a force into contact (a force without resistance has no
+     * equilibrium), and remember where the contact points are.
+     * @param q the unknowns, of which the travels change
+     * @param extent of the blank (length)
+     * @return names of the tools that have not found the blank
+     */
+    std::vector<std::string> begin_stage(double time, double extent, Vector &q);
+
     /// An increment that ends at @p time begins; what was tried before is forgotten.
     void begin_increment(double time);
 
@@ -47,12 +57,6 @@ namespace deltaform
     {
       return factors_due_;
     }
-
-    /// Let the rule give the penalty factors where it is its turn. @p system has the blank's terms and none of contact.
-    void predict_factors(const Vector &q, const System &system, bool tangent);
-
-    /// Residual and tangent of all interfaces.
-    void assemble(const Vector &q, System &system, bool tangent);
 
     /// Shorten the travels of tools in the step @p d that nothing resists. @return the share of the step that moves no
     /// tool by more than @p length
@@ -67,14 +71,20 @@ namespace deltaform
     /// Longest allowed undeformed edges of both sides of the blank, edge by edge.
     std::array<std::vector<double>, 2> longest_edges(double share, bool rim) const;
 
-    /// Accept the trial state at @p q.
-    void commit(const Vector &q);
-
-    /// The thickness has changed: count its work, and tell the blank the contact pressure of the next increments.
-    void refresh(const Vector &q);
-
     /// Of the committed state.
     ContactAccount account(const Vector &q) const;
+
+    /// @name Term
+    ///@{
+    /// Let the rule give the penalty factors where it is its turn.
+    void read_body(const Vector &q, const System &body, bool tangent) override;
+    Status assemble(const Vector &q, double time, AssemblyTarget &target) override;
+    void accept(const Vector &q) override;
+    /// Count the work of the new thickness, and tell the blank the contact pressure of the next increments.
+    void refresh(const Vector &q) override;
+    void add_to(EnergyAccount &account) const override;
+    void forget_energy() override;
+    ///@}
 
     /// @name ActiveSet
     ///@{

@@ -3,10 +3,13 @@
 #include <deltaform/base/timers.h>
 #include <deltaform/model/accounts.h>
 #include <deltaform/model/actors.h>
+#include <deltaform/model/body.h>
 #include <deltaform/model/contact_set.h>
+#include <deltaform/model/force_book.h>
 #include <deltaform/model/increment_problem.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/model/numbering.h>
+#include <deltaform/model/support_set.h>
 #include <deltaform/solver/linear_solver.h>
 #include <deltaform/solver/system.h>
 
@@ -17,14 +20,18 @@
 namespace deltaform
 {
   /**
-   * The equations of one increment: blank, loads, released forces and the contact interfaces of the current stage,
-   * assembled in this order, because penalty rules read the blank's stiffness before contact adds to it. Knows which
-   * unknowns are prescribed and what is committed.
+   * The equations of one increment: the terms of the current stage (body, loads, released forces, contact), assembled
+   * in this order, because penalty rules read the body's stiffness before contact adds to it; and the state that is
+   * committed.
    */
   class Model : public IncrementProblem
   {
   public:
     Model(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers);
+
+    // The parts refer to each other.
+    Model(const Model &) = delete;
+    Model &operator=(const Model &) = delete;
 
     /// @name Equations
     ///@{
@@ -45,11 +52,11 @@ namespace deltaform
     }
     const Vector &prescribed() const override
     {
-      return prescribed_;
+      return supports_.values();
     }
     const std::vector<bool> &is_prescribed() const override
     {
-      return is_prescribed_;
+      return supports_.is_prescribed();
     }
     double force_floor() const override;
     IncrementSize increment_size(const Vector &dq) const override;
@@ -65,7 +72,8 @@ namespace deltaform
     std::string misplaced_tool(const Stage &stage) const;
 
     /// A stage begins: tools, loads and supports that end with the last stage become forces that fade out.
-    void begin_stage(const Stage &stage);
+    /// @return names of force-driven tools that do not find the blank along their direction
+    std::vector<std::string> begin_stage(const Stage &stage);
 
     /// Forget what was tried since the last commit. @param time of the state that is looked for next
     void discard(double time);
@@ -147,7 +155,10 @@ namespace deltaform
     EnergyAccount energies() const;
 
     /// Contact of the committed state.
-    ContactAccount contact() const;
+    ContactAccount contact() const
+    {
+      return contact_.account(state_.unknowns);
+    }
 
     /// Force of the blank on each tool, committed.
     const std::vector<Tensor1> &tool_forces() const
@@ -155,11 +166,17 @@ namespace deltaform
       return state_.tool_forces;
     }
 
-    double travel(unsigned int tool) const;
+    double travel(const unsigned int tool) const
+    {
+      return state_.travels[tool];
+    }
 
     /// Sum of the forces (moments) of a support on the blank in the committed state. Of one that ended with the stage
     /// before: what is left of it.
-    double reaction(unsigned int support) const;
+    double reaction(const unsigned int support) const
+    {
+      return supports_.reaction(support, state_);
+    }
 
     /// Resultant of a load on the blank in the committed state: r (axisymmetric: radial forces around the whole
     /// circumference) and z. Of one that ended with the stage before: what is left of it.
@@ -168,11 +185,11 @@ namespace deltaform
       return state_.load_resultants[load];
     }
 
-    /**
-     * How far the forces on the blank in the committed state are from balance: sum of the forces of tools, supports and
-     * loads as they are reported over the largest of them, along z and, in plane strain, along x (the larger counts).
-     */
-    double balance_error() const;
+    /// See ForceBook::balance_error(), of the committed state.
+    double balance_error() const
+    {
+      return book_.balance_error(state_);
+    }
 
     /// Of the committed state.
     double time() const
@@ -191,35 +208,28 @@ namespace deltaform
     /// Who takes part in a stage, and which unknowns it prescribes.
     void enter_stage(const Stage &stage);
 
+    /// Unknowns, matrix and empty state of the blank's present mesh.
     void number_unknowns();
 
-    /// Supports, loads and unknowns of the blank's present mesh.
+    /// The same after a change of the mesh, with all that refers to its unknowns.
     void renumber();
-
-    void set_prescribed();
-
-    void assemble_loads(const Vector &q, AssemblyTarget &target) const;
-
-    /// Move a force-driven tool that touches nothing along its direction until it does.
-    void bring_into_contact(const ContactInterface &pair);
-
-    /// Forces on the unknowns of the blank from what ends with the last stage.
-    void collect_released(const std::string &next_stage);
 
     Actors &actors_;
     LinearSolverSettings linear_solver_;
     Timers &timers_;
-    Timers::Index timer_clear_, timer_blank_, timer_sum_, timer_contact_, timer_commit_;
+    Timers::Index timer_clear_, timer_body_, timer_sum_, timer_contact_, timer_commit_;
     std::unique_ptr<System> system_;
     Numbering numbering_;
-    std::vector<bool> is_prescribed_;
-    std::string stage_name_;
+
+    Body body_;
+    ContactSet contact_;
+    SupportSet supports_;
+    ForceBook book_;
+    std::vector<Term *> terms_; ///< of the current stage: the body, loads, released forces, contact
     bool energies_wanted_ = true;
 
     ModelState state_; ///< committed; body and contact points are with the blank and the interfaces
     double time_ = 0; ///< at the end of the increment that is tried
-    Vector prescribed_;
-    ContactSet contact_;
     std::function<void(const System &)> before_contact_; ///< mostly empty
   };
 } // namespace deltaform

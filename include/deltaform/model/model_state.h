@@ -21,6 +21,7 @@ namespace deltaform
   struct ModelState
   {
     double time = 0;
+    std::string stage; ///< name of the one that it belongs to; empty: none has begun
     Vector unknowns;
     Vector hold; ///< what supports hold in the present stage
     ReleasedForces released;

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <deltaform/base/assembly_target.h>
-#include <deltaform/base/types.h>
 #include <deltaform/model/stage.h>
+#include <deltaform/model/term.h>
 
 #include <vector>
 
@@ -12,7 +11,7 @@ namespace deltaform
    * Forces of the tools, supports and loads that ended with the last stage, as they were in its last equilibrium. They
    * fade out linearly over the stage, F(t) = F (t_end - t)/(t_end - t_begin), or are gone at once (Steps/Release).
    */
-  struct ReleasedForces
+  struct ReleasedForces : public Term
   {
     /// No forces, for @p n unknowns and so many tools, supports and loads.
     void reset(unsigned int n, unsigned int n_tools, unsigned int n_supports, unsigned int n_loads);
@@ -24,7 +23,13 @@ namespace deltaform
     double share(double time) const;
 
     /// Add what acts at @p time to the residual.
-    void assemble(double time, AssemblyTarget &target) const;
+    void add(double time, AssemblyTarget &target) const;
+
+    Status assemble(const Vector & /*q*/, const double time, AssemblyTarget &target) override
+    {
+      add(time, target);
+      return {};
+    }
 
     /// Is there anything to release?
     bool any = false;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/blanks/blank.h>
-#include <deltaform/contact/contact_interface.h>
+#include <deltaform/model/actors.h>
+#include <deltaform/model/model_state.h>
 
 #include <optional>
 #include <string>
@@ -22,5 +22,8 @@ namespace deltaform
    * @param tolerance overlap (length) that contact copes with by itself
    */
   std::optional<Misplacement>
-  find_misplacement(const Blank &blank, const ContactInterface &pair, const Vector &q, double travel, double tolerance);
+  find_misplacement(const Blank &blank, const ContactInterface &interface, const Vector &q, double travel, double tolerance);
+
+  /// The same in words for the tools that come with @p stage, seen from the end of the one before; empty: nothing.
+  std::string misplaced_tool(const Actors &actors, const ModelState &state, const Stage &stage);
 } // namespace deltaform

@@ -9,18 +9,19 @@
 namespace deltaform
 {
   /**
-   * Places of the entries of element matrices in the values of a sparse matrix, kept from one pass over the elements to
-   * the next. Elements come in the same order in every pass, so that the n unknowns of the next one are compared with
-   * those that were met at this place of the last pass, and the n^2 entries need not be searched. Where the order
-   * changes (a node has touched a tool), what follows is searched anew, and the result is the same in any case.
+   * Where the entries of element matrices lie in the array of values of a sparse matrix. Searching them is expensive,
+   * so their places are kept from one pass over the elements to the next. Elements come in the same order in every
+   * pass: if the n unknowns of an element are those that came at the same position of the last pass, its n^2 places are
+   * known. Otherwise (a node has touched a tool) the places of this and all further elements are searched again. The
+   * result is the same in both cases.
    */
   class EntryPlaces
   {
   public:
-    /// An entry that is not in the matrix.
+    /// The place of an entry that is not in the matrix.
     static constexpr int nowhere = -1;
 
-    /// A pass begins.
+    /// Begin a pass.
     void restart()
     {
       key_ = place_ = 0;
@@ -28,8 +29,8 @@ namespace deltaform
 
     /**
      * The n x n places of the next element, row-major; valid until the next call.
-     * @param kind 0 or 1: elements of another kind have other places
-     * @param find called as find(row, column) for those that are not known yet
+     * @param kind 0 or 1: with the same unknowns, elements of different kinds may have different places
+     * @param find find(row, column) is called for places that are not known
      */
     template <typename Find>
     const int *next(const DofIndex *dofs, const unsigned int n, const unsigned int kind, const Find &find)

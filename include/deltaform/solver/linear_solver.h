@@ -13,7 +13,9 @@ class Epetra_CrsMatrix;
 
 namespace deltaform
 {
-  /// Who solves the linear systems, and how well.
+  class LinearMethod;
+
+  /// Which linear solver, and its tolerance.
   struct LinearSolverSettings
   {
     explicit LinearSolverSettings(Section &section);
@@ -21,22 +23,24 @@ namespace deltaform
 
     bool iterative() const;
 
-    /// Put a direct solver in the place of 'automatic': the faster one for a matrix with @p n rows and this
-    /// front_width().
+    /// Replace 'automatic' by the faster direct solver for a matrix with @p n rows and this front_width().
     void choose(std::size_t n, std::size_t width);
-
 
     std::string name;
     bool automatic = false; ///< name is the program's choice
+    std::shared_ptr<const LinearMethod> method; ///< of that name
     double tolerance = 1e-10;
     unsigned int max_iterations = 2000;
-    bool linear_path = true; ///< a part of the tangent that does not change is factorized once
+    bool linear_path = true; ///< the constant part of a tangent is factorized once
+
+  private:
+    static std::shared_ptr<const LinearMethod> method_called(const std::string &name);
   };
 
   /**
-   * How many unknowns a front has that sweeps over the mesh, from neighbours to neighbours (the width of the level
-   * structure, Gibbs, Poole, Stockmeyer (1976), SIAM J. Numer. Anal. 13, 236): a few times the unknowns across a
-   * strip, however long it is. With several processes, which do not know all couplings, that of a square.
+   * Number of unknowns in a front that moves over the mesh from neighbours to neighbours: the width of the level
+   * structure of Gibbs, Poole, Stockmeyer, SIAM J. Numer. Anal. 13 (1976) 236. For a strip of any length it is a few
+   * times the unknowns across. With several processes, which do not know all couplings, that of a square is returned.
    */
   std::size_t front_width(const dealii::DynamicSparsityPattern &pattern);
 
@@ -62,24 +66,24 @@ namespace deltaform
 
     virtual Epetra_CrsMatrix &matrix() = 0;
 
-    /// Rigid motions, as vectors of all unknowns.
+    /// Rigid motions, each a vector of all unknowns; multigrid has to represent them.
     virtual void set_near_null_space(const std::vector<Vector> &, DofIndex, DofIndex)
     {
     }
 
-    /// Take nothing over from earlier matrices: a resumed run, which knows none, is to compute the same to the last
-    /// bit.
+    /// Discard what is kept from earlier matrices (pivots). A resumed run has none of it and must compute the same to
+    /// the last bit.
     virtual void forget()
     {
     }
 
-    /// The values of the matrix have changed. @return false if it is singular, on all processes alike
+    /// Call after the values of the matrix have changed. @return false if it is singular, on all processes alike
     virtual bool factorize() = 0;
 
-    /// Own rows of the right side and of the solution. @return success, on all processes alike
+    /// @param right_side, solution own rows. @return success, on all processes alike
     virtual bool solve(const double *right_side, double *solution) = 0;
 
-    /// What went wrong in the last solve() with a matrix that need not be singular, in words; empty if nothing did.
+    /// Why the last solve() failed although the matrix was not singular, in words; empty if it did not.
     virtual std::string failure() const
     {
       return {};

@@ -3,7 +3,6 @@
 #include <deltaform/base/assembly_target.h>
 #include <deltaform/base/stiffness_view.h>
 #include <deltaform/base/types.h>
-#include <deltaform/solver/entry_places.h>
 #include <deltaform/solver/linear_solver.h>
 
 #include <deal.II/base/index_set.h>
@@ -16,28 +15,34 @@
 
 namespace deltaform
 {
+  class ConstantPart;
+  class Factorization;
+  class PrescribedRows;
+  class Tangent;
+
   /**
-   * The linear system of a Newton iteration. Unknowns [0, n_sparse) live in an Epetra matrix whose pattern and symbolic
-   * factorization are kept for the whole run; the few behind them (travels of force-driven tools) couple to many others
-   * and are eliminated as blocks with the same factorization. Prescribed unknowns get a row of their own (d = value)
-   * and keep their column, so that a prescribed increment moves its neighbours in the same iteration.
+   * The linear system K d = -R of a Newton iteration. Unknowns [0, n_sparse) belong to an Epetra matrix, whose pattern
+   * and symbolic factorization are kept for the whole run. The few unknowns behind them, the border (travels of
+   * force-driven tools), couple to many others; they are eliminated with the same factorization. The row of a
+   * prescribed unknown becomes d = value; its column stays, so that a prescribed increment moves its neighbours in the
+   * same iteration. Derivation: doc/theory/solver.md.
    */
   class System : public AssemblyTarget, public StiffnessView
   {
   public:
     /**
      * @param pattern   couplings of the sparse unknowns, n_sparse x n_sparse
-     * @param n_border  number of unknowns behind them
-     * @param solver    who solves it, and how well
-     * @param owned     rows that this process keeps: consecutive, rising with the number of the process; all rows:
-     * every process has the whole system for itself
+     * @param n_border  number of unknowns in the border
+     * @param solver    linear solver and its tolerance
+     * @param owned     rows of this process: consecutive, rising with the number of the process. All rows: every
+     *                  process has the whole system for itself
      */
     System(dealii::DynamicSparsityPattern &&pattern,
            unsigned int n_border,
            const LinearSolverSettings &solver,
            const dealii::IndexSet &owned);
 
-    /// A system of this process alone.
+    /// A system for this process alone.
     System(dealii::DynamicSparsityPattern &&pattern, unsigned int n_border, const std::string &solver);
     ~System() override;
     System(System &&) noexcept;
@@ -46,25 +51,24 @@ namespace deltaform
     unsigned int size() const;
 
     /**
-     * What is added to the tangent up to sum_over_ranks() does not change from pass to pass (the stiffness of a linear
-     * blank): it is added in one pass with tangent, and none is wanted for it in later ones. A direct solver then
-     * factorizes it once; what is added behind it is an update of low rank, see LowRankUpdate.
-     * @param candidates   the sparse unknowns that may get entries behind it; with others the whole is factorized
-     * @param largest_rank so it is if more unknowns than this get entries
+     * The part of the tangent that is added before sum_over_ranks() is the same in every pass (the stiffness of a
+     * linear blank). It is added in the first pass with a tangent only. A direct solver factorizes it once; what is
+     * added after sum_over_ranks() is an update of low rank (LowRankUpdate). The whole matrix is factorized instead if
+     * unknowns outside of @p candidates get entries after sum_over_ranks(), or more than @p largest_rank do.
      */
     void keep_constant_part(std::vector<DofIndex> candidates, std::size_t largest_rank);
 
-    /// Let no earlier matrix have a say in how the next ones are factorized.
+    /// Discard what is kept from earlier factorizations (pivots): see LinearSolver::forget().
     void forget_factors();
 
-    /// Set everything to zero, but for a constant part, and start a pass.
+    /// Start a pass: set everything to zero but a constant part.
     void clear(bool tangent);
 
     void add(const DofIndex *dofs, unsigned int n, const double *matrix, const double *vector) override;
 
     /**
-     * The end of the part that each process has assembled for its cells: residuals are summed, rows of the matrix go to
-     * their owners. What is added from here on is the same on all processes, and counts once.
+     * Every process has assembled its own cells: sum the residuals, send rows of the matrix to their owners. What is
+     * added from here on is the same on all processes, and counts once.
      */
     void sum_over_ranks();
 
@@ -74,17 +78,13 @@ namespace deltaform
 
     void multiply(const Vector &direction, Vector &result) const override;
 
-    /// Motions that cost next to no energy (rigid ones), each over the sparse unknowns: an algebraic multigrid has to
-    /// represent them.
+    /// Rigid motions, each over the sparse unknowns: an algebraic multigrid has to represent them.
     void set_near_null_space(const std::vector<Vector> &motions);
 
     /// Which unknowns are prescribed.
     void set_prescribed(const std::vector<bool> &prescribed);
 
-    bool prescribed(const DofIndex dof) const
-    {
-      return prescribed_[dof];
-    }
+    bool prescribed(DofIndex dof) const;
 
     /// Visit the entries (row, column, value) of the tangent as assembled, border included; not after factorize().
     void for_each_entry(const std::function<void(DofIndex, DofIndex, double)> &action) const;
@@ -111,9 +111,9 @@ namespace deltaform
     double largest_diagonal() const;
 
     /**
-     * Factorize the assembled tangent. @param shift is added to the diagonal (scaled by the diagonal), 0 in general; it
-     * changes the path to the solution, not the solution.
-     * @return false if the matrix is singular
+     * Factorize the assembled tangent. @return false if it is singular
+     * @param shift times the diagonal is added to the diagonal; 0 in general. It changes the path to the solution, not
+     *              the solution
      */
     bool factorize(double shift = 0.);
 
@@ -123,95 +123,26 @@ namespace deltaform
      */
     bool solve(const Vector &increments, Vector &d);
 
-    /// Why the last solve() failed, if it was not for a singular matrix: in words; otherwise empty.
+    /// Why the last solve() failed although the matrix was not singular, in words; empty if it did not.
     std::string linear_failure() const;
 
     /// Iterations of the linear solver since the start, 0 for a direct one.
     unsigned int n_linear_iterations() const;
 
-    unsigned int n_factorizations() const
-    {
-      return n_factorizations_;
-    }
+    unsigned int n_factorizations() const;
 
-    /// Solves with the constant part alone for its compliance at the unknowns that have been in an update.
+    /// Number of solves with the constant part alone, one per unknown that has ever been in an update.
     unsigned int n_compliances() const;
 
   private:
-    struct Rows;
-    struct Constant;
-
-    /// Storage for the own rows and for those that own cells contribute to.
-    void distribute(dealii::DynamicSparsityPattern &pattern, const dealii::IndexSet &owned);
-
-    bool owns(const DofIndex row) const
-    {
-      return !rows_ || (row >= first_ && row < end_);
-    }
-
-    /// Place of an entry among the values, EntryPlaces::nowhere if it is not stored.
-    int place(DofIndex row, DofIndex column) const;
-
-    double *entry(DofIndex row, DofIndex column) const;
-
-    /// Places of the diagonal of the own rows: it is read in every iteration.
-    void find_diagonal();
-
-    /// Add to an entry that is not stored here.
-    void add_elsewhere(DofIndex row, DofIndex column, double value);
-
-    bool solve_sparse(const Vector &right_side, Vector &solution);
-
-    /// The array in which a matrix for the solver is prepared, a copy of the tangent; the tangent itself where nobody
-    /// needs it any more.
-    double *stage();
-
-    /// Rows (and columns, where the elimination is symmetric) of prescribed unknowns, and the shift of the diagonal, in
-    /// a staged matrix whose largest diagonal entry is @p scale.
-    void eliminate(double *staged, double scale, double shift);
-
-    /// Give a staged matrix to the solver.
-    void hand_over(const double *staged);
-
     bool factorize_whole(double shift);
 
-    /// The update is of low rank and the constant part is factorized.
-    bool factorize_constant();
-
-    /// Take back what has been added to the constant part.
-    void restore_constant();
-
-    bool solve_condensed(const Vector &increments, Vector &d);
-
-    /// -R, and what a solution lacks of it.
-    void right_side(const Vector &increments, Vector &result) const;
-
-    unsigned int n_sparse_, n_border_;
-    DofIndex first_ = 0, end_; ///< own rows
-    std::unique_ptr<LinearSolver> solver_;
-    std::unique_ptr<Rows> rows_; ///< null if all rows are here
-    std::unique_ptr<Constant> constant_; ///< null if the whole tangent changes from pass to pass
-    bool symmetric_elimination_; ///< of prescribed unknowns: what an iterative solver needs
+    std::unique_ptr<Tangent> tangent_;
+    std::unique_ptr<PrescribedRows> rows_;
+    std::unique_ptr<Factorization> factorization_;
+    std::unique_ptr<ConstantPart> constant_; ///< null if the whole tangent changes from pass to pass
+    bool wanted_ = true; ///< the tangent is assembled in this pass
     bool common_ = false; ///< what is added now is the same on all processes
-    double prescribed_row_ = 1.; ///< diagonal of the rows of prescribed unknowns
-    const int *row_start_ = nullptr;
-    const int *columns_ = nullptr;
-    double *values_ = nullptr;
-    double shift_ = 0; ///< of the last factorization
-    bool tangent_ = true;
-    EntryPlaces places_;
-    std::vector<int> diagonal_places_; ///< of the own rows
-    std::vector<bool> prescribed_;
     Vector residual_, magnitude_;
-    Vector diagonal_; ///< of distributed rows
-    struct Eliminated
-    {
-      DofIndex row, column;
-      double value;
-    };
-    std::vector<Eliminated> eliminated_; ///< entries in columns of prescribed unknowns
-    std::vector<Vector> border_columns_, border_rows_; ///< couplings of the border with the sparse unknowns
-    std::vector<double> border_block_;
-    unsigned int n_factorizations_ = 0;
   };
 } // namespace deltaform

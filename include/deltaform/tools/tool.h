@@ -68,17 +68,18 @@ namespace deltaform
       return force_.has_value();
     }
 
-    /// Travel along the direction: of the motion at @p time; of a force-driven tool the one set last.
-    double travel(double time) const;
+    /// Travel along the direction by the motion at @p time; of a force-driven tool 0, where it begins: where it goes is
+    /// an unknown.
+    double travel(const double time) const
+    {
+      return force_driven() ? 0. : motion_(time);
+    }
 
     /// First time in [begin, end] at which the motion reaches a travel; NaN if it does not.
     double time_of_travel(const double travel, const double begin, const double end) const
     {
       return motion_.inverse(travel, begin, end);
     }
-
-    /// Set the travel of a force-driven tool.
-    void set_travel(double travel);
 
     /// Force along the direction, pressed against the blank, of a force-driven tool.
     double force(double time) const;
@@ -122,7 +123,6 @@ namespace deltaform
     double mirror_ = 1; ///< of z from the tool's own frame to the scene's: 1 or -1
     TimeFunction motion_;
     std::optional<TimeFunction> force_;
-    double travel_ = 0;
     std::optional<TimeFunction> allowed_penetration_;
     std::vector<std::string> stages_;
   };

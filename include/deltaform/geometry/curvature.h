@@ -1,0 +1,31 @@
+#pragma once
+
+namespace deltaform
+{
+  class Curve;
+
+  /// At a place that is no joint of segments; of a corner 0. Convex positive (1/length), as all below.
+  double curvature(const Curve &curve, double arc_length);
+
+  /// Mean curvature between the places @p reach before and behind @p arc_length: without the jumps of the curvature
+  /// where lines and arcs join. Corners count as straight.
+  double mean_curvature(const Curve &curve, double arc_length, double reach);
+
+  /// d(mean curvature)/d(arc length).
+  double curvature_change(const Curve &curve, double arc_length, double reach);
+
+  /**
+   * The slip of a node that is kept off the curve by @p offset while its foot goes from @p a to @p b: the integral of
+   * (1 + k offset)/(1 + mean k offset) over the arc length, so that a friction force that reaches the node by the share
+   * 1/(1 + mean k offset) does the same work on both sides (doc/theory/contact.md). On lines, and on arcs away from
+   * their ends, the arc length itself.
+   */
+  double offset_slip(const Curve &curve, double a, double b, double offset);
+
+  /// Smallest radius of the arcs that is not zero (infinity without arcs).
+  double smallest_radius(const Curve &curve);
+
+  /// Smallest radius of the arcs between two foot points, the short way round if the curve is closed; 0 if there is a
+  /// sharp corner that points to the blank; infinity if all is straight.
+  double smallest_radius(const Curve &curve, double from, double to);
+} // namespace deltaform

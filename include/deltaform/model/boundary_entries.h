@@ -1,0 +1,23 @@
+#pragma once
+
+#include <deltaform/base/section.h>
+#include <deltaform/blanks/blank.h>
+
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// @name Entries that supports and loads have in common
+  ///@{
+  Component read_component(Section &section);
+
+  std::string read_boundary(Section &section, const Blank &blank);
+
+  /// @throws SceneError if the boundary has no unknown of this component
+  void check_dofs(Section &section, const std::string &boundary, const std::vector<DofIndex> &dofs);
+  ///@}
+
+  /// Does a list of stages (empty: all) hold a stage?
+  bool listed(const std::vector<std::string> &stages, const std::string &stage);
+} // namespace deltaform

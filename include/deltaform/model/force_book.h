@@ -1,0 +1,49 @@
+#pragma once
+
+#include <deltaform/model/actors.h>
+#include <deltaform/model/contact_set.h>
+#include <deltaform/model/support_set.h>
+
+#include <string>
+
+namespace deltaform
+{
+  /// Books the forces of tools, loads and supports on the blank in accepted equilibria: resultants, reactions, the work
+  /// that they have done, and their balance. What it knows lies in the state.
+  class ForceBook
+  {
+  public:
+    ForceBook(const Actors &actors, const Numbering &numbering, const SupportSet &supports, const ContactSet &contact);
+
+    /// No forces yet, of a state with the present unknowns.
+    void clear(ModelState &state) const;
+
+    /// The end of an increment is accepted: @p state, whose unknowns are still those at its start, has its time;
+    /// @p system holds its residual.
+    void accept(const Vector &q, const System &system, ModelState &state) const;
+
+    /// The blank was refined: forces of the loads, of which the next increment takes the work; the supports do not move
+    /// until then.
+    void renew_loads(ModelState &state) const;
+
+    /// What ends with the stage of @p state becomes forces that fade out; contact of tools that leave is forgotten.
+    void release(const std::string &next_stage, ModelState &state) const;
+
+    /**
+     * How far the forces on the blank are from balance: sum of the forces of tools, supports and loads as they are
+     * reported over the largest of them, along z and, in plane strain, along x (the larger counts).
+     */
+    double balance_error(const ModelState &state) const;
+
+  private:
+    void add_loads(const Vector &q, const ModelState &state, AssemblyTarget &target) const;
+    void accept_loads(const Vector &q, ModelState &state) const;
+    void accept_tools(const Vector &q, ModelState &state) const;
+    void remember_largest(const System &system, ModelState &state) const;
+
+    const Actors &actors_;
+    const Numbering &numbering_;
+    const SupportSet &supports_;
+    const ContactSet &contact_;
+  };
+} // namespace deltaform
