@@ -147,6 +147,18 @@ namespace deltaform
         }
       return command;
     }
+
+    /// Switches that go with some commands only.
+    void check_switches(const CommandLine &line, const bool has_svg)
+    {
+      const bool sweep = line.command == Command::sweep;
+      if (line.resume && line.command != Command::run && !sweep)
+        throw UsageError("--resume goes with a run or a sweep only.");
+      if (line.print && !sweep)
+        throw UsageError("--print goes with 'deltaform sweep SCENE.prm' only.");
+      if (has_svg && (line.command != Command::check || line.svg.empty()))
+        throw UsageError("--svg FILE goes with --check only.");
+    }
   } // namespace
 
   CommandLine CommandLine::parse(const int argc, const char *const *const argv)
@@ -193,12 +205,7 @@ namespace deltaform
     if (!words.empty())
       line.scene = words.front();
 
-    if (line.resume && !computes)
-      throw UsageError("--resume goes with a run or a sweep only.");
-    if (line.print && !sweep)
-      throw UsageError("--print goes with 'deltaform sweep SCENE.prm' only.");
-    if (values.count("svg") > 0 && (line.command != Command::check || line.svg.empty()))
-      throw UsageError("--svg FILE goes with --check only.");
+    check_switches(line, values.count("svg") > 0);
     if (sweep && line.variations.empty())
       throw UsageError("A sweep needs --vary \"Section/Entry=value,value,...\".");
     for (const auto *const name : {"vary", "jobs", "seconds"})
