@@ -1,7 +1,11 @@
 // One function per command of the command line.
 #include <deltaform/analysis/analysis.h>
+#include <deltaform/app/explain.h>
+#include <deltaform/app/new_scene.h>
 #include <deltaform/app/run.h>
+#include <deltaform/app/scene_svg.h>
 #include <deltaform/app/sweep.h>
+#include <deltaform/base/atomic_file.h>
 #include <deltaform/base/parameter_tree.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/registry.h>
@@ -95,6 +99,8 @@ namespace deltaform
       const Scene scene(tree);
       for (const auto &warning : input_warnings(scene))
         std::cerr << "warning: " << warning << '\n';
+      if (!command.svg.empty())
+        write_file_atomically(command.svg, [&scene](std::ostream &out) { draw_svg(scene, out); });
       std::cout << command.scene << " is a valid scene: " << scene.title << '\n';
       return exit_status::done;
     }
@@ -169,6 +175,12 @@ namespace deltaform
       return exit_status::done;
     case CommandLine::Command::help:
       std::cout << CommandLine::help();
+      return exit_status::done;
+    case CommandLine::Command::new_scene:
+      new_scene(command.words, std::cout);
+      return exit_status::done;
+    case CommandLine::Command::explain:
+      explain(command.words.front(), std::cout);
       return exit_status::done;
     case CommandLine::Command::sweep:
       throw UsageError("a sweep starts its runs itself (--jobs): do not start it by mpirun");

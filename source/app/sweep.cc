@@ -3,6 +3,7 @@
 #include <deltaform/base/child_process.h>
 #include <deltaform/base/journal.h>
 #include <deltaform/base/scene_error.h>
+#include <deltaform/results/earlier_run.h>
 #include <deltaform/scene/scene.h>
 
 #include <deal.II/base/multithread_info.h>
@@ -11,7 +12,10 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iostream>
 #include <map>
+#include <sstream>
 
 namespace deltaform
 {
@@ -44,6 +48,48 @@ namespace deltaform
       return result;
     }
 
+    /// In quotes for a shell.
+    std::string quoted(const std::string &word)
+    {
+      std::string result = "'";
+      for (const char c : word)
+        result += c == '\'' ? "'\\''" : std::string(1, c);
+      return result + "'";
+    }
+
+    /// The command of a run, for a shell.
+    std::string printed(const CommandLine &command)
+    {
+      std::string result = "deltaform " + quoted(command.scene) + " --quiet --output " + quoted(command.output);
+      for (const auto &assignment : command.sets)
+        result += " --set " + quoted(assignment);
+      return result;
+    }
+
+    /// What an earlier sweep has left of a run: its folder holds the scene of @p tree, with every default.
+    bool same_scene(const std::string &folder, const ParameterTree &tree)
+    {
+      std::ifstream file(folder + "/scene.prm");
+      std::string version;
+      std::getline(file, version);
+      std::ostringstream earlier, now;
+      earlier << file.rdbuf();
+      tree.print_prm(now);
+      return file && earlier.str() == now.str();
+    }
+
+    /// A run that has ended by itself stays as it is; one that was stopped goes on, if its scene is the same.
+    void find_earlier(SweepRun &run, const ParameterTree &tree)
+    {
+      if (!same_scene(run.folder, tree))
+        return;
+      const auto status = earlier_exit_status(run.folder);
+      if (status && *status <= exit_status::promise_broken)
+        run.exit_status = *status;
+      else
+        run.resume = true;
+    }
+
     /// What the process of a run has to do.
     CommandLine command_of(const CommandLine &command, const SweepRun &run)
     {
@@ -52,7 +98,14 @@ namespace deltaform
       result.sets = assignments(command, run);
       result.output = run.folder;
       result.quiet = true;
+      result.resume = run.resume;
       return result;
+    }
+
+    void print_commands(const CommandLine &command, const std::vector<SweepRun> &runs)
+    {
+      for (const auto &run : runs)
+        std::cout << printed(command_of(command, run)) << '\n';
     }
 
     void make_folder(const std::string &folder)
@@ -83,6 +136,8 @@ namespace deltaform
           char name[32];
           std::snprintf(name, sizeof name, "/run_%03u", static_cast<unsigned int>(i + 1));
           runs[i].folder = folder + name;
+          if (command.resume)
+            find_earlier(runs[i], tree);
         }
         catch (const SceneError &error)
         {
@@ -96,6 +151,20 @@ namespace deltaform
     }
 
     using Clock = std::chrono::steady_clock;
+
+    /// The runs that have ended.
+    struct Ended
+    {
+      std::size_t n = 0, n_failed = 0;
+      int worst = exit_status::done;
+
+      void add(const int status)
+      {
+        ++n;
+        n_failed += status != exit_status::done;
+        worst = std::max(worst, status);
+      }
+    };
 
     /// A run under way.
     struct Running
@@ -129,20 +198,35 @@ namespace deltaform
     auto runs = combinations(command.variations);
     std::string folder = command.output;
     const Units units(check_all(command, runs, folder));
+    if (command.print)
+    {
+      print_commands(command, runs);
+      return exit_status::done;
+    }
     make_folder(folder);
     Journal journal(command.quiet ? Journal::Console::quiet : Journal::Console::automatic);
 
     std::map<int, Running> running;
-    std::size_t next = 0, n_ended = 0, n_failed = 0;
-    int worst = exit_status::done;
-    while (n_ended < runs.size())
+    std::size_t next = 0;
+    Ended ended_runs;
+    for (const auto &one : runs)
+      if (one.exit_status >= 0)
+        ended_runs.add(one.exit_status);
+    if (ended_runs.n > 0)
+      journal.note(std::to_string(ended_runs.n) + " of " + std::to_string(runs.size()) + " runs had ended before");
+    if (ended_runs.n == runs.size())
+      write_sweep_table(folder, command, runs, units);
+    while (ended_runs.n < runs.size())
     {
       for (; next < runs.size() && running.size() < command.jobs; ++next)
       {
+        if (runs[next].exit_status >= 0)
+          continue;
         make_folder(runs[next].folder);
         // Of an earlier sweep: it must not be taken for the outcome of this one.
-        for (const auto *const name : {"/summary.json", "/history.csv"})
-          std::filesystem::remove(runs[next].folder + name);
+        if (!runs[next].resume)
+          for (const auto *const name : {"/summary.json", "/history.csv"})
+            std::filesystem::remove(runs[next].folder + name);
         const auto job = [&run, own = command_of(command, runs[next])]() { return run(own); };
         running[start_process(job, runs[next].folder + "/console.txt")] = {next, Clock::now()};
       }
@@ -152,17 +236,16 @@ namespace deltaform
         continue;
       SweepRun &own = runs[which->second.run];
       own.exit_status = own.overdue ? exit_status::not_converged : ended->exit_status;
-      worst = std::max(worst, own.exit_status);
-      n_failed += own.exit_status != exit_status::done;
+      ended_runs.add(own.exit_status);
       running.erase(which);
-      ++n_ended;
       write_sweep_table(folder, command, runs, units);
-      journal.progress("sweep: " + std::to_string(n_ended) + " of " + std::to_string(runs.size()) + " runs ended, " +
-                       std::to_string(n_failed) + " not done, " + std::to_string(running.size()) + " running");
+      journal.progress("sweep: " + std::to_string(ended_runs.n) + " of " + std::to_string(runs.size()) +
+                       " runs ended, " + std::to_string(ended_runs.n_failed) + " not done, " +
+                       std::to_string(running.size()) + " running");
     }
     journal.finish_progress();
-    journal.note(std::to_string(runs.size() - n_failed) + " of " + std::to_string(runs.size()) +
+    journal.note(std::to_string(runs.size() - ended_runs.n_failed) + " of " + std::to_string(runs.size()) +
                  " runs done; table in " + folder + "/sweep.csv");
-    return worst;
+    return ended_runs.worst;
   }
 } // namespace deltaform

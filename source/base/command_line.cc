@@ -1,9 +1,11 @@
 #include <deltaform/base/command_line.h>
 #include <deltaform/base/text.h>
+#include <deltaform/base/value_range.h>
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace deltaform
 {
@@ -22,7 +24,8 @@ namespace deltaform
       add("vary", po::value<Strings>()->composing());
       add("jobs", po::value<int>());
       add("seconds", po::value<double>());
-      for (const auto *const name : {"check", "resume", "quiet", "list", "print-parameters", "print-columns",
+      add("svg", po::value<std::string>());
+      for (const auto *const name : {"check", "resume", "quiet", "print", "list", "print-parameters", "print-columns",
                                      "version", "help,h"})
         add(name, po::bool_switch());
       add("words", po::value<Strings>());
@@ -66,6 +69,23 @@ namespace deltaform
       return values.count(name) > 0 ? values[name].as<T>() : otherwise;
     }
 
+    /// The values of --vary @p text with its ranges written out.
+    Strings with_ranges(const std::string &text, const Strings &pieces)
+    {
+      Strings result;
+      for (const auto &piece : pieces)
+        try
+        {
+          for (const auto &value : values_of_range(piece))
+            result.push_back(value);
+        }
+        catch (const std::invalid_argument &error)
+        {
+          throw UsageError("--vary \"" + text + "\": in " + piece + ", " + error.what() + ".");
+        }
+      return result;
+    }
+
     CommandLine::Variation variation(const std::string &text)
     {
       const auto equals = text.find('=');
@@ -75,14 +95,34 @@ namespace deltaform
         // Values with commas of their own, such as tables, are separated by semicolons.
         const std::string values = text.substr(equals + 1);
         const char separator = values.find(';') != std::string::npos ? ';' : ',';
-        result = {text::trim(text.substr(0, equals)), text::split(values, separator)};
-        if (separator == ';' && result.values.size() > 1 && result.values.back().empty())
-          result.values.pop_back(); // "0: 0, 1: 1;" is one value
+        result.entry = text::trim(text.substr(0, equals));
+        auto pieces = text::split(values, separator);
+        if (separator == ';' && pieces.size() > 1 && pieces.back().empty())
+          pieces.pop_back(); // "0: 0, 1: 1;" is one value
+        result.values = with_ranges(text, pieces);
       }
       const bool has_gap = std::find(result.values.begin(), result.values.end(), "") != result.values.end();
       if (result.entry.empty() || result.values.empty() || has_gap)
         throw UsageError("--vary \"" + text + "\": expected \"Section/Entry=value,value,...\".");
       return result;
+    }
+
+    /// The commands that are words.
+    CommandLine words_command(const po::variables_map &values, const Strings &words)
+    {
+      for (const auto &[name, value] : values)
+      {
+        // The switches of a program that was called without them are false.
+        const bool given = !value.defaulted() && name != "words";
+        if (given)
+          throw UsageError("--" + name + " does not go with 'deltaform " + words.front() + "'.");
+      }
+      CommandLine line;
+      line.command = words.front() == "new" ? Command::new_scene : Command::explain;
+      line.words = {words.begin() + 1, words.end()};
+      if (line.command == Command::explain && line.words.size() != 1)
+        throw UsageError("explain needs one name: deltaform explain \"Tools/punch/Friction coefficient\".");
+      return line;
     }
 
     Command chosen_command(const po::variables_map &values, const bool sweep)
@@ -107,12 +147,26 @@ namespace deltaform
         }
       return command;
     }
+
+    /// Switches that go with some commands only.
+    void check_switches(const CommandLine &line, const bool has_svg)
+    {
+      const bool sweep = line.command == Command::sweep;
+      if (line.resume && line.command != Command::run && !sweep)
+        throw UsageError("--resume goes with a run or a sweep only.");
+      if (line.print && !sweep)
+        throw UsageError("--print goes with 'deltaform sweep SCENE.prm' only.");
+      if (has_svg && (line.command != Command::check || line.svg.empty()))
+        throw UsageError("--svg FILE goes with --check only.");
+    }
   } // namespace
 
   CommandLine CommandLine::parse(const int argc, const char *const *const argv)
   {
     const auto values = read_options(argc, argv);
     Strings words = value_or(values, "words", Strings());
+    if (!words.empty() && (words.front() == "new" || words.front() == "explain") && !values["help"].as<bool>())
+      return words_command(values, words);
     const bool sweep = !words.empty() && words.front() == "sweep";
     if (sweep)
       words.erase(words.begin());
@@ -123,6 +177,8 @@ namespace deltaform
     line.output = value_or(values, "output", std::string());
     line.quiet = values["quiet"].as<bool>();
     line.resume = values["resume"].as<bool>();
+    line.print = values["print"].as<bool>();
+    line.svg = value_or(values, "svg", std::string());
     for (const auto &text : value_or(values, "vary", Strings()))
     {
       line.variations.push_back(variation(text));
@@ -149,8 +205,7 @@ namespace deltaform
     if (!words.empty())
       line.scene = words.front();
 
-    if (line.resume && line.command != Command::run)
-      throw UsageError("--resume goes with a run only.");
+    check_switches(line, values.count("svg") > 0);
     if (sweep && line.variations.empty())
       throw UsageError("A sweep needs --vary \"Section/Entry=value,value,...\".");
     for (const auto *const name : {"vary", "jobs", "seconds"})
@@ -173,6 +228,8 @@ blank may penetrate a tool and the program finds the penalty factors.
 
   deltaform SCENE.prm [options]             run a scene
   deltaform sweep SCENE.prm --vary ...      run it once per value
+  deltaform new cup my.prm ["name=value"]   write a scene to start from; 'deltaform new' lists what there is
+  deltaform explain "Blank/Layers"          what an entry means: unit, range, default
   deltaform --list                          what can be chosen: materials, tools, rules, ...
   deltaform --print-parameters [SCENE.prm]  every entry with default, unit, range and meaning;
                                             of a scene: the scene completed by its defaults
@@ -183,14 +240,18 @@ Options of a run
   --set "Section/Entry=value"  replace an entry of the scene; may be repeated, the last one counts
   --output FOLDER              write results to FOLDER instead of where the scene says
   --check                      only say whether the scene is right; compute nothing
+  --svg FILE                   with --check: draw blank, tools and supports
   --resume                     go on from the last saved state in the output folder
   --quiet                      print warnings and errors only
 
 Options of a sweep (and --set, --output, --quiet)
   --vary "Section/Entry=a,b,c" the values to run; with several --vary, all combinations;
-                               values that contain commas: "Section/Entry=a;b;c"
+                               values that contain commas: "Section/Entry=a;b;c";
+                               first:last:step is a range, such as .05:.2:.05
   --jobs N                     runs at a time (1)
   --seconds N                  a run that takes longer is ended; its row says so (no limit)
+  --resume                     go on with a sweep that was stopped: runs that have ended stay
+  --print                      print the commands of the runs, one per line, and run nothing
 
 Exit status
    0  done

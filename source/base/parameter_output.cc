@@ -102,6 +102,25 @@ namespace deltaform
     }
   }
 
+  std::vector<ParameterTree::Documented> ParameterTree::documented() const
+  {
+    std::vector<Documented> result;
+    collect_documented(root_, {}, result);
+    return result;
+  }
+
+  void ParameterTree::collect_documented(const Node &node, const SectionPath &path, std::vector<Documented> &result)
+  {
+    for (const auto &entry : node.entries)
+      result.push_back({path, entry});
+    for (const auto &section : node.sections)
+    {
+      SectionPath inner = path;
+      inner.push_back(section->name);
+      collect_documented(*section, inner, result);
+    }
+  }
+
   void ParameterTree::print_markdown(std::ostream &out) const
   {
     print_markdown(out, root_, {});

@@ -71,6 +71,51 @@ BOOST_AUTO_TEST_CASE(sweep)
              boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(ranges_of_varied_values)
+{
+  const auto values = [](const std::string &text) {
+    return parse({"sweep", "a.prm", "--vary", ("A/b=" + text).c_str()}).variations[0].values;
+  };
+  using Strings = std::vector<std::string>;
+  BOOST_TEST(values(".05:.2:.05") == (Strings{"0.05", "0.1", "0.15", "0.2"}), boost::test_tools::per_element());
+  BOOST_TEST(values("3:1:-1") == (Strings{"3", "2", "1"}), boost::test_tools::per_element());
+  BOOST_TEST(values("0:1:.4") == (Strings{"0", "0.4", "0.8"}), boost::test_tools::per_element());
+  BOOST_TEST(values("1e-3, 1:2:1") == (Strings{"1e-3", "1", "2"}), boost::test_tools::per_element());
+  BOOST_TEST(values("0:.3:.1") == (Strings{"0", "0.1", "0.2", "0.3"}), boost::test_tools::per_element());
+  BOOST_TEST(values("5:5:1") == (Strings{"5"}), boost::test_tools::per_element());
+  BOOST_TEST(values("0: 0, 1: 1;") == (Strings{"0: 0, 1: 1"}), boost::test_tools::per_element()); // a table
+  BOOST_TEST(values("a:b:c") == (Strings{"a:b:c"}), boost::test_tools::per_element());
+  check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=1:2:-1"}),
+                 {"A/b=1:2:-1", "a step of -1 does not lead from 1 to 2"});
+  check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=1:2:0"}), {"a step of 0 does not lead"});
+  check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=0:1:1e-9"}), {"more than 10000 values"});
+}
+
+BOOST_AUTO_TEST_CASE(new_and_explain)
+{
+  const auto line = parse({"new", "cup", "my.prm", "thickness=2", "blank radius=60"});
+  BOOST_CHECK(line.command == Command::new_scene);
+  BOOST_TEST(line.words == (std::vector<std::string>{"cup", "my.prm", "thickness=2", "blank radius=60"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(parse({"new"}).words.empty());
+  BOOST_CHECK(parse({"explain", "Blank/Layers"}).command == Command::explain);
+  BOOST_TEST(parse({"./new"}).scene == "./new");
+  BOOST_CHECK(parse({"new", "--help"}).command == Command::help);
+  check_contains(complaint({"explain"}), {"explain needs one name"});
+  check_contains(complaint({"new", "cup", "my.prm", "--quiet"}), {"--quiet does not go with 'deltaform new'"});
+  check_contains(complaint({"explain", "a", "--set", "b=1"}), {"--set does not go with 'deltaform explain'"});
+}
+
+BOOST_AUTO_TEST_CASE(drawing_printing_and_going_on)
+{
+  BOOST_TEST(parse({"a.prm", "--check", "--svg", "a.svg"}).svg == "a.svg");
+  BOOST_TEST(parse({"sweep", "a.prm", "--vary", "A/b=1", "--print"}).print);
+  BOOST_TEST(parse({"sweep", "a.prm", "--vary", "A/b=1", "--resume"}).resume);
+  check_contains(complaint({"a.prm", "--svg", "a.svg"}), {"--svg FILE goes with --check"});
+  check_contains(complaint({"a.prm", "--print"}), {"--print goes with 'deltaform sweep"});
+  check_contains(complaint({"a.prm", "--check", "--resume"}), {"--resume goes with a run or a sweep"});
+}
+
 BOOST_AUTO_TEST_CASE(varied_values_with_commas)
 {
   const auto line = parse({"sweep", "a.prm", "--vary", "A/b=0: 0, 1: 1; 0: 0, 1: 2", "--vary", "A/c=0: 0, 1: 3;"});

@@ -132,6 +132,16 @@ class Data(unittest.TestCase):
         self.assertEqual(one["history"], self.run_["history"])
         self.assertEqual((one["summary"], one["states"]), (None, []))
 
+    def test_a_film_that_is_too_long(self):
+        sys.path.insert(0, os.path.dirname(SCRIPT))
+        from report_page import data
+        runs = [{"film": {"fields": [], "frames": list(range(9))}}, {"film": {"fields": [], "frames": []}}]
+        lengths = []
+        while data.thin_films(runs):
+            lengths.append(runs[0]["film"]["frames"])
+        self.assertEqual(lengths, [[0, 2, 4, 6, 8], [0, 4, 8], [0, 8]])
+        self.assertTrue(runs[0]["film"]["thinned"])
+
     def test_two_runs_of_a_name(self):
         self.assertEqual([one["name"] for one in report(self.folder, self.folder)[2]], ["run", "run (2)"])
 

@@ -15,6 +15,7 @@ namespace deltaform
     std::string folder;
     std::string main_tool; ///< empty if there is none
     int exit_status = -1; ///< -1: has not ended
+    bool resume = false; ///< goes on from the state that it has left
     bool overdue = false; ///< it took longer than a run may, and was ended
   };
 

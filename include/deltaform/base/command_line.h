@@ -32,6 +32,8 @@ namespace deltaform
       run,
       check, ///< build the scene and say what is wrong with it, compute nothing
       sweep, ///< one run per combination of the varied values
+      new_scene, ///< write a scene from a template
+      explain, ///< what is known of an entry
       list, ///< what can be chosen
       print_parameters, ///< of the scene, or of everything if no scene is named
       print_columns, ///< of history.csv
@@ -57,6 +59,9 @@ namespace deltaform
     unsigned int jobs = 1; ///< runs of a sweep at a time
     double seconds = infinity; ///< a run of a sweep may take
     std::vector<Variation> variations; ///< of a sweep
+    bool print = false; ///< the commands of a sweep instead of running them
+    std::string svg; ///< file that --check draws the scene into; empty: none
+    std::vector<std::string> words; ///< of new_scene and explain
 
     /// @param argv as in main, with the program's name first. @throws UsageError
     static CommandLine parse(int argc, const char *const *argv);

@@ -76,6 +76,16 @@ namespace deltaform
     /// All entries, in the order of print_prm().
     std::vector<Value> values() const;
 
+    /// An entry as it is declared, and where; a choice stands in its path as "Shape: die".
+    struct Documented
+    {
+      SectionPath path;
+      Declaration entry;
+    };
+
+    /// All entries that were declared, in the order of print_markdown().
+    std::vector<Documented> documented() const;
+
     /// One table per section: entry, default, unit, allowed values, sentence.
     void print_markdown(std::ostream &out) const;
 
@@ -120,6 +130,7 @@ namespace deltaform
     std::string complain_about(const SceneFile::Subsection &subsection) const;
 
     void collect_values(const Node &node, const SectionPath &path, std::vector<Value> &result) const;
+    static void collect_documented(const Node &node, const SectionPath &path, std::vector<Documented> &result);
     void print_prm(std::ostream &out, const Node &node, const SectionPath &path) const;
     void print_markdown(std::ostream &out, const Node &node, const SectionPath &path) const;
 

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""New scenes, explained entries, drawings, and sweeps that are printed, stopped and gone on with.
+
+    tests/app/commands.py PROGRAM SCENE WORK_FOLDER
+
+Standard library only.
+"""
+import csv
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+import xml.etree.ElementTree as xml
+
+PROGRAM = SCENE = WORK = None
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def run(*words, status=0):
+    done = subprocess.run([PROGRAM, *words], capture_output=True, text=True, cwd=WORK)
+    assert done.returncode == status, (words, done.returncode, done.stdout, done.stderr)
+    return done.stdout + done.stderr
+
+
+class Commands(unittest.TestCase):
+    def setUp(self):
+        shutil.rmtree(WORK, ignore_errors=True)
+        os.makedirs(WORK)
+
+    def test_every_template_is_a_scene_that_runs(self):
+        kinds = re.findall(r"^(\w+) {2,}[a-z]", run("new"), re.MULTILINE)
+        self.assertEqual(kinds, ["cup", "stretch", "bend", "upset"])
+        for kind in kinds:
+            run("new", kind, kind + ".prm")
+            with open(os.path.join(WORK, kind + ".prm"), encoding="utf-8") as file:
+                self.assertFalse(re.search(r"[{}]", file.read()), "all gaps are filled")
+            run(kind + ".prm", "--check")
+            run(kind + ".prm", "--quiet", "--output", kind)
+            with open(os.path.join(WORK, kind, "summary.json"), encoding="utf-8") as file:
+                self.assertEqual(json.load(file)["warnings"], [])
+
+    def test_sizes_of_the_user(self):
+        run("new", "cup", "cup.prm", "thickness=.8", "punch radius=30", "friction=0")
+        with open(os.path.join(WORK, "cup.prm"), encoding="utf-8") as file:
+            text = file.read()
+        for line in ("set Thickness = 0.8", "set Throat radius        = 31", "set Elements  = 63", "set Friction coefficient = 0\n"):
+            self.assertIn(line, text)
+        self.assertIn("exists; it is not written over", run("new", "cup", "cup.prm", status=64))
+        self.assertIn("there are cup, stretch, bend, upset", run("new", "cap", "a.prm", status=64))
+        self.assertIn("the nearest is 'punch radius'", run("new", "cup", "a.prm", "punch radus=3", status=64))
+        for value in ("-3", "0", "nan", "x", ""):
+            self.assertIn("above 0 is needed", run("new", "cup", "a.prm", f"thickness={value}", status=64))
+        self.assertFalse(os.path.exists(os.path.join(WORK, "a.prm")))
+        run("new", "cup", "nowhere/a.prm", status=1)
+
+    def test_explain(self):
+        text = run("explain", "Tools/punch/Friction coefficient")
+        for words in ("Coulomb's coefficient", "[0, inf)", "default  0", "pure number"):
+            self.assertIn(words, text)
+        self.assertEqual(run("explain", "tools/anything/friction Coefficient"), text)
+        self.assertIn("(with Shape: die)", run("explain", "Profile radius"))
+        self.assertEqual(run("explain", "Friction coefficient").count("Tools/<name>/Friction coefficient"), 1)
+        self.assertIn("Steps/<name>/End time", run("explain", "Steps/my stage/End time"))
+        self.assertIn("nearest known one is 'Layers'", run("explain", "Layrs", status=64))
+
+    def test_drawing(self):
+        said = run(SCENE, "--check", "--svg", "cup.svg")
+        self.assertIn("is a valid scene", said)
+        drawing = xml.parse(os.path.join(WORK, "cup.svg")).getroot()
+        groups = {group.get("id"): group for group in drawing.iter(SVG + "g") if group.get("id")}
+        self.assertEqual(set(groups), {"blank", "punch", "die", "holder"})
+        cells = [[float(x) for x in re.split("[ ,]+", cell.get("points").strip())] for cell in groups["blank"]]
+        xs, ys = [x for cell in cells for x in cell[0::2]], [y for cell in cells for y in cell[1::2]]
+        # 2.22 by .035.
+        self.assertAlmostEqual((max(xs) - min(xs)) / (max(ys) - min(ys)), 2.22 / .035, delta=1)
+        start, end = ([float(x) for x in re.split("[ ,]+", line.get("points").strip())] for line in groups["punch"])
+        moved = {round(b - a, 1) for a, b in zip(start[1::2], end[1::2])}
+        self.assertEqual(len(moved), 1)
+        self.assertAlmostEqual(moved.pop() / (max(xs) - min(xs)), 1 / 2.22, delta=.01)  # down by 1 in
+        width, height = (float(x) for x in drawing.get("viewBox").split()[2:])
+        self.assertTrue(0 < min(xs) and max(xs) < width and 0 < min(ys) and max(ys) < height)
+        run(SCENE, "--check", "--svg", "nowhere/cup.svg", status=1)
+
+    def sweep(self, *words, status=0):
+        return run("sweep", SCENE, "--set", "Steps/form/End time=.1", "--set", "Output/Pictures=0", "--vary", "Blank/Elements=20:40:10",
+                   "--output", "sweep", *words, status=status)
+
+    def table(self):
+        with open(os.path.join(WORK, "sweep", "sweep.csv"), newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+    def test_a_printed_sweep_runs_elsewhere_and_is_collected(self):
+        commands = self.sweep("--print").splitlines()
+        self.assertEqual(len(commands), 3)
+        self.assertFalse(os.path.exists(os.path.join(WORK, "sweep")))
+        path = os.path.dirname(PROGRAM) + os.pathsep + os.environ["PATH"]
+        for command in commands:
+            subprocess.run(["bash", "-c", command], cwd=WORK, env={**os.environ, "PATH": path}, check=True)
+        before = {folder: os.stat(os.path.join(WORK, "sweep", folder, "history.csv")).st_mtime_ns for folder in ("run_001", "run_002", "run_003")}
+        self.assertIn("3 of 3 runs had ended before", self.sweep("--resume"))
+        for folder, time in before.items():
+            self.assertEqual(os.stat(os.path.join(WORK, "sweep", folder, "history.csv")).st_mtime_ns, time)
+        self.assertEqual([row["Blank/Elements"] for row in self.table()], ["20", "30", "40"])
+        self.assertEqual([row["exit_status"] for row in self.table()], ["0", "0", "0"])
+
+    def test_a_stopped_sweep_goes_on(self):
+        self.sweep("--quiet")
+        whole = self.table()
+        # As if it had been stopped in its second run: no summary, and the third was not begun.
+        os.remove(os.path.join(WORK, "sweep", "run_002", "summary.json"))
+        shutil.rmtree(os.path.join(WORK, "sweep", "run_003"))
+        first = os.stat(os.path.join(WORK, "sweep", "run_001", "history.csv")).st_mtime_ns
+        self.assertIn("1 of 3 runs had ended before", self.sweep("--resume"))
+        self.assertEqual(os.stat(os.path.join(WORK, "sweep", "run_001", "history.csv")).st_mtime_ns, first)
+        for before, after in zip(whole, self.table()):
+            for name in ("Blank/Elements", "exit_status", "travel", "force_z", "increments", "min_thickness"):
+                self.assertEqual(before[name], after[name], name)
+        # A run of another scene is not taken for one of this.
+        said = run("sweep", SCENE, "--set", "Steps/form/End time=.05", "--set", "Output/Pictures=0", "--vary", "Blank/Elements=20:40:10",
+                   "--output", "sweep", "--resume")
+        self.assertNotIn("had ended before", said)
+        self.assertEqual({float(row["travel"]) for row in self.table()}, {.05})
+
+
+if __name__ == "__main__":
+    WORK, SCENE, PROGRAM = (os.path.abspath(sys.argv.pop()) for _ in range(3))
+    unittest.main()
