@@ -1,6 +1,8 @@
 #include "sweep_table.h"
 
 #include <deltaform/base/child_process.h>
+#include <deltaform/base/folder_lock.h>
+#include <deltaform/base/interruption.h>
 #include <deltaform/base/journal.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/scene/scene.h>
@@ -52,6 +54,7 @@ namespace deltaform
       result.sets = assignments(command, run);
       result.output = run.folder;
       result.quiet = true;
+      result.force = command.force;
       return result;
     }
 
@@ -62,6 +65,18 @@ namespace deltaform
       if (error)
         throw SceneError("Cannot make the folder '" + folder + "' for the results: " + error.message() +
                          ". Choose another with --output.");
+    }
+
+    /// Of an earlier sweep: it must not be taken for the outcome of this one.
+    void remove_outcome(const std::string &folder)
+    {
+      for (const auto *const name : {"/summary.json", "/history.csv"})
+      {
+        std::error_code error;
+        std::filesystem::remove(folder + name, error);
+        if (error)
+          throw SceneError("Cannot remove '" + folder + name + "' of an earlier sweep: " + error.message() + ".");
+      }
     }
 
     /// Build the scene of every combination and name the folders. @return the label of the units
@@ -130,23 +145,32 @@ namespace deltaform
     std::string folder = command.output;
     const Units units(check_all(command, runs, folder));
     make_folder(folder);
+    const FolderLock lock(folder, command.force);
+    interruption::watch();
     Journal journal(command.quiet ? Journal::Console::quiet : Journal::Console::automatic);
 
     std::map<int, Running> running;
     std::size_t next = 0, n_ended = 0, n_failed = 0;
     int worst = exit_status::done;
-    while (n_ended < runs.size())
+    bool interrupted = false;
+    while (n_ended < (interrupted ? next : runs.size()))
     {
-      for (; next < runs.size() && running.size() < command.jobs; ++next)
+      if (interruption::signal() != 0 && !interrupted)
+      {
+        interrupted = true; // those that run save their states; no others are started
+        for (const auto &[process, own] : running)
+          ask_process_to_end(process);
+        continue;
+      }
+      for (; !interrupted && next < runs.size() && running.size() < command.jobs; ++next)
       {
         make_folder(runs[next].folder);
-        // Of an earlier sweep: it must not be taken for the outcome of this one.
-        for (const auto *const name : {"/summary.json", "/history.csv"})
-          std::filesystem::remove(runs[next].folder + name);
+        remove_outcome(runs[next].folder);
         const auto job = [&run, own = command_of(command, runs[next])]() { return run(own); };
         running[start_process(job, runs[next].folder + "/console.txt")] = {next, Clock::now()};
       }
-      const auto ended = wait_for_process(end_overdue(running, runs, command.seconds));
+      constexpr double attention = .2; // seconds within which a signal is heard
+      const auto ended = wait_for_process(std::min(attention, end_overdue(running, runs, command.seconds)));
       const auto which = ended ? running.find(ended->process) : running.end();
       if (which == running.end())
         continue;
@@ -163,6 +187,10 @@ namespace deltaform
     journal.finish_progress();
     journal.note(std::to_string(runs.size() - n_failed) + " of " + std::to_string(runs.size()) +
                  " runs done; table in " + folder + "/sweep.csv");
-    return worst;
+    if (!interrupted)
+      return worst;
+    journal.note("the sweep was ended by " + interruption::name(interruption::signal()) + "; " +
+                 std::to_string(runs.size() - next) + " runs were not started");
+    return exit_status::by_signal + interruption::signal();
   }
 } // namespace deltaform

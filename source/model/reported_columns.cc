@@ -115,12 +115,13 @@ namespace deltaform
     columns.add({{"unknowns", "1", "of the mesh"},
                  {"cells", "1", "of the mesh"},
                  {"estimated_error", "1",
-                  "relative error in energy before the last refinement. A row with the time of the one before "
-                  "is the new equilibrium after a refinement: tools stand still, its iterations are its cost"}},
+                  "relative error in energy before the last refinement; empty before the first. A row with the time of "
+                  "the one before is the new equilibrium after a refinement: tools stand still, its iterations are its "
+                  "cost"}},
                 [](const Increment &increment, Row &row) {
                   row.insert(row.end(), {number(increment.model.committed().size()),
                                          number(increment.model.blank().n_cells()),
-                                         increment.model.blank().estimated_error()});
+                                         Columns::if_known(increment.model.blank().estimated_error())});
                 });
   }
 

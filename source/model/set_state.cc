@@ -34,6 +34,13 @@ namespace deltaform
       throw SceneError("Cannot resume: the saved state has " + std::to_string(state.unknowns.size()) +
                        " unknowns, the scene has " + std::to_string(state_.unknowns.size()) + ".");
     };
+    const std::size_t n = state.unknowns.size(), n_tools = actors_.tools.size();
+    for (const Vector *const forces : {&state.hold, &state.load_forces, &state.reactions})
+      if (forces->size() != n)
+        refuse();
+    if (state.tool_forces.size() != n_tools || state.travels.size() != n_tools ||
+        state.load_resultants.size() != actors_.loads.size())
+      refuse();
     // Before anything changes, as far as it can be known.
     if (state.interfaces.size() != actors_.interfaces.size() ||
         (actors_.blank->refinement() == nullptr && state.unknowns.size() != n_before))

@@ -116,14 +116,13 @@ namespace deltaform
         stage_ = increment.stage.name;
         next_frame_ = 0;
         pass_frames();
-        series_->resume(last_picture_);
         n_pictures_ = series_->size();
       }
 
       /// A run that stopped shows its last state.
       void ended(const Model &model, const RunOutcome &outcome) override
       {
-        if (outcome.exit_status != exit_status::done && outcome.increments > 0)
+        if (outcome.stopped_by_itself() && outcome.increments > 0)
           write(model, stage_, time_);
       }
 
@@ -135,6 +134,7 @@ namespace deltaform
       void load(boost::archive::binary_iarchive &archive) override
       {
         archive >> last_picture_;
+        series_->resume(last_picture_);
       }
 
     private:

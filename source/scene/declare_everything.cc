@@ -45,16 +45,16 @@ namespace deltaform
 
     std::vector<std::unique_ptr<Tool>> tools;
     Section tools_section = root.sub("Tools");
-    tools_section.names("Names", "", "Names of the tools, one subsection each.");
+    tools_section.section_names("Names", "", "Names of the tools, one subsection each.");
     Section tool_section = tools_section.sub("<name>");
     tools.push_back(std::make_unique<Tool>("<name>", tool_section, constants, constants));
     const ContactInterface pair(*blank, *tools.front(), contact, tool_section);
     declare_each<Shape>(tool_section, "Shape");
     declare_each<FrictionLaw>(tool_section, "Friction law");
 
-    root.sub("Supports").names("Names", "", "Prescribed displacements, one subsection each.");
+    root.sub("Supports").section_names("Names", "", "Prescribed displacements, one subsection each.");
     const Support support("<name>", root.sub("Supports").sub("<name>"), *blank);
-    root.sub("Loads").names("Names", "", "Loads, one subsection each.");
+    root.sub("Loads").section_names("Names", "", "Loads, one subsection each.");
     Section load_section = root.sub("Loads").sub("<name>");
     LoadRegistry::choose(load_section, "Kind", "pressure", "What kind of load it is.", *blank);
     for (const auto &name : LoadRegistry::names())

@@ -17,7 +17,7 @@ namespace deltaform
 
     const auto named = [&](const std::string &what, const std::string &sentence) {
       Section section = root.sub(what);
-      return section.names("Names", "", sentence);
+      return section.section_names("Names", "", sentence);
     };
     for (const auto &name : named("Supports", "Prescribed displacements, one subsection each."))
       actors.supports.emplace_back(name, root.sub("Supports").sub(name), *actors.blank);
@@ -53,7 +53,7 @@ namespace deltaform
   void Scene::build_tools(Section root)
   {
     Section section = root.sub("Tools");
-    const auto names = section.names("Names", "", "Names of the tools, one subsection each.");
+    const auto names = section.section_names("Names", "", "Names of the tools, one subsection each.");
     if (names.empty())
     {
       for (const auto *const entry : {"Penalty rule", "Enforcement", "Allowed penetration", "Penalty factor"})

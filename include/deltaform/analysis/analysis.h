@@ -7,6 +7,7 @@
 #include <deltaform/base/timers.h>
 #include <deltaform/model/checkpoint.h>
 #include <deltaform/model/condition.h>
+#include <deltaform/model/function_values.h>
 #include <deltaform/model/model.h>
 #include <deltaform/model/observer.h>
 
@@ -130,6 +131,7 @@ namespace deltaform
     Journal &journal_;
     Timers &timers_;
     Timers::Index timer_attempt_, timer_output_;
+    FunctionValues functions_;
     Model problem_;
     Newton newton_;
     Increment increment_;

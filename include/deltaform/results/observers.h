@@ -2,9 +2,11 @@
 
 #include <deltaform/model/columns.h>
 #include <deltaform/model/observer.h>
+#include <deltaform/results/history.h>
 #include <deltaform/results/output_settings.h>
 #include <deltaform/results/results_folder.h>
 
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <vector>
@@ -16,7 +18,11 @@ namespace deltaform
   /// @name What a scene may ask for
   /// Every one writes into @p folder, which must live longer.
   ///@{
-  std::unique_ptr<Observer> make_history_observer(ResultsFolder &folder, Columns columns, const Checkpoint *start);
+  /// Opens the folder when the run begins, or goes on, for certain; the first to be told.
+  std::unique_ptr<Observer> make_folder_observer(ResultsFolder &folder,
+                                                 std::function<void(std::ostream &)> print_scene);
+  std::unique_ptr<Observer> make_history_observer(ResultsFolder &folder, Columns columns,
+                                                  const std::optional<History::Resumption> &resumption);
   std::unique_ptr<Observer> make_table_observer(ResultsFolder &folder, const OutputSettings &output);
   std::unique_ptr<Observer> make_picture_observer(ResultsFolder &folder, const OutputSettings &output);
   std::unique_ptr<Observer> make_progress_observer(ResultsFolder &folder, const OutputSettings &output);
