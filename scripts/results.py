@@ -56,7 +56,7 @@ class Table:
 def _column(cells):
     """Numbers, or words where a cell is no number."""
     try:
-        return np.array([float(cell) for cell in cells])
+        return np.array([float(cell or "nan") for cell in cells])  # not known: empty
     except ValueError:
         return np.array(cells, dtype=object)
 

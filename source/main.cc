@@ -3,12 +3,16 @@
 #include <deltaform/app/run.h>
 #include <deltaform/app/sweep.h>
 #include <deltaform/base/processes.h>
+#include <deltaform/base/interruption.h>
 #include <deltaform/base/ranks.h>
+#include <deltaform/base/result_error.h>
 #include <deltaform/base/scene_error.h>
+#include <deltaform/base/text.h>
 
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <new>
 #include <string>
 
 namespace
@@ -18,9 +22,12 @@ namespace
   /// @p action returns the exit status; an error is said, and becomes one.
   int guarded(const std::function<int()> &action)
   {
-    const auto end = [](const int status, const std::string &message) {
+    const auto end = [](int status, const std::string &message) {
+      // What a signal has made impossible is no fault of the scene.
+      if (const int signal = interruption::signal(); signal != 0)
+        status = exit_status::by_signal + signal;
       if (ranks::end_together(status, true, message))
-        std::cerr << "deltaform: " << message << '\n';
+        std::cerr << "deltaform: " << text::printable(message) << '\n';
       return status;
     };
     try
@@ -34,6 +41,15 @@ namespace
     catch (const SceneError &error)
     {
       return end(exit_status::wrong_scene, error.what());
+    }
+    catch (const ResultError &error)
+    {
+      return end(exit_status::not_converged, error.what());
+    }
+    catch (const std::bad_alloc &)
+    {
+      return end(exit_status::wrong_scene,
+                 "There is not enough memory for what the scene asks for: take fewer elements.");
     }
     catch (const std::exception &error)
     {

@@ -1,5 +1,7 @@
 #include <deltaform/analysis/analysis.h>
 #include <deltaform/base/command_line.h>
+#include <deltaform/base/interruption.h>
+#include <deltaform/base/ranks.h>
 #include <deltaform/base/text.h>
 #include <deltaform/model/accepted_increment.h>
 
@@ -56,7 +58,7 @@ namespace deltaform
   Analysis::Analysis(Actors &actors, const AnalysisSettings &settings, Journal &journal, Timers &timers)
     : actors_(actors), settings_(settings), journal_(journal), timers_(timers),
       timer_attempt_(timers.section("10 start of an increment, residual, length of steps, checks")),
-      timer_output_(timers.section("13 output")), model_(actors, settings.linear_solver, timers),
+      timer_output_(timers.section("13 output")), functions_(actors), model_(actors, settings.linear_solver, timers),
       newton_(model_, model_.discretization().system(), settings.newton, model_.discretization().numbering().scale,
               model_.discretization().numbering().size, timers),
       increment_(model_, newton_, settings.steps), conditions_(actors), status_(exit_status::done)
@@ -160,6 +162,11 @@ namespace deltaform
     for (;;)
     {
       const double next = control_->next(time());
+      if (const int signal = static_cast<int>(ranks::max(interruption::signal())); signal != 0)
+        return stop("ended by " + interruption::name(signal) + "; the state is saved, and --resume goes on from it",
+                    exit_status::by_signal + signal, checkpoint());
+      if (const auto wrong = functions_.find_wrong(stage(), next))
+        return stop(wrong->to_string(), exit_status::not_converged, checkpoint());
       const IncrementResult result = attempt(next, effort(next));
       cost_ += result.cost;
       if (!result.rejected)

@@ -19,7 +19,7 @@ namespace deltaform
     void check_fits(const State &state, const std::vector<Stage> &stages)
     {
       const double time = state.time();
-      if (state.stage >= stages.size() || time < stages[state.stage].begin || time > stages[state.stage].end)
+      if (state.stage >= stages.size() || !(time >= stages[state.stage].begin && time <= stages[state.stage].end))
         throw SceneError("Cannot resume: the saved state at time " + text::format(time) + " is in stage number " +
                          std::to_string(state.stage + 1) + ", which the scene now has " +
                          (state.stage < stages.size()
@@ -86,6 +86,10 @@ namespace deltaform
     State state;
     std::istringstream own(start.state);
     state.load(own);
+    if (state.n_increments != start.increment || state.stage != start.stage || state.time() != start.time ||
+        state.before.size() != state.model.unknowns.size())
+      throw SceneError("Cannot resume: the saved state contradicts itself, so it is damaged. Start again without "
+                       "--resume.");
     set_state(state);
     std::istringstream others(start.observers);
     boost::archive::binary_iarchive archive(others);

@@ -112,7 +112,7 @@ namespace deltaform
 
   void StepControl::restore(const State &state)
   {
-    increment_ = std::clamp(state.increment, smallest_, largest_);
+    increment_ = state.increment > smallest_ ? std::min(state.increment, largest_) : smallest_;
     quiet_ = state.quiet;
     shortened_ = state.shortened;
     error_ = state.error;

@@ -6,6 +6,7 @@
 #include <deltaform/app/scene_svg.h>
 #include <deltaform/app/sweep.h>
 #include <deltaform/base/atomic_file.h>
+#include <deltaform/base/interruption.h>
 #include <deltaform/base/parameter_tree.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/registry.h>
@@ -53,6 +54,53 @@ namespace deltaform
     }
 
 
+    /// What the scene says otherwise than the saved one.
+    void compare_scenes(const Checkpoint &start, const ParameterTree &tree, OutputSettings &output, Journal &journal)
+    {
+      for (const auto &change : start.changes(tree))
+        journal.note("resumed with a change: " + change);
+      // They are sums over all increments.
+      if (output.energies && start.value("Output/Energies") == "false")
+      {
+        output.energies = false;
+        journal.note("energies are not known since the start, so that Output/Energies stays false");
+      }
+    }
+
+
+    /// What is on disk is touched when the state has been read, not before.
+    void resume(Analysis &analysis, const Checkpoint &start, const std::string &folder, Journal &journal)
+    {
+      try
+      {
+        analysis.resume(start);
+      }
+      catch (const SceneError &)
+      {
+        throw;
+      }
+      catch (const std::exception &error)
+      {
+        throw SceneError(Checkpoint::damaged(folder) + " (" + error.what() + ")");
+      }
+      journal.note("resumed after increment " + std::to_string(start.increment) + ", time " + text::format(start.time));
+    }
+
+
+    int compute(Analysis &analysis, Journal &journal)
+    {
+      try
+      {
+        return analysis.run();
+      }
+      catch (const std::exception &error)
+      {
+        journal.detail(std::string("the run ends: ") + error.what());
+        throw;
+      }
+    }
+
+
     int run_scene(const CommandLine &command)
     {
       Timers timers;
@@ -66,30 +114,25 @@ namespace deltaform
       std::string folder = command.output.empty() ? scene.output->folder : command.output;
       if (folder.empty())
         folder = "output/" + std::filesystem::path(command.scene).stem().string();
+      ResultsFolder results({folder, scene.title, scene.units, scene.actors.blank->axisymmetric()}, journal, timers,
+                            command.force);
       const auto start = command.resume ? Checkpoint::read(folder) : std::nullopt;
       if (start)
-        for (const auto &change : start->changes(tree))
-          journal.note("resumed with a change: " + change);
+        compare_scenes(*start, tree, *scene.output, journal);
       else if (command.resume)
         journal.note("there is no saved state in " + folder + ": starting from the beginning");
       if (start && nothing_to_resume(folder, start->time, scene.actors.stages.back().end, journal))
         return exit_status::done;
-      ResultsFolder results(
-        {folder, scene.title, scene.units, scene.actors.blank->axisymmetric()},
-        [&](std::ostream &out) { tree.print_prm(out); }, journal, timers, start.has_value());
       journal.detail("deltaform " DELTAFORM_VERSION ", deal.II " DEAL_II_PACKAGE_VERSION ", scene " + tree.file_name());
       Analysis analysis(scene.actors, scene.analysis_settings(), journal, timers);
+      analysis.add(make_folder_observer(results, [&](std::ostream &out) { tree.print_prm(out); }));
       for (auto &observer : make_observers(analysis.model(), *scene.output, results, start ? &*start : nullptr))
         analysis.add(std::move(observer));
       if (start)
-      {
-        analysis.resume(*start);
-        journal.note("resumed after increment " + std::to_string(start->increment) + ", time " +
-                     text::format(start->time));
-      }
+        resume(analysis, *start, folder, journal);
       timers.add(timer_start, timers.total());
       analysis.warn(input_warnings(scene));
-      return analysis.run();
+      return compute(analysis, journal);
     }
 
 
@@ -160,6 +203,7 @@ namespace deltaform
     switch (command.command)
     {
     case CommandLine::Command::run:
+      interruption::watch();
       return run_scene(command);
     case CommandLine::Command::check:
       return check_scene(command);

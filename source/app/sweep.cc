@@ -1,6 +1,8 @@
 #include "sweep_table.h"
 
 #include <deltaform/base/child_process.h>
+#include <deltaform/base/folder_lock.h>
+#include <deltaform/base/interruption.h>
 #include <deltaform/base/journal.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/results/earlier_run.h>
@@ -99,6 +101,7 @@ namespace deltaform
       result.output = run.folder;
       result.quiet = true;
       result.resume = run.resume;
+      result.force = command.force;
       return result;
     }
 
@@ -115,6 +118,18 @@ namespace deltaform
       if (error)
         throw SceneError("Cannot make the folder '" + folder + "' for the results: " + error.message() +
                          ". Choose another with --output.");
+    }
+
+    /// Of an earlier sweep: it must not be taken for the outcome of this one.
+    void remove_outcome(const std::string &folder)
+    {
+      for (const auto *const name : {"/summary.json", "/history.csv"})
+      {
+        std::error_code error;
+        std::filesystem::remove(folder + name, error);
+        if (error)
+          throw SceneError("Cannot remove '" + folder + name + "' of an earlier sweep: " + error.message() + ".");
+      }
     }
 
     /// Build the scene of every combination and name the folders. @return the label of the units
@@ -204,6 +219,8 @@ namespace deltaform
       return exit_status::done;
     }
     make_folder(folder);
+    const FolderLock lock(folder, command.force);
+    interruption::watch();
     Journal journal(command.quiet ? Journal::Console::quiet : Journal::Console::automatic);
 
     std::map<int, Running> running;
@@ -216,21 +233,28 @@ namespace deltaform
       journal.note(std::to_string(ended_runs.n) + " of " + std::to_string(runs.size()) + " runs had ended before");
     if (ended_runs.n == runs.size())
       write_sweep_table(folder, command, runs, units);
-    while (ended_runs.n < runs.size())
+    bool interrupted = false;
+    while (interrupted ? !running.empty() : ended_runs.n < runs.size())
     {
-      for (; next < runs.size() && running.size() < command.jobs; ++next)
+      if (interruption::signal() != 0 && !interrupted)
+      {
+        interrupted = true; // those that run save their states; no others are started
+        for (const auto &[process, own] : running)
+          ask_process_to_end(process);
+        continue;
+      }
+      for (; !interrupted && next < runs.size() && running.size() < command.jobs; ++next)
       {
         if (runs[next].exit_status >= 0)
           continue;
         make_folder(runs[next].folder);
-        // Of an earlier sweep: it must not be taken for the outcome of this one.
         if (!runs[next].resume)
-          for (const auto *const name : {"/summary.json", "/history.csv"})
-            std::filesystem::remove(runs[next].folder + name);
+          remove_outcome(runs[next].folder);
         const auto job = [&run, own = command_of(command, runs[next])]() { return run(own); };
         running[start_process(job, runs[next].folder + "/console.txt")] = {next, Clock::now()};
       }
-      const auto ended = wait_for_process(end_overdue(running, runs, command.seconds));
+      constexpr double attention = .2; // seconds within which a signal is heard
+      const auto ended = wait_for_process(std::min(attention, end_overdue(running, runs, command.seconds)));
       const auto which = ended ? running.find(ended->process) : running.end();
       if (which == running.end())
         continue;
@@ -246,6 +270,10 @@ namespace deltaform
     journal.finish_progress();
     journal.note(std::to_string(runs.size() - ended_runs.n_failed) + " of " + std::to_string(runs.size()) +
                  " runs done; table in " + folder + "/sweep.csv");
-    return ended_runs.worst;
+    if (!interrupted)
+      return ended_runs.worst;
+    journal.note("the sweep was ended by " + interruption::name(interruption::signal()) + "; " +
+                 std::to_string(runs.size() - next) + " runs were not started");
+    return exit_status::by_signal + interruption::signal();
   }
 } // namespace deltaform

@@ -33,7 +33,7 @@ namespace deltaform
       while (const auto cells = reader.next())
         if (cells->size() == names.size())
           for (std::size_t i = 0; i < names.size(); ++i)
-            result[names[i]].push_back(std::strtod((*cells)[i].c_str(), nullptr));
+            result[names[i]].push_back((*cells)[i].empty() ? nan : std::strtod((*cells)[i].c_str(), nullptr));
       return result;
     }
 
@@ -141,11 +141,15 @@ namespace deltaform
                                                  number("energy_error"),
                                                  number("seconds"),
                                                  std::filesystem::path(run.folder).filename().string()};
-      row.insert(row.end(), results.begin(), results.end());
+      for (const auto &cell : results)
+      {
+        const auto *const value = std::get_if<double>(&cell);
+        row.push_back(value != nullptr && !std::isfinite(*value) ? CsvWriter::Cell(std::string()) : cell);
+      }
       rows.push_back(row);
     }
     const std::vector<std::string> comments{"sweep of " + command.scene,
-                                            "travel and force are those of the main tool in the last increment; nan: "
+                                            "travel and force are those of the main tool in the last increment; empty: "
                                             "unknown, or not asked for"};
     write_table(folder + "/sweep.csv", comments, columns, rows, units);
   }

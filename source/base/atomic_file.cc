@@ -15,6 +15,38 @@ namespace deltaform
     {
       throw SceneError("Cannot write '" + path + "': " + std::strerror(errno) + ".");
     }
+    /// A file under construction, which is gone if nothing becomes of it.
+    class Draft
+    {
+    public:
+      explicit Draft(const std::string &path)
+        : path_(path), name_(path + ".part")
+      {
+      }
+      ~Draft()
+      {
+        if (!renamed_)
+          std::remove(name_.c_str());
+      }
+      Draft(const Draft &) = delete;
+      Draft &operator=(const Draft &) = delete;
+
+      const std::string &name() const
+      {
+        return name_;
+      }
+
+      void rename()
+      {
+        if (std::rename(name_.c_str(), path_.c_str()) != 0)
+          fail(path_);
+        renamed_ = true;
+      }
+
+    private:
+      std::string path_, name_;
+      bool renamed_ = false;
+    };
   } // namespace
 
 
@@ -22,10 +54,9 @@ namespace deltaform
   {
     if (!ranks::first())
       return;
-    const std::string draft = path + ".part";
-    write(draft);
-    if (std::rename(draft.c_str(), path.c_str()) != 0)
-      fail(path);
+    Draft draft(path);
+    write(draft.name());
+    draft.rename();
   }
 
 

@@ -1,6 +1,7 @@
 #include <deltaform/base/child_process.h>
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -56,7 +57,10 @@ namespace deltaform
     std::fflush(nullptr);
     const pid_t process = fork();
     if (process == 0)
+    {
+      prctl(PR_SET_PDEATHSIG, SIGTERM); // it does not outlive the one that waits for it
       live(job, file);
+    }
     close(file);
     if (process < 0)
       throw error("Cannot start a process");
@@ -83,6 +87,12 @@ namespace deltaform
       if (process == 0)
         std::this_thread::sleep_for(pause);
     }
+  }
+
+
+  void ask_process_to_end(const int process)
+  {
+    kill(process, SIGTERM);
   }
 
 

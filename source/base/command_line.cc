@@ -1,3 +1,4 @@
+#include <deltaform/base/ceilings.h>
 #include <deltaform/base/command_line.h>
 #include <deltaform/base/text.h>
 #include <deltaform/base/value_range.h>
@@ -25,7 +26,7 @@ namespace deltaform
       add("jobs", po::value<int>());
       add("seconds", po::value<double>());
       add("svg", po::value<std::string>());
-      for (const auto *const name : {"check", "resume", "quiet", "print", "list", "print-parameters", "print-columns",
+      for (const auto *const name : {"check", "resume", "force", "quiet", "print", "list", "print-parameters", "print-columns",
                                      "version", "help,h"})
         add(name, po::bool_switch());
       add("words", po::value<Strings>());
@@ -179,6 +180,7 @@ namespace deltaform
     line.resume = values["resume"].as<bool>();
     line.print = values["print"].as<bool>();
     line.svg = value_or(values, "svg", std::string());
+    line.force = values["force"].as<bool>();
     for (const auto &text : value_or(values, "vary", Strings()))
     {
       line.variations.push_back(variation(text));
@@ -206,6 +208,8 @@ namespace deltaform
       line.scene = words.front();
 
     check_switches(line, values.count("svg") > 0);
+    if (line.force && !computes)
+      throw UsageError("--force goes with a run or a sweep only.");
     if (sweep && line.variations.empty())
       throw UsageError("A sweep needs --vary \"Section/Entry=value,value,...\".");
     for (const auto *const name : {"vary", "jobs", "seconds"})
@@ -215,6 +219,12 @@ namespace deltaform
     if (jobs < 1)
       throw UsageError("--jobs needs a number of at least 1.");
     line.jobs = static_cast<unsigned int>(jobs);
+    double runs = 1.;
+    for (const auto &variation : line.variations)
+      runs *= static_cast<double>(variation.values.size());
+    if (runs > static_cast<double>(ceilings::sweep_runs))
+      throw UsageError("The values of --vary make " + text::rounded(runs) + " runs; a sweep has at most " +
+                       std::to_string(ceilings::sweep_runs) + ".");
     line.seconds = value_or(values, "seconds", infinity);
     if (!(line.seconds > 0))
       throw UsageError("--seconds needs a positive number.");
@@ -242,9 +252,10 @@ Options of a run
   --check                      only say whether the scene is right; compute nothing
   --svg FILE                   with --check: draw blank, tools and supports
   --resume                     go on from the last saved state in the output folder
+  --force                      write into the folder although another run seems to
   --quiet                      print warnings and errors only
 
-Options of a sweep (and --set, --output, --quiet)
+Options of a sweep (and --set, --output, --force, --quiet)
   --vary "Section/Entry=a,b,c" the values to run; with several --vary, all combinations;
                                values that contain commas: "Section/Entry=a;b;c";
                                first:last:step is a range, such as .05:.2:.05
@@ -259,6 +270,8 @@ Exit status
    2  it did not converge; what was computed is written and can be resumed
    3  the promise, penetration <= allowed penetration, could not be kept
   64  the command line is wrong
+ 128  and more: ended by signal number status - 128, for example 130 by Ctrl-C, 143 by kill;
+      the state is saved, and can be resumed
   A sweep is done if all its runs are; else its status is the largest of theirs.
 
 Examples

@@ -1,3 +1,4 @@
+#include <deltaform/base/ceilings.h>
 #include <deltaform/base/expression.h>
 #include <deltaform/base/text.h>
 
@@ -43,6 +44,9 @@ namespace deltaform
   Expression::Expression(const std::string &text, const Constants &constants)
     : parser_(std::make_shared<Parser>())
   {
+    if (text.size() > ceilings::expression_bytes)
+      throw std::invalid_argument("a formula has at most " + std::to_string(ceilings::expression_bytes) +
+                                  " characters; this one has " + std::to_string(text.size()));
     auto &parser = parser_->parser;
     try
     {

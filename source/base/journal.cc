@@ -1,5 +1,6 @@
 #include <deltaform/base/journal.h>
 #include <deltaform/base/scene_error.h>
+#include <deltaform/base/text.h>
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -67,8 +68,9 @@ namespace deltaform
     return console_ != Console::quiet && console_ != Console::silent;
   }
 
-  void Journal::progress(const std::string &line)
+  void Journal::progress(const std::string &text)
   {
+    const std::string line = deltaform::text::printable(text);
     if (console_ == Console::terminal)
     {
       last_progress_ = std::chrono::steady_clock::now();
@@ -81,26 +83,28 @@ namespace deltaform
 
   void Journal::note(const std::string &text)
   {
-    log(text);
+    const std::string line = deltaform::text::printable(text);
+    log(line);
     if (console_ == Console::quiet || console_ == Console::silent)
       return;
     erase_progress();
-    out_ << text << std::endl;
+    out_ << line << std::endl;
   }
 
   void Journal::warning(const std::string &text)
   {
+    const std::string line = "warning: " + deltaform::text::printable(text);
     ++n_warnings_;
-    log("warning: " + text);
+    log(line);
     if (console_ == Console::silent)
       return;
     erase_progress();
-    warnings_ << "warning: " << text << std::endl;
+    warnings_ << line << std::endl;
   }
 
   void Journal::detail(const std::string &text)
   {
-    log(text);
+    log(deltaform::text::printable(text));
   }
 
   void Journal::finish_progress()

@@ -1,4 +1,5 @@
 // What a ParameterTree says about a scene that is wrong.
+#include <deltaform/base/ceilings.h>
 #include <deltaform/base/parameter_tree.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/base/text.h>
@@ -54,7 +55,12 @@ namespace deltaform
   {
     const std::string who = to_string(path, entry);
     if (const auto *const given = scene_.find(path, entry))
-      throw SceneError(given->origin.to_string() + ": " + who + " = " + given->value + ": " + message);
+    {
+      constexpr std::size_t most = 200;
+      const std::string value =
+        given->value.size() <= most ? given->value : text::printable(given->value.substr(0, most)) + "...";
+      throw SceneError(given->origin.to_string() + ": " + who + " = " + value + ": " + message);
+    }
 
     SectionPath inner = path;
     inner.push_back(entry);
@@ -179,6 +185,11 @@ namespace deltaform
         complaints.push_back(complain_about(entry));
     }
     complaints.erase(std::remove(complaints.begin(), complaints.end(), std::string()), complaints.end());
+    if (const std::size_t n = complaints.size(); n > ceilings::complaints)
+    {
+      complaints.resize(ceilings::complaints);
+      complaints.push_back("... and " + std::to_string(n - ceilings::complaints) + " more.");
+    }
     if (!complaints.empty())
       throw SceneError(text::join(complaints, "\n"));
 

@@ -1,3 +1,4 @@
+#include <deltaform/base/ceilings.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/base/scene_file.h>
 #include <deltaform/base/text.h>
@@ -25,28 +26,70 @@ namespace deltaform
       return result;
     }
 
-    std::string read_whole(const std::string &file_name, const std::string &complaint_opening)
+    /// UTF-8 without its mark. @throws SceneError if it is another kind of text, or none
+    std::string utf_8(std::string content, const std::string &complaint_opening)
     {
-      if (std::filesystem::is_directory(file_name))
+      const auto begins = [&content](const char *const mark) { return content.rfind(mark, 0) == 0; };
+      const std::string advice = ": save it as UTF-8 (or ASCII).";
+      if (begins("\xff\xfe") || begins("\xfe\xff"))
+        throw SceneError(complaint_opening + "cannot be read: it is UTF-16" + advice);
+      if (content.find('\0') != std::string::npos)
+        throw SceneError(complaint_opening + "cannot be read: it contains zero bytes, and so is no text, or text in " +
+                         "UTF-16" + advice);
+      if (begins("\xef\xbb\xbf"))
+        content.erase(0, 3);
+      return content;
+    }
+
+    /**
+     * The text of a file.
+     * @param most    bytes that it may have
+     * @param regular must it be a file on disk? What is read from a pipe may never come, or never end
+     */
+    std::string read_whole(const std::string &file_name, const std::string &complaint_opening, const std::size_t most,
+                           const bool regular)
+    {
+      std::error_code error;
+      const auto status = std::filesystem::status(file_name, error);
+      if (std::filesystem::is_directory(status))
         throw SceneError(complaint_opening + "cannot be read: it is a folder.");
-      std::ifstream file(file_name);
+      if (regular && std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw SceneError(complaint_opening + "cannot be read: it is a pipe or a device, not a file.");
+      std::ifstream file(file_name, std::ios::binary);
       if (!file)
         throw SceneError(complaint_opening + "cannot be read: " + std::strerror(errno) + ".");
-      return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+      std::string content;
+      std::vector<char> block(1u << 16);
+      while (file.read(block.data(), static_cast<std::streamsize>(block.size())), file.gcount() > 0)
+      {
+        content.append(block.data(), static_cast<std::size_t>(file.gcount()));
+        if (content.size() > most)
+          throw SceneError(complaint_opening + "is too long: a scene with all that it includes has at most " +
+                           std::to_string(ceilings::scene_bytes >> 20) + " MB.");
+      }
+      return utf_8(std::move(content), complaint_opening);
     }
+
+    /// What has been read for a scene so far.
+    struct Consumption
+    {
+      std::size_t n_files = 0, n_bytes = 0;
+    };
 
     /// Goes through one file, and by recursion through what it includes.
     class Scanner
     {
     public:
-      Scanner(SceneFile &scene, const SectionPath &path, const std::vector<std::string> &including)
-        : scene_(scene), outer_depth_(path.size()), path_(path), files_(including)
+      Scanner(SceneFile &scene, Consumption &consumption, const SectionPath &path,
+              const std::vector<std::string> &including)
+        : scene_(scene), consumption_(consumption), outer_depth_(path.size()), path_(path), files_(including)
       {
       }
 
       void scan(const std::string &content, const std::string &file_name)
       {
         files_.push_back(file_name);
+        consumption_.n_bytes += content.size();
         std::istringstream lines(content);
         std::string line, statement;
         for (unsigned int number = 1; std::getline(lines, line); ++number)
@@ -96,8 +139,23 @@ namespace deltaform
                            "that starts with '#'.");
       }
 
+      void check_name(const std::string &name) const
+      {
+        if (name.size() > ceilings::name_bytes)
+          throw SceneError(origin_.to_string() + ": the name '" + name.substr(0, 40) + "...' has " +
+                           std::to_string(name.size()) + " bytes; " + std::to_string(ceilings::name_bytes) +
+                           " are allowed.");
+        if (scene_.entries.size() + scene_.subsections.size() >= ceilings::entries)
+          throw SceneError(origin_.to_string() + ": this is too much: a scene has at most " +
+                           std::to_string(ceilings::entries) + " entries and subsections.");
+      }
+
       void begin(const std::string &name)
       {
+        check_name(name);
+        if (path_.size() == ceilings::nesting)
+          throw SceneError(origin_.to_string() + ": subsections are nested more than " +
+                           std::to_string(ceilings::nesting) + " deep.");
         path_.push_back(name);
         opened_.push_back(origin_);
         if (scene_.find(path_) == nullptr)
@@ -115,6 +173,7 @@ namespace deltaform
 
       void set(const std::string &name, const std::string &value)
       {
+        check_name(name);
         const auto [previous, is_new] = stated_here_.emplace(std::make_pair(path_, name), origin_.line);
         if (!is_new)
           throw SceneError(origin_.to_string() + ": " + to_string(path_, name) + " has already been set in line " +
@@ -137,15 +196,29 @@ namespace deltaform
                                     : fs::path(origin_.file).parent_path() / relative_name;
         const std::string file_name = resolved.lexically_normal().string();
         const std::string opening = origin_.to_string() + ": include " + relative_name;
+        // A file that cannot be found has no other name; why not is said where it is read.
+        const auto canonical = [](const std::string &file) {
+          std::error_code error;
+          const fs::path result = fs::weakly_canonical(file, error);
+          return error ? fs::path(file) : result;
+        };
         for (const auto &file : files_)
-          if (fs::weakly_canonical(file) == fs::weakly_canonical(file_name))
+          if (canonical(file) == canonical(file_name))
             throw SceneError(opening + " closes a cycle: " + text::join(files_, " -> ") + " -> " + file_name + ".");
+        if (files_.size() > ceilings::include_depth)
+          throw SceneError(opening + ": files include one another more than " +
+                           std::to_string(ceilings::include_depth) + " deep.");
+        if (++consumption_.n_files > ceilings::includes)
+          throw SceneError(opening + ": a scene includes at most " + std::to_string(ceilings::includes) + " files.");
         const Origin here = origin_;
-        Scanner(scene_, path_, files_).scan(read_whole(file_name, opening + ": '" + file_name + "' "), file_name);
+        const std::size_t left = ceilings::scene_bytes - std::min(consumption_.n_bytes, ceilings::scene_bytes);
+        const std::string content = read_whole(file_name, opening + ": '" + file_name + "' ", left, true);
+        Scanner(scene_, consumption_, path_, files_).scan(content, file_name);
         origin_ = here;
       }
 
       SceneFile &scene_;
+      Consumption &consumption_;
       const std::size_t outer_depth_;
       SectionPath path_;
       std::vector<Origin> opened_;
@@ -172,14 +245,15 @@ namespace deltaform
 
   SceneFile SceneFile::read(const std::string &file_name)
   {
-    return parse(read_whole(file_name, file_name + ": "), file_name);
+    return parse(read_whole(file_name, file_name + ": ", ceilings::scene_bytes, false), file_name);
   }
 
   SceneFile SceneFile::parse(const std::string &text, const std::string &name)
   {
     SceneFile scene;
     scene.name = name;
-    Scanner(scene, {}, {}).scan(text, name);
+    Consumption consumption;
+    Scanner(scene, consumption, {}, {}).scan(text, name);
     return scene;
   }
 

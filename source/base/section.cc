@@ -1,3 +1,4 @@
+#include <deltaform/base/ceilings.h>
 #include <deltaform/base/expression.h>
 #include <deltaform/base/parameter_tree.h>
 #include <deltaform/base/section.h>
@@ -85,10 +86,32 @@ namespace deltaform
                          const std::string &unit,
                          const std::string &sentence)
   {
-    return read(*tree_,
-                path_,
-                {name, text::format(value.value), value.required, unit, range.to_string(), sentence, {}},
-                [range](const std::string &text) { return number_in(text, range); });
+    const double result =
+      read(*tree_,
+           path_,
+           {name, text::format(value.value), value.required, unit, range.to_string(), sentence, {}},
+           [range](const std::string &text) { return number_in(text, range); });
+    // A default may stand for "as far as you like".
+    if (result != value.value || value.required)
+      check_magnitudes(name, {result}, range.lower >= 0. && range.lower_exclusive, unit);
+    return result;
+  }
+
+
+  void Section::check_magnitudes(const std::string &name, const std::vector<double> &values, const bool are_sizes,
+                                 const std::string &unit) const
+  {
+    if (tree_->is_documentation() || unit.empty() || unit == "1")
+      return;
+    try
+    {
+      for (const double value : values)
+        tree_->magnitudes().add(value, are_sizes, unit, to_string(path_, name));
+    }
+    catch (const std::invalid_argument &error)
+    {
+      fail(name, error.what());
+    }
   }
 
   int Section::integer(const std::string &name,
@@ -173,20 +196,37 @@ namespace deltaform
                 });
   }
 
+  std::vector<std::string>
+  Section::section_names(const std::string &name, const std::string &value, const std::string &sentence)
+  {
+    const auto result = names(name, value, sentence);
+    for (const auto &own : result)
+    {
+      if (own.find('/') != std::string::npos || own == "." || own == ".." || text::printable(own) != own)
+        fail(name, "'" + own + "' cannot be a name: it becomes part of columns and of file names, and must have no "
+                               "'/' and no control characters");
+      if (own.size() > ceilings::name_bytes / 2)
+        fail(name, "a name has at most " + std::to_string(ceilings::name_bytes / 2) + " bytes");
+    }
+    return result;
+  }
+
   std::vector<double> Section::numbers(const std::string &name,
                                        const std::string &value,
                                        const std::string &unit,
                                        const std::string &sentence)
   {
-    return read(*tree_,
-                path_,
-                {name, value, false, unit, "numbers separated by commas", sentence, {}},
-                [](const std::string &text) {
-                  std::vector<double> result;
-                  for (const auto &piece : text::split(text::unquoted(text), ','))
-                    result.push_back(evaluate_number(piece));
-                  return result;
-                });
+    auto result = read(*tree_,
+                       path_,
+                       {name, value, false, unit, "numbers separated by commas", sentence, {}},
+                       [](const std::string &text) {
+                         std::vector<double> all;
+                         for (const auto &piece : text::split(text::unquoted(text), ','))
+                           all.push_back(evaluate_number(piece));
+                         return all;
+                       });
+    check_magnitudes(name, result, false, unit);
+    return result;
   }
 
   std::vector<std::vector<double>> Section::rows(const std::string &name,
@@ -197,30 +237,34 @@ namespace deltaform
   {
     const bool required = value.required;
     const std::string form = "rows of " + std::to_string(columns) + " numbers separated by semicolons";
-    return read(*tree_,
-                path_,
-                {name, value.value, required, unit, form, sentence, {}},
-                [columns, form, required](const std::string &text) {
-                  std::vector<std::vector<double>> result;
-                  auto pieces = text::split(text::unquoted(text), ';');
-                  if (!pieces.empty() && pieces.back().empty()) // "0 0; 1 0;"
-                    pieces.pop_back();
-                  for (auto &piece : pieces)
-                  {
-                    std::vector<double> row;
-                    std::replace(piece.begin(), piece.end(), '\t', ' ');
-                    for (const auto &number : text::split(piece, ' '))
-                      if (!number.empty())
-                        row.push_back(evaluate_number(number));
-                    if (row.size() != columns)
-                      throw std::invalid_argument("row '" + piece + "' has " + std::to_string(row.size()) +
-                                                  " numbers; must be " + form);
-                    result.push_back(row);
-                  }
-                  if (required && result.empty())
-                    throw std::invalid_argument("must be " + form);
-                  return result;
-                });
+    auto rows =
+      read(*tree_,
+           path_,
+           {name, value.value, required, unit, form, sentence, {}},
+           [columns, form, required](const std::string &text) {
+             std::vector<std::vector<double>> result;
+             auto pieces = text::split(text::unquoted(text), ';');
+             if (!pieces.empty() && pieces.back().empty()) // "0 0; 1 0;"
+               pieces.pop_back();
+             for (auto &piece : pieces)
+             {
+               std::vector<double> row;
+               std::replace(piece.begin(), piece.end(), '\t', ' ');
+               for (const auto &number : text::split(piece, ' '))
+                 if (!number.empty())
+                   row.push_back(evaluate_number(number));
+               if (row.size() != columns)
+                 throw std::invalid_argument("row '" + piece.substr(0, 80) + "' has " + std::to_string(row.size()) +
+                                             " numbers; must be " + form);
+               result.push_back(row);
+             }
+             if (required && result.empty())
+               throw std::invalid_argument("must be " + form);
+             return result;
+           });
+    for (const auto &row : rows)
+      check_magnitudes(name, row, false, unit);
+    return rows;
   }
 
   TimeFunction Section::function(const std::string &name,
@@ -233,10 +277,13 @@ namespace deltaform
     for (const auto &[constant, constant_value] : constants)
       allowed += ", " + constant;
     allowed += ", or table 'time: value, ...'";
-    return read(*tree_,
-                path_,
-                {name, value.value, value.required, unit, allowed, sentence, {}},
-                [constants](const std::string &text) { return TimeFunction(text, constants); });
+    auto result = read(*tree_,
+                       path_,
+                       {name, value.value, value.required, unit, allowed, sentence, {}},
+                       [constants](const std::string &text) { return TimeFunction(text, constants); });
+    if (result.is_constant())
+      check_magnitudes(name, {result(0.)}, false, unit);
+    return result;
   }
 
   bool Section::given(const std::string &name) const

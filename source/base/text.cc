@@ -51,6 +51,50 @@ namespace deltaform
       return pieces;
     }
 
+    namespace
+    {
+      /// Bytes of the UTF-8 character that begins at @p i; 0 if there is none.
+      std::size_t character_at(const std::string &text, const std::size_t i)
+      {
+        const auto byte = [&text](const std::size_t k) {
+          return static_cast<unsigned char>(k < text.size() ? text[k] : 0);
+        };
+        const unsigned char first = byte(i);
+        const std::size_t n = first < 0x80                   ? 1
+                              : first < 0xc2 || first > 0xf4 ? 0
+                              : first < 0xe0                 ? 2
+                              : first < 0xf0                 ? 3
+                                                             : 4;
+        for (std::size_t k = 1; k < n; ++k)
+          if ((byte(i + k) & 0xc0u) != 0x80u)
+            return 0;
+        // Too long a form of a smaller number, a surrogate, or beyond the last character (RFC 3629).
+        if ((first == 0xe0 && byte(i + 1) < 0xa0) || (first == 0xed && byte(i + 1) > 0x9f) ||
+            (first == 0xf0 && byte(i + 1) < 0x90) || (first == 0xf4 && byte(i + 1) > 0x8f))
+          return 0;
+        return n;
+      }
+    } // namespace
+
+    std::string printable(const std::string &text)
+    {
+      std::string result;
+      for (std::size_t i = 0; i < text.size();)
+      {
+        const std::size_t n = character_at(text, i);
+        const auto first = static_cast<unsigned char>(text[i]);
+        const bool plain = first >= 0x20 && first != 0x7f;
+        // U+0080 to U+009f are control characters, too.
+        const bool control = n == 2 && first == 0xc2 && static_cast<unsigned char>(text[i + 1]) < 0xa0;
+        if (n > 0 && !control && (plain || first == '\n' || first == '\t'))
+          result += text.substr(i, n);
+        else
+          result += fmt::format("\\x{:02x}", first);
+        i += n > 0 && !control ? n : 1;
+      }
+      return result;
+    }
+
     std::string join(const std::vector<std::string> &pieces, const std::string &separator)
     {
       std::string result;

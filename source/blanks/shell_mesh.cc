@@ -1,5 +1,8 @@
 #include "shell_mesh.h"
 
+#include <deltaform/base/memory.h>
+#include <deltaform/base/text.h>
+
 #include <numeric>
 #include <stdexcept>
 
@@ -7,13 +10,24 @@ namespace deltaform
 {
   namespace
   {
+    /// Relative size of the elements. @throws std::invalid_argument where it cannot be used
+    double relative_size(const TimeFunction &grading, const double t)
+    {
+      constexpr double most = 1e6;
+      const double size = grading(t);
+      if (!(size >= 1. / most && size <= most))
+        throw std::invalid_argument("must lie between 1e-6 and 1e6 on [0, 1]; it is " + text::format(size) +
+                                    " at t = " + text::format(t));
+      return size;
+    }
+
     /// Integral of 1/size over [a, b] in fractions of the whole meridian, by the trapezoidal rule on a fine grid.
     double density(const TimeFunction &grading, const double a, const double b)
     {
       constexpr unsigned int n = 64;
       double sum = 0;
       for (unsigned int k = 0; k <= n; ++k)
-        sum += (k == 0 || k == n ? .5 : 1.) / grading(a + (b - a) * k / n);
+        sum += (k == 0 || k == n ? .5 : 1.) / relative_size(grading, a + (b - a) * k / n);
       return sum * (b - a) / n;
     }
 
@@ -69,10 +83,7 @@ namespace deltaform
       section.fail("Fillet radii",
                    "needs one radius per point: " + std::to_string(points.size()) + ", not " +
                      std::to_string(radii.size()));
-    for (unsigned int k = 0; k <= 64; ++k)
-      if (!(grading(k / 64.) > 0))
-        section.fail("Grading", "must be positive on [0, 1]");
-
+    memory::require(section, "Elements", n_cells, "elements", 2000. * degree);
     std::vector<MeridianPiece> pieces;
     try
     {
@@ -88,11 +99,18 @@ namespace deltaform
 
     const double total = pieces.back().arc_start + pieces.back().length;
     std::vector<double> weights;
-    for (const auto &piece : pieces)
-      weights.push_back(density(grading, piece.arc_start / total, (piece.arc_start + piece.length) / total));
-    const auto shares = share(weights, n_cells);
-    for (unsigned int i = 0; i < pieces.size(); ++i)
-      mesh_piece(pieces[i], shares[i], grading, total, degree);
+    try
+    {
+      for (const auto &piece : pieces)
+        weights.push_back(density(grading, piece.arc_start / total, (piece.arc_start + piece.length) / total));
+      const auto shares = share(weights, n_cells);
+      for (unsigned int i = 0; i < pieces.size(); ++i)
+        mesh_piece(pieces[i], shares[i], grading, total, degree);
+    }
+    catch (const std::invalid_argument &error)
+    {
+      section.fail("Grading", error.what());
+    }
   }
 
 

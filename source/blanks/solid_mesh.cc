@@ -1,35 +1,54 @@
 #include "solid_mesh.h"
+#include "gmsh_file.h"
 #include "shell_mesh.h"
 
+#include <deltaform/base/ceilings.h>
+#include <deltaform/base/memory.h>
 #include <deltaform/base/ranks.h>
+#include <deltaform/base/text.h>
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
 namespace deltaform
 {
   namespace
   {
+    /// A cell with its unknowns, points and share of the matrix takes at least this: an estimate.
+    constexpr double cell_bytes = 4000.;
+
     /// Coordinates of the nodes across, in [-1/2, 1/2]: equal shares of the integral of 1/size.
+    /// @throws std::invalid_argument where the grading cannot be used
     std::vector<double> levels(const TimeFunction &grading, const unsigned int n)
     {
+      const auto size = [&grading](const double t) {
+        const double result = grading(t);
+        if (!(result >= 1e-6 && result <= 1e6))
+          throw std::invalid_argument("must lie between 1e-6 and 1e6 on [0, 1]; it is " + text::format(result) +
+                                      " at t = " + text::format(t));
+        return result;
+      };
       std::vector<double> result{-.5};
       constexpr unsigned int n_samples = 8192;
       double total = 0;
       for (unsigned int k = 0; k < n_samples; ++k)
-        total += 1. / grading((k + .5) / n_samples);
+        total += 1. / size((k + .5) / n_samples);
       double passed = 0;
       for (unsigned int k = 0; k < n_samples; ++k)
       {
-        const double step = 1. / grading((k + .5) / n_samples);
+        const double step = 1. / size((k + .5) / n_samples);
         for (double wanted = total * result.size() / n; result.size() < n && wanted <= passed + step;
              wanted = total * result.size() / n)
           result.push_back(grading.is_constant() ? static_cast<double>(result.size()) / n - .5
@@ -62,9 +81,14 @@ namespace deltaform
                                      "Thickness relative to the entry Thickness as a function of t = arc length / "
                                      "length of the meridian; expression or table."))
       {
-        for (unsigned int k = 0; k <= 64; ++k)
-          if (!(grading(k / 64.) > 0))
-            section.fail("Grading through thickness", "must be positive on [0, 1]");
+        try
+        {
+          across = levels(grading, n_across);
+        }
+        catch (const std::invalid_argument &error)
+        {
+          section.fail("Grading through thickness", error.what());
+        }
         const std::string reference = section.choice("Points lie on the",
                                                      "middle",
                                                      {"middle", "bottom", "top"},
@@ -75,6 +99,7 @@ namespace deltaform
       double thickness; ///< initial (length)
       unsigned int n_across; ///< cells from bottom to top
       TimeFunction grading, variation;
+      std::vector<double> across; ///< see levels()
       double offset; ///< of the middle from the line that is described, in thicknesses
     };
 
@@ -140,11 +165,13 @@ namespace deltaform
     const StripEntries strip(section, degree);
     thickness_ = strip.thickness;
     const ShellMesh line(section, degree);
+    memory::require(section, "Elements through thickness", static_cast<double>(strip.n_across) * line.cells().size(),
+                    "cells", cell_bytes * degree * degree);
     const double length = line.arc_length().back();
     const auto height = [&](const unsigned int node) {
       const double result = strip.variation(line.arc_length()[node] / length);
-      if (!(result > 0))
-        section.fail("Thickness variation", "must be positive on [0, 1]");
+      if (!(result >= 1e-6 && result <= 1e6))
+        section.fail("Thickness variation", "must lie between 1e-6 and 1e6 on [0, 1]");
       return result;
     };
 
@@ -170,8 +197,41 @@ namespace deltaform
         stations_.push_back({line.nodes()[cell.nodes[2]] + strip.offset * thickness_ * middle, middle});
       }
     }
-    make_columns(n, levels(strip.grading, strip.n_across), *triangulation_);
+    make_columns(n, strip.across, *triangulation_);
     boundaries_ = {"bottom", "top", "start", "end"};
+  }
+
+
+  std::map<unsigned int, std::string> SolidMesh::read_cells(const Section &section, const std::string &name)
+  {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(name, error);
+    if (error) // also of what is no file: a pipe may never end
+      section.fail("File", "cannot read '" + name + "': " + error.message());
+    std::ifstream file(name, std::ios::binary);
+    if (!file)
+      section.fail("File", "cannot read '" + name + "': " + std::strerror(errno));
+    if (size > ceilings::mesh_bytes)
+      section.fail("File", "'" + name + "' has more than " + std::to_string(ceilings::mesh_bytes >> 20) + " MB");
+    std::string why;
+    try
+    {
+      GmshFile mesh({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
+      memory::require(section, "File", static_cast<double>(mesh.cells.size()), "cells", cell_bytes);
+      triangulation_->create_triangulation(mesh.vertices, mesh.cells, mesh.boundary);
+      return std::move(mesh.names);
+    }
+    catch (const std::invalid_argument &problem)
+    {
+      why = problem.what();
+    }
+    catch (const dealii::ExceptionBase &problem)
+    {
+      std::ostringstream text;
+      problem.print_info(text);
+      why = text.str();
+    }
+    section.fail("File", "'" + name + "' is no mesh of quadrilaterals that can be read: " + why);
   }
 
 
@@ -183,41 +243,7 @@ namespace deltaform
                    "File of the mesh, format 2 or 4 (Gmsh). Its physical curves name the boundaries.");
     if (section.documentation())
       return;
-    std::ifstream file(name);
-    if (!file)
-      section.fail("File", "cannot read '" + name + "'");
-    // deal.II keeps the numbers of the physical groups, not their names.
-    std::map<unsigned int, std::string> names;
-    std::string text;
-    while (std::getline(file, text))
-      if (text.rfind("$PhysicalNames", 0) == 0)
-      {
-        std::getline(file, text);
-        while (std::getline(file, text) && text[0] != '$')
-        {
-          std::istringstream words(text);
-          unsigned int dimension = 0, id = 0;
-          std::string quoted;
-          words >> dimension >> id;
-          std::getline(words, quoted);
-          const auto from = quoted.find('"'), to = quoted.rfind('"');
-          if (dimension == 1 && from < to)
-            names[id] = quoted.substr(from + 1, to - from - 1);
-        }
-      }
-    file.clear();
-    file.seekg(0);
-    try
-    {
-      dealii::GridIn<2> reader(*triangulation_);
-      reader.read_msh(file);
-    }
-    catch (const dealii::ExceptionBase &error)
-    {
-      std::ostringstream why;
-      error.print_info(why);
-      section.fail("File", "'" + name + "' is no mesh of quadrilaterals that can be read: " + why.str());
-    }
+    const std::map<unsigned int, std::string> names = read_cells(section, name);
     double low = 1e300, high = -1e300;
     for (const auto &vertex : triangulation_->get_vertices())
     {
@@ -238,7 +264,7 @@ namespace deltaform
           if (index.count(id) == 0)
           {
             index[id] = boundaries_.size();
-            boundaries_.push_back(names.count(id) > 0 ? names[id]
+            boundaries_.push_back(names.count(id) > 0 ? names.at(id)
                                   : id == 0           ? "rest"
                                                       : "boundary " + std::to_string(id));
           }
@@ -257,6 +283,7 @@ namespace deltaform
                                          "length",
                                          "Height of the centre of the disc segment, on the axis.");
     const int refinements = section.integer("Refinements", 3, 0, 10, "Each halves the cells of the disc segment.");
+    memory::require(section, "Refinements", 3. * std::pow(4., refinements), "cells", cell_bytes);
     thickness_ = radius;
     dealii::GridGenerator::quarter_hyper_ball(*triangulation_, Point2(), radius);
     dealii::GridTools::rotate(-.5 * std::acos(-1.), *triangulation_);

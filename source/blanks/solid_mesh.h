@@ -6,6 +6,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -77,6 +78,9 @@ namespace deltaform
 
     void read_strip(Section &section, unsigned int degree, bool axisymmetric);
     void read_gmsh(Section &section);
+
+    /// The triangulation from a file. @return the names of its physical curves, by their numbers
+    std::map<unsigned int, std::string> read_cells(const Section &section, const std::string &name);
     void read_disc_segment(Section &section);
 
     /// Distributed among the processes if there are several: a process then sees its own cells and those next to them.

@@ -10,7 +10,9 @@
 
 #include <zlib.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -94,6 +96,21 @@ namespace deltaform
   }
 
 
+  std::string Checkpoint::value(const std::string &entry) const
+  {
+    for (const auto &[name, text] : scene)
+      if (name == entry)
+        return text;
+    return "";
+  }
+
+
+  std::string Checkpoint::damaged(const std::string &folder)
+  {
+    return "Cannot resume: '" + path(folder) + "' is damaged. Start again without --resume.";
+  }
+
+
   void Checkpoint::write(const std::string &folder) const
   {
     ByteStream content;
@@ -107,9 +124,14 @@ namespace deltaform
   std::optional<Checkpoint> Checkpoint::read(const std::string &folder)
   {
     const std::string name = path(folder);
-    if (!std::filesystem::exists(name))
+    std::error_code code;
+    if (const auto type = std::filesystem::status(name, code).type(); type == std::filesystem::file_type::not_found)
       return std::nullopt;
-    std::ifstream file(name, std::ios::binary);
+    const bool is_file = std::filesystem::is_regular_file(name, code);
+    std::ifstream file(is_file ? name : "", std::ios::binary);
+    if (!file)
+      throw SceneError("Cannot resume: '" + name + "' cannot be read: " +
+                       (is_file ? std::strerror(errno) : "it is no file") + ".");
     std::string first;
     std::getline(file, first);
     std::ostringstream rest;
@@ -123,10 +145,17 @@ namespace deltaform
                        ", this is " DELTAFORM_VERSION "). Start again without --resume.");
     }
     if (first != head(bytes))
-      throw SceneError("Cannot resume: '" + name + "' is damaged. Start again without --resume.");
+      throw SceneError(damaged(folder));
     Checkpoint result;
-    std::istringstream content(bytes);
-    boost::archive::binary_iarchive(content) >> result;
+    try
+    {
+      std::istringstream content(bytes);
+      boost::archive::binary_iarchive(content) >> result;
+    }
+    catch (const std::exception &error) // of the archive, or of a length that no memory holds
+    {
+      throw SceneError(damaged(folder) + " (" + error.what() + ")");
+    }
     return result;
   }
 

@@ -116,15 +116,16 @@ namespace deltaform
     columns.add({{"unknowns", "1", "of the mesh"},
                  {"cells", "1", "of the mesh"},
                  {"estimated_error", "1",
-                  "relative error in energy before the last refinement. A row with the time of the one before "
-                  "is the new equilibrium after a refinement: tools stand still, its iterations are its cost"}},
+                  "relative error in energy before the last refinement; empty before the first. A row with the time of "
+                  "the one before is the new equilibrium after a refinement: tools stand still, its iterations are its "
+                  "cost"}},
                 [](const Increment &increment, Row &row) {
                   // A blank that keeps its mesh does not say anything of it.
                   const Adaptive *mesh = increment.model.blank().adaptive();
                   const double unknown = std::numeric_limits<double>::quiet_NaN();
                   row.insert(row.end(), {number(increment.model.committed().size()),
                                          mesh != nullptr ? number(mesh->n_cells()) : Columns::Cell(unknown),
-                                         mesh != nullptr ? mesh->estimated_error() : unknown});
+                                         mesh != nullptr ? Columns::if_known(mesh->estimated_error()) : Columns::Cell(unknown)});
                 });
   }
 

@@ -26,6 +26,13 @@ namespace deltaform
   void Model::set_state(const ModelState &state, const Stage &stage)
   {
     const std::size_t n_before = state_.unknowns.size();
+    const std::size_t n = state.unknowns.size(), n_tools = actors_.tools.size();
+    for (const Vector *const forces : {&state.hold, &state.load_forces, &state.reactions})
+      if (forces->size() != n)
+        refuse(state, n_before);
+    if (state.tool_forces.size() != n_tools || state.travels.size() != n_tools ||
+        state.load_resultants.size() != actors_.loads.size())
+      refuse(state, n_before);
     // Before anything changes, as far as it can be known.
     if (state.interfaces.size() != actors_.interfaces.size() ||
         (actors_.blank->adaptive() == nullptr && state.unknowns.size() != n_before))

@@ -1,10 +1,14 @@
+#include <deltaform/base/text.h>
 #include <deltaform/model/stage.h>
+
+#include <limits>
 
 namespace deltaform
 {
   std::vector<Stage> read_stages(Section &section)
   {
-    const auto names = section.names("Stages", "form", "The stages in their order, for example 'form, hold, release'.");
+    const auto names =
+      section.section_names("Stages", "form", "The stages in their order, for example 'form, hold, release'.");
     if (names.empty())
       section.fail("Stages", "at least one stage is needed");
     std::vector<Stage> stages;
@@ -28,6 +32,12 @@ namespace deltaform
                                             Range::positive(),
                                             "time",
                                             "A failure at this size ends the run with status 2.");
+      // Four digits more than the time has: increments of this size add up to a time that moves.
+      if (const double digit = std::numeric_limits<double>::epsilon() * stage.end;
+          stage.smallest_increment < 1e4 * digit)
+        own.fail("Smallest increment",
+                 "is lost in the round-off of the time: at t = " + text::format(stage.end) + " it must be at least " +
+                   text::rounded(1e4 * digit));
       if (stage.smallest_increment > stage.largest_increment)
         own.fail("Smallest increment", "must not be larger than the largest");
       stage.release_at_once = own.choice("Release",

@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <sstream>
@@ -81,13 +82,21 @@ namespace
   };
 
 
-  /// A column of @p n cells: numbers as an array, words as a list.
+  /// Is it a number that is not known?
+  bool unknown(const Columns::Cell &cell)
+  {
+    const auto *const word = std::get_if<std::string>(&cell);
+    return word != nullptr && word->empty();
+  }
+
+
+  /// A column of @p n cells: numbers as an array, with NaN where one is not known, words as a list.
   template <typename CellAt>
   py::object column_of(const std::size_t n, const CellAt &cell_at)
   {
     bool numbers = true;
     for (std::size_t i = 0; i < n && numbers; ++i)
-      numbers = std::holds_alternative<double>(cell_at(i));
+      numbers = std::holds_alternative<double>(cell_at(i)) || unknown(cell_at(i));
     if (!numbers)
     {
       py::list words;
@@ -97,7 +106,8 @@ namespace
     }
     py::array_t<double> values(static_cast<py::ssize_t>(n));
     for (std::size_t i = 0; i < n; ++i)
-      values.mutable_at(static_cast<py::ssize_t>(i)) = std::get<double>(cell_at(i));
+      values.mutable_at(static_cast<py::ssize_t>(i)) =
+        unknown(cell_at(i)) ? std::numeric_limits<double>::quiet_NaN() : std::get<double>(cell_at(i));
     return std::move(values);
   }
 

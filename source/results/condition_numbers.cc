@@ -93,15 +93,19 @@ namespace deltaform
 
   void ConditionReport::describe(Columns &columns, const ConditionReport *const report)
   {
-    columns.add({{"condition_raw", "1", "condition number of the tangent as it is"},
+    columns.add({{"condition_raw", "1",
+                  "condition number of the tangent as it is; these are empty where an increment was not measured, or "
+                  "has none that is finite"},
                  {"condition_scaled", "1", "after diagonal scaling in the frames of contact"},
                  {"condition_without_contact", "1", "of the blank alone, apart from its rigid modes"},
                  {"rigid_modes", "1", "of the blank without contact"},
                  {"digits_lost", "1", "by a direct solution ([theory](theory/condition.md))"}},
                 [report](const AcceptedIncrement &, Columns::Row &row) {
                   const ConditionNumbers &numbers = report->numbers_;
-                  row.insert(row.end(), {numbers.raw, numbers.scaled, numbers.without_contact,
-                                         static_cast<double>(numbers.n_rigid), numbers.digits_lost});
+                  row.insert(row.end(),
+                             {Columns::if_known(numbers.raw), Columns::if_known(numbers.scaled),
+                              Columns::if_known(numbers.without_contact), static_cast<double>(numbers.n_rigid),
+                              Columns::if_known(numbers.digits_lost)});
                 });
   }
 

@@ -1,4 +1,5 @@
 // history.csv: a row per increment, on disk at once.
+#include <deltaform/base/text.h>
 #include <deltaform/model/accepted_increment.h>
 #include <deltaform/results/history.h>
 #include <deltaform/results/observers.h>
@@ -21,11 +22,23 @@ namespace deltaform
     class HistoryObserver : public Observer
     {
     public:
-      HistoryObserver(ResultsFolder &folder, Columns columns, const Checkpoint *const start)
-        : columns_(std::move(columns)),
-          history_(folder.path("history.csv"), folder.comments(), with_units(columns_, folder.units()),
-                   start != nullptr ? std::make_optional(start->increment) : std::nullopt)
+      HistoryObserver(ResultsFolder &folder, Columns columns, const std::optional<History::Resumption> &resumption)
+        : folder_(folder), columns_(std::move(columns)),
+          history_(folder.path("history.csv"), folder.comments(), with_units(columns_, folder.units()), resumption)
       {
+      }
+
+      void begin(const Model & /*model*/, const Stage & /*stage*/) override
+      {
+        history_.open();
+      }
+
+      void resumed(const AcceptedIncrement & /*increment*/) override
+      {
+        history_.open();
+        if (!history_.left_out().empty())
+          folder_.journal().note("history.csv keeps its columns, so that these are not written: " +
+                                 text::join(history_.left_out(), ", "));
       }
 
       void accepted(const AcceptedIncrement &increment) override
@@ -34,14 +47,16 @@ namespace deltaform
       }
 
     private:
+      ResultsFolder &folder_;
       Columns columns_;
       History history_;
     };
   } // namespace
 
 
-  std::unique_ptr<Observer> make_history_observer(ResultsFolder &folder, Columns columns, const Checkpoint *const start)
+  std::unique_ptr<Observer> make_history_observer(ResultsFolder &folder, Columns columns,
+                                                  const std::optional<History::Resumption> &resumption)
   {
-    return std::make_unique<HistoryObserver>(folder, std::move(columns), start);
+    return std::make_unique<HistoryObserver>(folder, std::move(columns), resumption);
   }
 } // namespace deltaform

@@ -80,6 +80,22 @@ namespace deltaform
          }}};
       return all;
     }
+
+    /// Solver and Output may change when a run is resumed, and with them these columns.
+    std::optional<History::Resumption> resumption(const Checkpoint *const start)
+    {
+      if (start == nullptr)
+        return std::nullopt;
+      Columns columns;
+      ConditionReport::describe(columns, nullptr);
+      describe_linear_solver(columns);
+      describe_energies(columns);
+      History::Resumption result;
+      result.increment = start->increment;
+      for (const auto &column : columns.columns())
+        result.optional.insert(column.name);
+      return result;
+    }
   } // namespace
 
 
@@ -126,7 +142,7 @@ namespace deltaform
     Columns columns = history_columns(model, output, condition.get());
     if (condition != nullptr)
       result.push_back(std::move(condition));
-    result.push_back(make_history_observer(folder, std::move(columns), start));
+    result.push_back(make_history_observer(folder, std::move(columns), resumption(start)));
     for (const auto &name : ObserverMakers::names())
       if (auto observer = ObserverMakers::make(name, folder, output))
         result.push_back(std::move(observer));

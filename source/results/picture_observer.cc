@@ -120,14 +120,13 @@ namespace deltaform
       /// Other numbers of pictures or stages that end later may be asked for now: see moved().
       void resumed(const AcceptedIncrement &) override
       {
-        series_->resume(last_picture_);
         n_pictures_ = series_->size();
       }
 
       /// A run that stopped shows its last state.
       void ended(const Model &model, const RunOutcome &outcome) override
       {
-        if (outcome.exit_status != exit_status::done && outcome.increments > 0)
+        if (outcome.stopped_by_itself() && outcome.increments > 0)
           write(model, stage_, time_);
       }
 
@@ -139,6 +138,7 @@ namespace deltaform
       void load(boost::archive::binary_iarchive &archive) override
       {
         archive >> last_picture_;
+        series_->resume(last_picture_);
       }
 
     private:

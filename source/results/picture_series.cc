@@ -21,7 +21,8 @@ namespace deltaform
   void PictureSeries::resume(const double time)
   {
     pictures_.clear();
-    if (!std::filesystem::exists(path_))
+    std::error_code code;
+    if (!std::filesystem::exists(path_, code))
       return;
     try
     {

@@ -11,24 +11,38 @@
 
 namespace deltaform
 {
-  ResultsFolder::ResultsFolder(const ResultsHead &head, const std::function<void(std::ostream &)> &print_scene,
-                               Journal &journal, Timers &timers, const bool resumed)
-    : folder_(head.folder), title_(head.title), label_(head.units), units_(head.units),
+  namespace
+  {
+    const std::string &made(const std::string &folder)
+    {
+      std::error_code error;
+      std::filesystem::create_directories(folder, error);
+      if (error)
+        throw SceneError("Cannot make the folder '" + folder + "' for the results: " + error.message() +
+                         ". Choose another with --output or Output/Folder.");
+      return folder;
+    }
+  } // namespace
+
+
+  ResultsFolder::ResultsFolder(const ResultsHead &head, Journal &journal, Timers &timers, const bool force)
+    : folder_(head.folder), title_(head.title), label_(head.units), lock_(made(folder_), force), units_(head.units),
       comments_{head.title, "deltaform " DELTAFORM_VERSION ", units: " + head.units,
                 std::string("Forces are those of the blank on the tool, ") +
                   (head.axisymmetric ? "for the full circumference (2 pi)." : "per unit width (plane strain).")},
       journal_(journal), timers_(timers)
   {
+  }
+
+
+  void ResultsFolder::begin(const std::function<void(std::ostream &)> &print_scene, const bool resumed)
+  {
     std::error_code error;
-    std::filesystem::create_directories(folder_, error);
-    if (error)
-      throw SceneError("Cannot make the folder '" + folder_ + "' for the results: " + error.message() +
-                       ". Choose another with --output or Output/Folder.");
     // State and results of an earlier run must not be taken for those of this run.
-    if (!resumed && ranks::first())
-      std::filesystem::remove(Checkpoint::path(folder_), error);
     if (ranks::first())
-      std::filesystem::remove(path("summary.json"), error);
+      for (const std::string &file : {path("summary.json"), resumed ? "" : Checkpoint::path(folder_)})
+        if (!file.empty() && (std::filesystem::remove(file, error), error))
+          throw SceneError("Cannot remove '" + file + "' of an earlier run: " + error.message() + ".");
     write_file_atomically(path("scene.prm"), [&](std::ostream &out) {
       out << "# deltaform " << DELTAFORM_VERSION << ", deal.II " << DEAL_II_PACKAGE_VERSION
           << ": the scene as read, with every default.\n";

@@ -19,8 +19,10 @@ namespace deltaform
         return "done";
       case exit_status::not_converged:
         return "not converged";
-      default:
+      case exit_status::promise_broken:
         return "promise p <= delta could not be kept";
+      default:
+        return "interrupted";
       }
     }
   } // namespace

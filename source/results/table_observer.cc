@@ -44,7 +44,7 @@ namespace deltaform
       /// A run that stopped shows its last state.
       void ended(const Model &model, const RunOutcome &outcome) override
       {
-        if (outcome.exit_status != exit_status::done && outcome.increments > 0)
+        if (outcome.stopped_by_itself() && outcome.increments > 0)
           write(model);
       }
 

@@ -10,7 +10,7 @@ namespace deltaform
     /// Names of subsections; the documentation has one of each kind.
     std::vector<std::string> named(Section section, const std::string &sentence)
     {
-      const auto names = section.names("Names", "", sentence);
+      const auto names = section.section_names("Names", "", sentence);
       return section.documentation() ? std::vector<std::string>{"<name>"} : names;
     }
   } // namespace

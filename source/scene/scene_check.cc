@@ -1,12 +1,13 @@
 // What is wrong with a scene although every entry by itself is allowed.
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/text.h>
+#include <deltaform/model/function_values.h>
 #include <deltaform/model/reported_columns.h>
 #include <deltaform/model/tool_placement.h>
 #include <deltaform/scene/scene.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace deltaform
@@ -18,8 +19,6 @@ namespace deltaform
     check_tools(root);
     check_stages(root);
     check_linear_solver(root);
-    if (!actors.tools.empty())
-      check_delta(root);
     check_friction(root);
   }
 
@@ -53,68 +52,23 @@ namespace deltaform
   }
 
 
-  namespace
-  {
-    // Contact only pushes: a tool that is pulled leaves the blank and has no equilibrium.
-    void check_force(const Tool &tool, const Stage &stage, const Section &section)
-    {
-      constexpr unsigned int n_samples = 200;
-      double largest = 0.;
-      for (unsigned int k = 0; k <= n_samples; ++k)
-        largest = std::max(largest, std::abs(tool.force(stage.begin + (stage.end - stage.begin) * k / n_samples)));
-      for (unsigned int k = 0; k <= n_samples; ++k)
-      {
-        const double time = stage.begin + (stage.end - stage.begin) * k / n_samples, force = tool.force(time);
-        if (force < -1e-12 * largest)
-          section.fail(
-            "Force",
-            "tool '" + tool.name() + "' is pulled off the blank at t = " + text::rounded(time) +
-              ", where its force is " + text::rounded(force) +
-              ". A force is positive: it presses the tool along Direction against the blank. Turn "
-              "Direction round if that is what is meant, give the tool a Motion, or let it end with a stage");
-      }
-    }
-  } // namespace
-
-
   void Scene::check_functions(Section root) const
   {
-    // NaN passes most comparisons: look for it where a function of time is used.
-    const auto inspect = [](const auto &function, const Stage &stage, const Section &section,
-                            const std::string &entry) {
-      constexpr unsigned int n_samples = 50;
-      for (unsigned int k = 0; k <= n_samples; ++k)
+    // What lies between is judged during the run.
+    constexpr unsigned int n_samples = 200;
+    const FunctionValues values(actors);
+    const auto inspect = [&](const Stage &stage, const double time) {
+      if (const auto wrong = values.find_wrong(stage, time))
       {
-        const double time = stage.begin + (stage.end - stage.begin) * k / n_samples;
-        if (!std::isfinite(function(time)))
-          section.fail(entry, "is no finite number at t = " + text::format(time));
+        const Section section = root.sub(wrong->section);
+        (wrong->name.empty() ? section : section.sub(wrong->name)).fail(wrong->entry, wrong->message);
       }
     };
     for (const auto &stage : actors.stages)
     {
-      for (const auto &tool : actors.tools)
-        if (tool->exists_in(stage.name))
-        {
-          const Section section = root.sub("Tools").sub(tool->name());
-          if (tool->force_driven())
-          {
-            inspect([&](const double time) { return tool->force(time); }, stage, section, "Force");
-            check_force(*tool, stage, section);
-          }
-          else
-            inspect([&](const double time) { return tool->travel(time); }, stage, section, "Motion");
-        }
-      for (const auto &support : actors.supports)
-        if (support.acts_in(stage.name) && !support.hold)
-          for (unsigned int i = 0; i < support.dofs.size(); ++i)
-            if (i == 0 || !support.values.empty())
-              inspect([&](const double time) { return support.at(i, time); },
-                      stage,
-                      root.sub("Supports").sub(support.name),
-                      "Value");
-      for (const auto &load : actors.loads)
-        if (load->acts_in(stage.name))
-          inspect(load->value(), stage, root.sub("Loads").sub(load->name()), "Value");
+      for (unsigned int k = 0; k <= n_samples; ++k)
+        inspect(stage, stage.begin + (stage.end - stage.begin) * k / n_samples);
+      inspect(stage, std::min(stage.begin + stage.first_increment, stage.end));
     }
   }
 
@@ -236,36 +190,5 @@ namespace deltaform
                   "': no tool moves, no load or support varies, nothing is released");
       before = &stage;
     }
-  }
-
-
-  void Scene::check_delta(Section root) const
-  {
-    double size = actors.blank->initial_thickness();
-    for (const auto &x : actors.blank->positions(Vector(actors.blank->n_dofs())))
-      size = std::max(size, x.norm());
-    // A coordinate is rounded by half an ulp.
-    const double smallest = .5e6 * std::numeric_limits<double>::epsilon() * size;
-    const auto inspect = [&](const double delta, const std::string &text, Section section) {
-      if (delta < 0 && text.find("auto") != std::string::npos)
-        return; // bounded below by a millionth of the thickness
-      if (!(delta > 0))
-        section.fail("Allowed penetration", "must be positive at all times; it is " + text::format(delta));
-      if (actors.contact->rule->promises() && actors.contact->enforcement->uses_penalty() && delta < smallest)
-        section.fail("Allowed penetration",
-                     text::format(delta) + " cannot be told from round-off: at coordinates of size " +
-                       text::format(size) + " the noise of the contact forces exceeds 1e-6 of them below " +
-                       text::format(smallest) +
-                       ". Use Enforcement = active set, or the augmented Lagrangian, for contact that exact");
-    };
-    for (const auto &stage : actors.stages)
-      for (unsigned int k = 0; k <= 200; ++k)
-        for (const auto &tool : actors.tools)
-        {
-          const double time = stage.begin + (stage.end - stage.begin) * k / 200.;
-          const TimeFunction *own = tool->allowed_penetration();
-          const TimeFunction &chosen = own ? *own : actors.contact->allowed_penetration;
-          inspect(chosen(time), chosen.text(), own ? root.sub("Tools").sub(tool->name()) : root.sub("Contact"));
-        }
   }
 } // namespace deltaform

@@ -1,5 +1,6 @@
 #include <deltaform/base/atomic_file.h>
 #include <deltaform/base/csv_writer.h>
+#include <deltaform/base/result_error.h>
 #include <deltaform/base/scene_error.h>
 #include <deltaform/base/timers.h>
 #include <deltaform/base/write_behind.h>
@@ -11,6 +12,7 @@
 #include <boost/property_tree/json_parser.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <future>
 #include <mutex>
@@ -34,6 +36,32 @@ BOOST_AUTO_TEST_CASE(csv_is_on_disk_after_every_row)
   BOOST_CHECK_THROW(csv.row({1.}), dealii::ExceptionBase);
 }
 
+BOOST_AUTO_TEST_CASE(only_finite_numbers_get_into_a_file)
+{
+  const TemporaryFolder folder;
+  const auto path = folder.file("history.csv");
+  CsvWriter csv(path, {}, {{"increment"}, {"force"}});
+  csv.row_of_cells({1., std::string()}); // not known
+  const std::string before = content_of(path);
+  for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+  {
+    check_contains(message_of<ResultError>([&]() { csv.row({2., value}); }), {"force of '", "is no finite number"});
+    check_contains(message_of<ResultError>([&]() { csv.row_of_cells({2., value}); }), {"force of '"});
+  }
+  BOOST_TEST(content_of(path) == before);
+  csv.row({2., 3.});
+  BOOST_TEST(content_of(path) == before + "2,3\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_table_goes_on)
+{
+  const TemporaryFolder folder;
+  const auto path = folder.file("history.csv", "a,b\n1,2\n");
+  CsvWriter csv = CsvWriter::append(path, {{"a"}, {"b"}});
+  csv.row({3., 4.});
+  BOOST_TEST(content_of(path) == "a,b\n1,2\n3,4\n");
+}
+
 BOOST_AUTO_TEST_CASE(what_cannot_be_written_is_named)
 {
   check_contains(message_of<SceneError>([]() { CsvWriter("/nonexistent/history.csv", {}, {{"x"}}); }),
@@ -55,6 +83,7 @@ BOOST_AUTO_TEST_CASE(whole_files_are_replaced_or_kept)
                                           }),
                     std::runtime_error);
   BOOST_TEST(content_of(path) == "new");
+  BOOST_TEST(!std::filesystem::exists(path + ".part"));
 }
 
 BOOST_AUTO_TEST_CASE(files_are_written_behind)

@@ -55,4 +55,17 @@ BOOST_AUTO_TEST_CASE(quotes_around_a_value)
     BOOST_TEST(deltaform::text::unquoted(value) == value);
 }
 
+BOOST_AUTO_TEST_CASE(what_a_terminal_would_obey_is_escaped)
+{
+  BOOST_TEST(deltaform::text::printable("a\tb\nc \u00e9 \u4e2d \U0001f600") == "a\tb\nc \u00e9 \u4e2d \U0001f600");
+  BOOST_TEST(deltaform::text::printable("\x1b[2J\r\x07\x7f") == "\\x1b[2J\\x0d\\x07\\x7f");
+  BOOST_TEST(deltaform::text::printable(std::string("a\0b", 3)) == "a\\x00b");
+  // No UTF-8: lone and missing continuations, too long forms, surrogates, beyond the last character, U+009b.
+  BOOST_TEST(deltaform::text::printable("\xff\x80 \xc3") == "\\xff\\x80 \\xc3");
+  BOOST_TEST(deltaform::text::printable("\xc0\xaf \xe0\x80\xaf") == "\\xc0\\xaf \\xe0\\x80\\xaf");
+  BOOST_TEST(deltaform::text::printable("\xed\xa0\x80") == "\\xed\\xa0\\x80");
+  BOOST_TEST(deltaform::text::printable("\xf4\x90\x80\x80") == "\\xf4\\x90\\x80\\x80");
+  BOOST_TEST(deltaform::text::printable("\xc2\x9b") == "\\xc2\\x9b");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

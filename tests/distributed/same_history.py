@@ -37,13 +37,13 @@ def difference(first, other, tolerance, ignored=()):
     for column in first[0]:
         if column in ("linear_iterations", "stage", *ignored):
             continue
-        numbers = [abs(float(row[column])) for row in first]
+        numbers = [abs(float(row[column])) for row in first if row[column]]
         # An error of the energy is relative already.
-        scale = 1. if column in ("energy_error", "balance_error") else max(number for number in numbers if not math.isnan(number))
+        scale = 1. if column in ("energy_error", "balance_error") else max(numbers, default=0.)
         for a, b in zip(first, other):
-            if a[column] == b[column]:  # also if both say nan: not known yet
+            if a[column] == b[column]:  # also if both are empty: not known yet
                 continue
-            if not abs(float(a[column]) - float(b[column])) <= tolerance * scale:
+            if not (a[column] and b[column]) or not abs(float(a[column]) - float(b[column])) <= tolerance * scale:
                 return "increment %s, %s: %s and %s" % (a["increment"], column, a[column], b[column])
     return None
 

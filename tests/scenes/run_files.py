@@ -156,17 +156,13 @@ def floats_of(path):
             yield data.get("Name") or "points", picture.numbers(data)
 
 
-# Columns that are not known in every row: condition numbers are computed now and then, the error once the blank was marked.
-SOMETIMES_NAN = {"condition_raw", "condition_scaled", "condition_without_contact", "rigid_modes", "digits_lost", "estimated_error"}
-
-
 def not_finite(folder):
     """Where in the tables or pictures of a folder a number is not finite: 'history.csv, tool_work', or None."""
     wrong = re.compile(r"[+-]?(nan|inf|infinity)", re.IGNORECASE)
     for path in sorted(Path(folder).glob("*.csv")):
         for row in rows_of(path):
             for name, cell in row.items():
-                if wrong.fullmatch(cell.strip()) and name not in SOMETIMES_NAN:
+                if wrong.fullmatch(cell.strip()):
                     return f"{path.name}, {name}"
     for path in sorted(Path(folder).glob("*.vtu")):
         for label, values in floats_of(path):

@@ -7,6 +7,7 @@
 #include <deltaform/base/journal.h>
 #include <deltaform/base/timers.h>
 #include <deltaform/model/checkpoint.h>
+#include <deltaform/model/function_values.h>
 #include <deltaform/model/model.h>
 #include <deltaform/model/observer.h>
 
@@ -131,6 +132,7 @@ namespace deltaform
     Journal &journal_;
     Timers &timers_;
     Timers::Index timer_attempt_, timer_output_;
+    FunctionValues functions_;
     Model model_;
     Newton newton_;
     Increment increment_;

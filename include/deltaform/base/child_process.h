@@ -27,6 +27,9 @@ namespace deltaform
    */
   std::optional<EndedProcess> wait_for_process(double seconds);
 
+  /// Ask a process to end: SIGTERM.
+  void ask_process_to_end(int process);
+
   /// End a started process at once; wait_for_process() reports it.
   void end_process(int process);
 } // namespace deltaform

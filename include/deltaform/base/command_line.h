@@ -22,6 +22,13 @@ namespace deltaform
     constexpr int not_converged = 2;
     constexpr int promise_broken = 3;
     constexpr int wrong_usage = 64;
+    constexpr int by_signal = 128; ///< and the number of the signal
+
+    /// Did a signal end it?
+    constexpr bool interrupted(const int status)
+    {
+      return status > by_signal;
+    }
   } // namespace exit_status
 
   /// What the user asks for.
@@ -56,6 +63,7 @@ namespace deltaform
     std::string output; ///< folder; empty: what the scene says
     bool quiet = false;
     bool resume = false;
+    bool force = false; ///< take the folder of results although another run may write into it
     unsigned int jobs = 1; ///< runs of a sweep at a time
     double seconds = infinity; ///< a run of a sweep may take
     std::vector<Variation> variations; ///< of a sweep

@@ -53,13 +53,16 @@ namespace deltaform
       return place->second;
     }
 
+    /// What has a size keeps it. @throws SceneError if the array has another one
     void take(const std::string &name, std::vector<double> &values) const
     {
+      check_size(name, values.size());
       values = at(name);
     }
 
     void take(const std::string &name, double &value) const
     {
+      check_size(name, 1);
       value = at(name).at(0);
     }
 
@@ -67,6 +70,7 @@ namespace deltaform
     void take(const std::string &name, std::vector<T> &values) const
     {
       static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(double) == 0);
+      check_size(name, values.size() * (sizeof(T) / sizeof(double)));
       const std::vector<double> &array = at(name);
       values.resize(array.size() / (sizeof(T) / sizeof(double)));
       if (!values.empty())
@@ -85,6 +89,15 @@ namespace deltaform
     }
 
   private:
+    void check_size(const std::string &name, const std::size_t n) const
+    {
+      const std::size_t saved = at(name).size();
+      if (n != 0 && saved != 0 && n != saved)
+        throw SceneError("The saved state has " + std::to_string(saved) + " numbers of '" + name +
+                         "', this scene has " + std::to_string(n) +
+                         ": it is damaged, or that of another scene. Start again.");
+    }
+
     std::map<std::string, std::vector<double>> arrays_;
   };
 

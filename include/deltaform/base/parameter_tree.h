@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/base/magnitudes.h>
 #include <deltaform/base/scene_file.h>
 #include <deltaform/base/section.h>
 
@@ -105,6 +106,11 @@ namespace deltaform
     /// Throw a SceneError that opens with file, line, entry and value.
     [[noreturn]] void fail(const SectionPath &path, const std::string &entry, const std::string &message) const;
 
+    Magnitudes &magnitudes()
+    {
+      return magnitudes_;
+    }
+
     /// @}
 
   private:
@@ -135,6 +141,7 @@ namespace deltaform
     void print_markdown(std::ostream &out, const Node &node, const SectionPath &path) const;
 
     SceneFile scene_;
+    Magnitudes magnitudes_; ///< of the numbers read so far
     bool documentation_ = false;
     Node root_;
     dealii::ParameterHandler handler_;

@@ -79,6 +79,11 @@ namespace deltaform
     /// Names separated by commas.
     std::vector<std::string> names(const std::string &name, const std::string &value, const std::string &sentence);
 
+    /// Names of subsections, which also become parts of columns and file names. They have no '/' and no control
+    /// characters.
+    std::vector<std::string>
+    section_names(const std::string &name, const std::string &value, const std::string &sentence);
+
     /// Numbers separated by commas.
     std::vector<double>
     numbers(const std::string &name, const std::string &value, const std::string &unit, const std::string &sentence);
@@ -114,6 +119,10 @@ namespace deltaform
     std::string path() const;
 
   private:
+    /// Can the numbers that the scene gives to an entry be computed with? @throws SceneError
+    void check_magnitudes(const std::string &name, const std::vector<double> &values, bool are_sizes,
+                          const std::string &unit) const;
+
     ParameterTree *tree_;
     std::vector<std::string> path_;
   };

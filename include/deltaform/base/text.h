@@ -18,6 +18,10 @@ namespace deltaform
     /// The trimmed pieces of @p text between separators that stand outside of parentheses; of blank text, none.
     std::vector<std::string> split(const std::string &text, char separator);
 
+    /// @p text with escapes in place of what a terminal would obey or could not show: control characters but for
+    /// newline and tab, and bytes that are no UTF-8, as \x1b.
+    std::string printable(const std::string &text);
+
     /// "a, b, c".
     std::string join(const std::vector<std::string> &pieces, const std::string &separator);
 

@@ -226,7 +226,10 @@ namespace deltaform
     void serialize(Archive &archive, unsigned int)
     {
       // Also what only saves a search, or a resumed run may differ in a last digit from one that was not interrupted.
+      const std::size_t n = committed_.points.size();
       archive &committed_ &projector_;
+      if (committed_.points.size() != n)
+        throw SceneError("The saved state has another number of contact points: it is damaged. Start again.");
       if (!Archive::is_loading::value)
         return;
       if (!counts_energy_)

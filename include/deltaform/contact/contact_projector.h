@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/base/archive.h>
+#include <deltaform/base/scene_error.h>
 #include <deltaform/base/section.h>
 #include <deltaform/kinematics/contact_surface.h>
 #include <deltaform/tools/tool.h>
@@ -87,7 +88,10 @@ namespace deltaform
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
     {
+      const std::size_t n = last_.size();
       archive_plain(archive, last_);
+      if (last_.size() != n)
+        throw SceneError("The saved state has another number of contact points: it is damaged. Start again.");
     }
 
   private:

@@ -27,6 +27,12 @@ namespace deltaform
     unsigned int stage = 0; ///< to which it belongs
     std::string state, observers; ///< in bytes: of the run (State), and what the observers remember
 
+    /// The saved value of an entry; empty if the scene had none.
+    std::string value(const std::string &entry) const;
+
+    /// What is said of a file that cannot be read back.
+    static std::string damaged(const std::string &folder);
+
     /// File name inside a folder of results.
     static std::string path(const std::string &folder);
 

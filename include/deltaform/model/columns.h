@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <utility>
@@ -26,6 +27,12 @@ namespace deltaform
 
     using Cell = std::variant<double, std::string>;
     using Row = std::vector<Cell>;
+
+    /// The cell of a number that may not be known, or not be finite: empty then.
+    static Cell if_known(const double value)
+    {
+      return std::isfinite(value) ? Cell(value) : Cell(std::string());
+    }
 
     /// Appends the cells of a group of columns, one each.
     using Values = std::function<void(const AcceptedIncrement &, Row &)>;

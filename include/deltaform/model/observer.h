@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/base/archive_fwd.h>
+#include <deltaform/base/command_line.h>
 #include <deltaform/base/types.h>
 #include <deltaform/model/checkpoint.h>
 
@@ -23,6 +24,12 @@ namespace deltaform
     std::vector<std::string> warnings; ///< what makes input or result doubtful
     unsigned int increments, iterations;
     std::optional<Checkpoint> state; ///< of a run that has stopped, what it can go on from; none: the last one saved
+
+    /// It is neither done, nor was it interrupted: its last increment is worth a look.
+    bool stopped_by_itself() const
+    {
+      return exit_status != exit_status::done && !exit_status::interrupted(exit_status);
+    }
   };
 
   /// Sees the accepted states of a run, writes or shows them. What is not asked for is not there, and costs nothing.

@@ -3,11 +3,14 @@
 #include <deltaform/base/makers.h>
 #include <deltaform/model/columns.h>
 #include <deltaform/model/observer.h>
+#include <deltaform/results/history.h>
 #include <deltaform/results/output_settings.h>
 #include <deltaform/results/results_folder.h>
 
+#include <functional>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace deltaform
@@ -25,8 +28,13 @@ namespace deltaform
     return std::make_unique<Own>(folder, output);
   }
 
-  /// history.csv with these columns. @param start the state that the run goes on from; null: it begins
-  std::unique_ptr<Observer> make_history_observer(ResultsFolder &folder, Columns columns, const Checkpoint *start);
+  /// Opens the folder when the run begins, or goes on, for certain; the first to be told.
+  std::unique_ptr<Observer> make_folder_observer(ResultsFolder &folder,
+                                                 std::function<void(std::ostream &)> print_scene);
+
+  /// history.csv with these columns. @param resumption how the run goes on; none: it begins
+  std::unique_ptr<Observer> make_history_observer(ResultsFolder &folder, Columns columns,
+                                                  const std::optional<History::Resumption> &resumption);
 
   /// Measures condition numbers; null where the scene does not ask for them.
   std::unique_ptr<ConditionReport> make_condition_report(const OutputSettings &output, Journal &journal,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/base/folder_lock.h>
 #include <deltaform/base/journal.h>
 #include <deltaform/base/timers.h>
 #include <deltaform/base/write_behind.h>
@@ -24,13 +25,19 @@ namespace deltaform
   {
   public:
     /**
-     * Make the folder, write the scene as it was read, and open the log.
+     * Make the folder where there is none, and take it for this run. What is in it stays untouched until begin().
+     * @param force also where another run seems to write into it
+     * @throws SceneError if that is not possible
+     */
+    ResultsFolder(const ResultsHead &head, Journal &journal, Timers &timers, bool force = false);
+
+    /**
+     * The run will go on for certain: write the scene as it was read, and open the log.
      * @param print_scene writes the scene with every default
      * @param resumed     go on with what is there; else the results of an earlier run are removed
      * @throws SceneError if something cannot be written
      */
-    ResultsFolder(const ResultsHead &head, const std::function<void(std::ostream &)> &print_scene, Journal &journal,
-                  Timers &timers, bool resumed);
+    void begin(const std::function<void(std::ostream &)> &print_scene, bool resumed);
 
     std::string path(const std::string &file) const
     {
@@ -81,6 +88,7 @@ namespace deltaform
 
   private:
     std::string folder_, title_, label_;
+    FolderLock lock_;
     Units units_;
     std::vector<std::string> comments_;
     Journal &journal_;

@@ -42,7 +42,6 @@ namespace deltaform
     void check_tools(Section root) const;
     void check_linear_solver(Section root) const;
     void check_stages(Section root) const;
-    void check_delta(Section root) const;
     void check_friction(Section root) const;
   };
 
