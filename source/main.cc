@@ -2,8 +2,8 @@
 #include <deltaform/app/mpi_session.h>
 #include <deltaform/app/run.h>
 #include <deltaform/app/sweep.h>
-#include <deltaform/base/processes.h>
 #include <deltaform/base/interruption.h>
+#include <deltaform/base/processes.h>
 #include <deltaform/base/ranks.h>
 #include <deltaform/base/result_error.h>
 #include <deltaform/base/scene_error.h>

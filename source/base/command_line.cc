@@ -26,8 +26,8 @@ namespace deltaform
       add("jobs", po::value<int>());
       add("seconds", po::value<double>());
       add("svg", po::value<std::string>());
-      for (const auto *const name : {"check", "resume", "force", "quiet", "print", "list", "print-parameters", "print-columns",
-                                     "version", "help,h"})
+      for (const auto *const name : {"check", "resume", "force", "quiet", "print", "list", "print-parameters",
+                                     "print-columns", "version", "help,h"})
         add(name, po::bool_switch());
       add("words", po::value<Strings>());
       return options;

@@ -122,10 +122,10 @@ namespace deltaform
                 [](const Increment &increment, Row &row) {
                   // A blank that keeps its mesh does not say anything of it.
                   const Adaptive *mesh = increment.model.blank().adaptive();
-                  const double unknown = std::numeric_limits<double>::quiet_NaN();
                   row.insert(row.end(), {number(increment.model.committed().size()),
-                                         mesh != nullptr ? number(mesh->n_cells()) : Columns::Cell(unknown),
-                                         mesh != nullptr ? Columns::if_known(mesh->estimated_error()) : Columns::Cell(unknown)});
+                                         mesh != nullptr ? number(mesh->n_cells()) : Columns::Cell(std::string()),
+                                         mesh != nullptr ? Columns::if_known(mesh->estimated_error())
+                                                         : Columns::Cell(std::string())});
                 });
   }
 
