@@ -1,4 +1,6 @@
 #include <deltaform/app/scene_svg.h>
+#include <deltaform/blanks/boundary.h>
+#include <deltaform/blanks/fields.h>
 #include <deltaform/scene/scene.h>
 
 #include <fmt/format.h>
@@ -109,7 +111,7 @@ namespace deltaform
     /// A triangle that points along the direction that is held, a ring for a rotation.
     void draw_support(const Support &support, const Blank &blank, const View &view, std::ostream &out)
     {
-      const auto points = blank.boundary_points(support.boundary);
+      const auto points = blank.boundary().points(support.boundary);
       const std::size_t stride = points.size() / 9 + 1; // a few marks tell enough
       out << "<g class=\"support\" fill=\"none\" stroke=\"#b00020\" stroke-width=\"1.5\"><title>"
           << escaped(support.name) << "</title>\n";
@@ -131,7 +133,7 @@ namespace deltaform
   void draw_svg(const Scene &scene, std::ostream &out)
   {
     const Actors &actors = scene.actors;
-    const Drawing drawing = actors.blank->draw(Vector(actors.blank->n_dofs()), {});
+    const Drawing drawing = actors.blank->fields().draw(Vector(actors.blank->n_dofs()), {});
     Box box;
     double reach = 0.;
     for (const auto &x : drawing.points)

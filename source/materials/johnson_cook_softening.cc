@@ -8,41 +8,6 @@ namespace deltaform
 {
   namespace
   {
-    /// The temperature is counted, the flow stress does not care.
-    class NoSoftening final : public Softening
-    {
-    public:
-      Softened evaluate(double) const override
-      {
-        return {1., 0.};
-      }
-    };
-
-
-    /// 1 - c rise, c >= 0 per degree; 0 where that is negative.
-    class LinearSoftening final : public Softening
-    {
-    public:
-      explicit LinearSoftening(Section &section)
-        : c_(section.number("Softening coefficient",
-                            required(1e-3),
-                            Range::not_negative(),
-                            "1/temperature",
-                            "Share of the flow stress that a degree takes away."))
-      {
-      }
-
-      Softened evaluate(const double rise) const override
-      {
-        const double factor = 1. - c_ * rise;
-        return factor > 0. ? Softened{factor, -c_} : Softened{0., 0.};
-      }
-
-    private:
-      double c_;
-    };
-
-
     /**
      * Johnson and Cook: 1 - ((T - T0)/(Tm - T0))^m, T0 the temperature at the start, Tm that of melting, m > 0; 0 from
      * Tm on. G.R. Johnson, W.H. Cook, Proc. 7th Int. Symp. Ballistics (1983) 541.
@@ -75,14 +40,7 @@ namespace deltaform
       double m_ = 1., range_ = 1.;
     };
 
-    std::unique_ptr<Softening> make_none(Section &)
-    {
-      return std::make_unique<NoSoftening>();
-    }
-
-    const Registry<Softening>::Entry none("none", "The flow stress does not depend on the temperature", make_none);
-    const Registry<Softening>::Entry linear("linear", "1 - c (T - T0)", make_as<LinearSoftening, Softening>);
     const Registry<Softening>::Entry
-      johnson_cook("johnson-cook", "1 - ((T - T0)/(Tm - T0))^m", make_as<JohnsonCookSoftening, Softening>);
+      entry("johnson-cook", "1 - ((T - T0)/(Tm - T0))^m", make_as<JohnsonCookSoftening, Softening>);
   } // namespace
 } // namespace deltaform
