@@ -146,7 +146,10 @@ namespace deltaform
                        stage().smallest_increment, stage().largest_increment, settings_.meet);
       if (resumed_ && state_.step)
         control_->restore(*state_.step);
-      resumed_ = false;
+      // A run may have been killed between the state of its last increment and its end.
+      if (std::exchange(resumed_, false))
+        if (const std::string unusable = conditions_.failure(stage()); !unusable.empty())
+          return stop(unusable, exit_status::not_converged, checkpoint());
     }
     return true;
   }

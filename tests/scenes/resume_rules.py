@@ -71,6 +71,18 @@ if rows(short) != rows(straight):
     failures += 1
     print("a run that was resumed when its increments were used up differs from one that was not stopped")
 
+# A sheet that has torn is torn still: nothing is computed, unless the run is to go on after necking.
+torn = folder / "torn"
+slippery = [option for tool in ("punch", "die", "holder")
+            for option in ("--set", f"Tools/{tool}/Friction coefficient=0.5")]
+run(2, "the sheet tears", *slippery, where=torn)
+kept = rows(torn)
+run(2, "the sheet tears", *slippery, "--resume", where=torn)
+if rows(torn) != kept:
+    failures += 1
+    print("a run whose sheet had torn went on when it was resumed")
+run(0, "results in", *slippery, "--set", "Steps/form/Continue after necking=true", "--resume", where=torn)
+
 state = folder / "checkpoint.bin"
 content = bytearray(state.read_bytes())
 content[len(content) // 2] ^= 1
