@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(a_record_is_what_the_files_are)
   Run run;
   RunRecord record;
   const auto columns = history_columns(run.analysis.model(), *run.scene.output, nullptr);
-  run.analysis.add(make_history_observer(run.results, columns, nullptr));
+  run.analysis.add(make_history_observer(run.results, columns, std::nullopt));
   run.analysis.add(ObserverMakers::make("tables", run.results, *run.scene.output));
   run.with(make_recorder(record, columns, *run.scene.output, Keep::asked, []() { return 1.5; }));
   BOOST_TEST(record.history.size() == 10u);
