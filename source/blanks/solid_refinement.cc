@@ -219,7 +219,7 @@ namespace deltaform
         throw SceneError("The blank has been refined since, or in another way: it cannot go back to this state.");
       if (pass < passes_.size())
         continue;
-      if (cells.size() != body_.space().triangulation().n_active_cells())
+      if (cells.size() != 2 * body_.space().triangulation().n_active_cells()) // two flags a cell
         throw SceneError("The saved state has another number of cells: it is damaged. Start again.");
       body_.space().triangulation().load_refine_flags(cells);
       refine(none);

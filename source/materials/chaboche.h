@@ -12,9 +12,10 @@ namespace deltaform
    *     alpha = sum alpha_i,   d alpha_i = (C_i/q) dev(xi) dx - gamma_i alpha_i dx,   xi = t - alpha,
    *
    * for Mises the same as 2/3 C_i de_p - gamma_i alpha_i dx. By backward Euler
-   * alpha_i = (alpha_i,n + C_i x/q dev(xi)) / (1 + gamma_i x). The deviator, because a pressure within alpha would mean nothing. P.J. Armstrong, C.O. Frederick,
-   * CEGB report RD/B/N 731 (1966); J.L. Chaboche, Time-independent constitutive theories for cyclic plasticity, Int. J.
-   * Plasticity 2 (1986) 149; H. Ziegler, A modification of Prager's hardening rule, Q. Appl. Math. 17 (1959) 55.
+   * alpha_i = (alpha_i,n + C_i x/q dev(xi)) / (1 + gamma_i x). The deviator, because a pressure within alpha would mean
+   * nothing. P.J. Armstrong, C.O. Frederick, CEGB report RD/B/N 731 (1966); J.L. Chaboche, Time-independent
+   * constitutive theories for cyclic plasticity, Int. J. Plasticity 2 (1986) 149; H. Ziegler, A modification of
+   * Prager's hardening rule, Q. Appl. Math. 17 (1959) 55.
    */
   class Chaboche final : public BackStress
   {
