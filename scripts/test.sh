@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # All tests in one command: sets up, builds, runs them two at a time. The last line counts: "N passed, M failed".
 #   scripts/test.sh [options of ctest, such as -R contact]
-# Without those of the label extra, which need packages of their own: scripts/test_extra.sh.
+# Without those of the label extra, which need packages of their own (scripts/test_extra.sh), and of the label long (ctest -L long).
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
@@ -14,7 +14,7 @@ fi
 
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-(cd "$build" && ctest -j2 --output-on-failure -LE extra "$@") 2>&1 | tee "$log"
+(cd "$build" && ctest -j2 --output-on-failure -LE "extra|long" "$@") 2>&1 | tee "$log"
 status=${PIPESTATUS[0]}
 
 # "97% tests passed, 3 tests failed out of 100" is ctest's way to say it.

@@ -2,12 +2,12 @@
 #include <deltaform/app/mpi_session.h>
 #include <deltaform/app/run.h>
 #include <deltaform/app/sweep.h>
-#include <deltaform/base/interruption.h>
-#include <deltaform/base/processes.h>
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/result_error.h>
-#include <deltaform/base/scene_error.h>
-#include <deltaform/base/text.h>
+#include <deltaform/io/result_error.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/process/interruption.h>
+#include <deltaform/process/processes.h>
+#include <deltaform/process/ranks.h>
 
 #include <cstdlib>
 #include <functional>

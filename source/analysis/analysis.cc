@@ -1,9 +1,9 @@
 #include <deltaform/analysis/analysis.h>
-#include <deltaform/base/command_line.h>
-#include <deltaform/base/interruption.h>
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/text.h>
 #include <deltaform/model/accepted_increment.h>
+#include <deltaform/parameters/command_line.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/process/interruption.h>
+#include <deltaform/process/ranks.h>
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 #include <deltaform/analysis/conditions.h>
-#include <deltaform/base/byte_stream.h>
+#include <deltaform/io/byte_stream.h>
 
 #include <sstream>
 

@@ -1,9 +1,9 @@
 #include "worst.h"
 
 #include <deltaform/analysis/conditions.h>
-#include <deltaform/base/percent.h>
-#include <deltaform/base/text.h>
 #include <deltaform/model/accepted_increment.h>
+#include <deltaform/parameters/percent.h>
+#include <deltaform/parameters/text.h>
 
 namespace deltaform
 {

@@ -1,6 +1,6 @@
 #include <deltaform/analysis/conditions.h>
-#include <deltaform/base/percent.h>
 #include <deltaform/model/accepted_increment.h>
+#include <deltaform/parameters/percent.h>
 
 #include <algorithm>
 

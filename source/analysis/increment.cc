@@ -1,6 +1,6 @@
 #include <deltaform/analysis/increment.h>
 #include <deltaform/analysis/step_control.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/text.h>
 
 #include <cmath>
 #include <utility>

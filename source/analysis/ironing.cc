@@ -1,5 +1,5 @@
 #include <deltaform/analysis/ironing.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/text.h>
 
 namespace deltaform
 {

@@ -1,6 +1,6 @@
 #include <deltaform/analysis/necking.h>
-#include <deltaform/base/percent.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/percent.h>
+#include <deltaform/parameters/text.h>
 
 #include <algorithm>
 #include <cmath>

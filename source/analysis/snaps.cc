@@ -1,8 +1,8 @@
 #include "worst.h"
 
 #include <deltaform/analysis/conditions.h>
-#include <deltaform/base/text.h>
 #include <deltaform/model/accepted_increment.h>
+#include <deltaform/parameters/text.h>
 
 namespace deltaform
 {

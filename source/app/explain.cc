@@ -1,7 +1,7 @@
 #include <deltaform/app/explain.h>
-#include <deltaform/base/command_line.h>
-#include <deltaform/base/parameter_tree.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/command_line.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/text.h>
 #include <deltaform/scene/scene.h>
 
 #include <algorithm>

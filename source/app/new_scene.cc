@@ -1,10 +1,10 @@
 #include "scene_templates.h"
 
 #include <deltaform/app/new_scene.h>
-#include <deltaform/base/atomic_file.h>
-#include <deltaform/base/command_line.h>
-#include <deltaform/base/expression.h>
-#include <deltaform/base/text.h>
+#include <deltaform/io/atomic_file.h>
+#include <deltaform/parameters/command_line.h>
+#include <deltaform/parameters/expression.h>
+#include <deltaform/parameters/text.h>
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #include "sweep_table.h"
 
-#include <deltaform/base/child_process.h>
-#include <deltaform/base/folder_lock.h>
-#include <deltaform/base/interruption.h>
-#include <deltaform/base/journal.h>
-#include <deltaform/base/scene_error.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/process/child_process.h>
+#include <deltaform/process/folder_lock.h>
+#include <deltaform/process/interruption.h>
+#include <deltaform/process/journal.h>
 #include <deltaform/results/earlier_run.h>
 #include <deltaform/scene/scene.h>
 

@@ -1,7 +1,7 @@
 #include "sweep_table.h"
 
-#include <deltaform/base/csv_reader.h>
-#include <deltaform/base/text.h>
+#include <deltaform/io/csv_reader.h>
+#include <deltaform/parameters/text.h>
 #include <deltaform/results/table_file.h>
 
 #include <boost/property_tree/json_parser.hpp>

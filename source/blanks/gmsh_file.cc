@@ -1,7 +1,7 @@
 #include "gmsh_file.h"
 #include "gmsh_words.h"
 
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/text.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/grid/grid_tools.h>

@@ -1,7 +1,7 @@
 #include "gmsh_words.h"
 
-#include <deltaform/base/ceilings.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/ceilings.h>
+#include <deltaform/parameters/text.h>
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
 #include "hanging_nodes.h"
 
-#include <deltaform/base/ranks.h>
+#include <deltaform/process/ranks.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/affine_constraints.h>

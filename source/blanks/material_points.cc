@@ -1,7 +1,7 @@
 #include "material_points.h"
 #include "usable_material.h"
 
-#include <deltaform/base/registry.h>
+#include <deltaform/parameters/registry.h>
 
 #include <algorithm>
 #include <array>

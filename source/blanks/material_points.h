@@ -2,12 +2,12 @@
 
 #include "metal_axes.h"
 
-#include <deltaform/base/energy.h>
-#include <deltaform/base/keyed_arrays.h>
-#include <deltaform/base/section.h>
+#include <deltaform/assembly/energy.h>
+#include <deltaform/io/keyed_arrays.h>
 #include <deltaform/materials/carried_flow.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
+#include <deltaform/parameters/section.h>
 
 #include <cstddef>
 #include <memory>

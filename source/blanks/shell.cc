@@ -1,7 +1,7 @@
 #include "shell.h"
 
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/flow_error.h>
+#include <deltaform/parameters/registry.h>
 
 #include <algorithm>
 #include <cmath>

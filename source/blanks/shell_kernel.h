@@ -5,8 +5,8 @@
 #include "shell_space.h"
 #include "shell_state.h"
 
-#include <deltaform/base/assembly_target.h>
-#include <deltaform/base/status.h>
+#include <deltaform/assembly/assembly_target.h>
+#include <deltaform/assembly/status.h>
 
 namespace deltaform
 {

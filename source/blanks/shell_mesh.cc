@@ -1,7 +1,7 @@
 #include "shell_mesh.h"
 
-#include <deltaform/base/memory.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/process/memory.h>
 
 #include <numeric>
 #include <stdexcept>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <deltaform/base/section.h>
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
 #include <deltaform/geometry/meridian.h>
+#include <deltaform/parameters/section.h>
 
 #include <array>
 #include <vector>

@@ -2,8 +2,8 @@
 
 #include "shell_space.h"
 
-#include <deltaform/base/section.h>
 #include <deltaform/kinematics/shell_strain.h>
+#include <deltaform/parameters/section.h>
 
 #include <array>
 #include <vector>

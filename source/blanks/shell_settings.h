@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/section.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

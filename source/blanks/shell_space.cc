@@ -1,6 +1,6 @@
 #include "shell_space.h"
 
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/text.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>

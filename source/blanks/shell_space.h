@@ -3,7 +3,7 @@
 #include "shell_mesh.h"
 #include "shell_settings.h"
 
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>

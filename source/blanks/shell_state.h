@@ -3,7 +3,7 @@
 #include "material_points.h"
 #include "shell_points.h"
 
-#include <deltaform/base/side.h>
+#include <deltaform/assembly/side.h>
 
 #include <array>
 #include <vector>

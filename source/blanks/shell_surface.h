@@ -5,7 +5,7 @@
 #include "shell_space.h"
 #include "shell_state.h"
 
-#include <deltaform/kinematics/contact_surface.h>
+#include <deltaform/assembly/contact_surface.h>
 
 #include <array>
 #include <vector>

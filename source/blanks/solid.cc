@@ -1,8 +1,8 @@
 #include "solid.h"
 
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/flow_error.h>
+#include <deltaform/parameters/registry.h>
+#include <deltaform/process/ranks.h>
 
 #include <algorithm>
 

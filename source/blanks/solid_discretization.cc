@@ -1,7 +1,7 @@
 #include "solid_discretization.h"
 
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/process/ranks.h>
 
 namespace deltaform
 {

@@ -4,7 +4,7 @@
 #include "solid_points.h"
 #include "solid_space.h"
 
-#include <deltaform/base/section.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

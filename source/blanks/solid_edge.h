@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #include "solid_error.h"
 #include "solid_stress.h"
 
-#include <deltaform/base/ranks.h>
+#include <deltaform/process/ranks.h>
 
 #include <Eigen/Dense>
 

@@ -3,7 +3,7 @@
 #include "solid_boundary.h"
 #include "solid_space.h"
 
-#include <deltaform/kinematics/contact_surface.h>
+#include <deltaform/assembly/contact_surface.h>
 
 #include <array>
 #include <string>

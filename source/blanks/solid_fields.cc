@@ -2,7 +2,7 @@
 #include "solid_picture.h"
 #include "solid_profile.h"
 
-#include <deltaform/base/ranks.h>
+#include <deltaform/process/ranks.h>
 
 namespace deltaform
 {

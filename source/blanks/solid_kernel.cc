@@ -2,9 +2,9 @@
 #include "solid_kernel.h"
 #include "solid_tangent.h"
 
-#include <deltaform/base/assembly_target.h>
-#include <deltaform/base/ranks.h>
+#include <deltaform/assembly/assembly_target.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
+#include <deltaform/process/ranks.h>
 
 #include <algorithm>
 #include <cmath>

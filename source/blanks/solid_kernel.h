@@ -4,8 +4,8 @@
 #include "solid_discretization.h"
 #include "solid_motion.h"
 
-#include <deltaform/base/assembly_target.h>
-#include <deltaform/base/status.h>
+#include <deltaform/assembly/assembly_target.h>
+#include <deltaform/assembly/status.h>
 
 #include <vector>
 

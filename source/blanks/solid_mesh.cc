@@ -2,10 +2,10 @@
 #include "gmsh_file.h"
 #include "shell_mesh.h"
 
-#include <deltaform/base/ceilings.h>
-#include <deltaform/base/memory.h>
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/ceilings.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/process/memory.h>
+#include <deltaform/process/ranks.h>
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>

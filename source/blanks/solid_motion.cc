@@ -1,7 +1,7 @@
 #include "solid_motion.h"
 
-#include <deltaform/base/ranks.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
+#include <deltaform/process/ranks.h>
 
 #include <algorithm>
 #include <cmath>

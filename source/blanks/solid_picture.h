@@ -4,7 +4,7 @@
 #include "solid_discretization.h"
 #include "solid_motion.h"
 
-#include <deltaform/base/drawing.h>
+#include <deltaform/io/drawing.h>
 
 #include <array>
 #include <string>

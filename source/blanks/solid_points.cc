@@ -1,6 +1,6 @@
 #include "solid_points.h"
 
-#include <deltaform/base/ranks.h>
+#include <deltaform/process/ranks.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>

@@ -3,7 +3,7 @@
 #include "solid_discretization.h"
 #include "solid_surface.h"
 
-#include <deltaform/base/table.h>
+#include <deltaform/io/table.h>
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "solid_refinement.h"
 #include "solid_error.h"
 
-#include <deltaform/base/ranks.h>
+#include <deltaform/process/ranks.h>
 
 #include <deal.II/fe/fe_q.h>
 

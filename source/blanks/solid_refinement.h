@@ -4,9 +4,9 @@
 #include "solid_surface.h"
 #include "solid_transfer.h"
 
-#include <deltaform/base/keyed_arrays.h>
 #include <deltaform/blanks/adaptive.h>
 #include <deltaform/blanks/refinement.h>
+#include <deltaform/io/keyed_arrays.h>
 
 #include <array>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "solid_space.h"
 
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/process/ranks.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping_q.h>

@@ -3,7 +3,7 @@
 #include "hanging_nodes.h"
 #include "solid_mesh.h"
 
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>

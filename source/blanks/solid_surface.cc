@@ -1,6 +1,6 @@
 #include "solid_surface.h"
 
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/text.h>
 
 #include <algorithm>
 #include <cmath>

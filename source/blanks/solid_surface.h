@@ -4,9 +4,9 @@
 #include "solid_discretization.h"
 #include "solid_face.h"
 
-#include <deltaform/base/keyed_arrays.h>
-#include <deltaform/base/section.h>
-#include <deltaform/kinematics/contact_surface.h>
+#include <deltaform/assembly/contact_surface.h>
+#include <deltaform/io/keyed_arrays.h>
+#include <deltaform/parameters/section.h>
 
 #include <array>
 #include <string>

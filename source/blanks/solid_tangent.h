@@ -1,6 +1,6 @@
 #pragma once
 // Tangent of a cell of the solid: derivation in doc/theory/solid.md, "The tangent of a cell".
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 
 #include <Eigen/Dense>

@@ -1,7 +1,7 @@
 #include "solid_transfer.h"
 
-#include <deltaform/base/ranks.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
+#include <deltaform/process/ranks.h>
 
 #include <deal.II/distributed/cell_data_transfer.templates.h>
 #include <deal.II/distributed/tria.h>

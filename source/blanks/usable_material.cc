@@ -1,7 +1,7 @@
 #include "usable_material.h"
 
-#include <deltaform/base/text.h>
-#include <deltaform/base/units_label.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/parameters/units_label.h>
 
 namespace deltaform
 {

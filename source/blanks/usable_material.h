@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/section.h>
 #include <deltaform/materials/material.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

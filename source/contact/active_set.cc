@@ -1,7 +1,7 @@
 // Active set: gap = 0 where lambda > 0. The force of every contact point is an unknown; the semi-smooth Newton method
 // chooses the set by the sign of lambda - c gap with c > 0.
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/enforcement.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

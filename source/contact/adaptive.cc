@@ -3,8 +3,8 @@
 // equilibrium the incremental eqn (7) of Bednarek, Kowalczyk has the only fixed point eps = lambda / delta; aiming at
 // .8 delta reaches the promise p <= delta from the safe side in a finite number of corrections. Derivation:
 // doc/theory/contact.md.
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/penalty_rule.h>
+#include <deltaform/parameters/registry.h>
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 // further augmentations are those of Uzawa.
 #include "augmented_lagrangian.h"
 
-#include <deltaform/base/registry.h>
+#include <deltaform/parameters/registry.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Augmented Lagrangian: every increment begins with s = 0 and penetrates like a penalty, then Uzawa's iteration.
 #include "augmented_lagrangian.h"
 
-#include <deltaform/base/registry.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

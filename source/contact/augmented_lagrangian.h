@@ -2,8 +2,8 @@
 // What the augmented forms share: lambda = s - eps gap while positive; after each converged solve s := lambda (Uzawa;
 // Hestenes 1969, Powell 1969; for contact Simo, Laursen, Comput. Struct. 42 (1992) 97), until the gaps of the loaded
 // points vanish: exact contact at a factor that stays soft.
-#include <deltaform/base/section.h>
 #include <deltaform/contact/enforcement.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

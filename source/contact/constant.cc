@@ -1,8 +1,8 @@
 // Constant: eps = C per node (as in the paper), or eps_i = C A_i per area. The classical approach. Promises nothing.
 // A point that touches for the first time starts at K_nn if that is softer and is stiffened by factors of 100 after
 // each converged solve until C is reached: the first touch of a thin blank at full stiffness does not converge.
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/penalty_rule.h>
+#include <deltaform/parameters/registry.h>
 
 #include <algorithm>
 

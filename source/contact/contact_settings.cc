@@ -1,6 +1,6 @@
 // Entries of section Contact.
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/contact_settings.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

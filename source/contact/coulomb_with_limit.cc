@@ -1,8 +1,8 @@
 // Coulomb with limit: |t| <= min(mu lambda, m k A), k = s/sqrt(3) the shear flow stress (von Mises) of the blank's
 // surface with flow stress s, A the tributary area. Coulomb where the pressure is low, the shear factor where mu times
 // the pressure would exceed what the blank can carry (Orowan, Proc. Inst. Mech. Eng. 150 (1943) 140).
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/friction_law.h>
+#include <deltaform/parameters/registry.h>
 
 #include <cmath>
 

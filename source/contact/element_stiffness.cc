@@ -2,8 +2,8 @@
 // thickness, E: Young's modulus) times a factor. The usual default of explicit codes (Hallquist, LS-DYNA theory manual,
 // chapter on contact: k = f K A^2 / V for solids, f K A / diagonal for shells). Knows neither load nor delta: promises
 // nothing.
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/penalty_rule.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

@@ -1,5 +1,5 @@
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/friction_law.h>
+#include <deltaform/parameters/registry.h>
 
 #include <cmath>
 

@@ -9,8 +9,8 @@
 //
 // Their first branch, for a gap that changes its sign, is that of separating points: those have no correction here.
 // With a tolerance, as for 'proportional'; promises nothing.
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/penalty_rule.h>
+#include <deltaform/parameters/registry.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 // The energies of an interface from its accepted states alone.
-#include <deltaform/base/energy.h>
+#include <deltaform/assembly/energy.h>
 #include <deltaform/contact/contact_point_state.h>
 
 #include <vector>

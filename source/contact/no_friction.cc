@@ -1,6 +1,6 @@
 // None: a smooth tool, t = 0.
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/friction_law.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

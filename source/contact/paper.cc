@@ -5,8 +5,8 @@
 // (at equilibrium C^T (r - f_int) is the reaction lambda). p = delta is its only fixed point, but the second term
 // predicts the change of the reaction with C^T K C where the condensed stiffness is smaller, so that it overshoots and
 // may turn negative. The safeguards can be switched off to see what the printed rule does by itself. Promises nothing.
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/penalty_rule.h>
+#include <deltaform/parameters/registry.h>
 
 #include <algorithm>
 

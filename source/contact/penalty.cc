@@ -1,6 +1,6 @@
 // Penalty: lambda = eps p, p = max(0, -gap)                                      (Bednarek, Kowalczyk, eqn (3))
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/enforcement.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

@@ -2,8 +2,8 @@
 // largest penetration (keyword PENE_MAXI; document R5.03.50). A stiffer point takes more load, so p approaches delta
 // from above and never arrives: a tolerance ends the corrections, and p <= delta is not promised. The factor never
 // falls.
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/penalty_rule.h>
+#include <deltaform/parameters/registry.h>
 
 #include <algorithm>
 

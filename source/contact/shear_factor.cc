@@ -2,8 +2,8 @@
 // s, A the tributary area. The law of bulk forming, where the pressure is far above the flow stress; it does not know
 // the pressure, so that a point carries its friction from the first touch on. m = 1: the blank shears before it slides.
 // (Altan, Oh, Gegel, Metal Forming, ASM 1983.)
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/friction_law.h>
+#include <deltaform/parameters/registry.h>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // From corner points and fillet radii to lines and arcs.
-#include <deltaform/base/text.h>
 #include <deltaform/geometry/curve.h>
 #include <deltaform/geometry/fillets.h>
+#include <deltaform/parameters/text.h>
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "chaboche.h"
 
-#include <deltaform/base/registry.h>
+#include <deltaform/parameters/registry.h>
 
 #include <string>
 #include <utility>

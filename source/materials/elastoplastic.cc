@@ -1,8 +1,8 @@
 #include "adiabatic_heat.h"
 
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/plasticity.h>
 #include <deltaform/materials/read_law.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

@@ -1,5 +1,5 @@
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/hardening.h>
+#include <deltaform/parameters/registry.h>
 
 #include <memory>
 #include <utility>

@@ -1,7 +1,7 @@
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/elasticity.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/read_law.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

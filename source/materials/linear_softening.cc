@@ -1,5 +1,5 @@
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/softening.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

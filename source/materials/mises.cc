@@ -1,7 +1,7 @@
 #include "closed_returns.h"
 
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/yield_surface.h>
+#include <deltaform/parameters/registry.h>
 
 #include <cmath>
 

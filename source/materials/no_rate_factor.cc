@@ -1,5 +1,5 @@
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/rate_factor.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

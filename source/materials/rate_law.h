@@ -1,8 +1,8 @@
 #pragma once
 
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/rate_factor.h>
 #include <deltaform/materials/read_law.h>
+#include <deltaform/parameters/registry.h>
 
 #include <memory>
 #include <utility>

@@ -1,6 +1,6 @@
-#include <deltaform/base/registry.h>
-#include <deltaform/base/text.h>
 #include <deltaform/materials/hardening_laws.h>
+#include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/text.h>
 
 // Boost 1.74 calls isnan without its namespace: math.h, not cmath, declares it.
 #include <math.h> // NOLINT(modernize-deprecated-headers)

@@ -1,5 +1,5 @@
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/hardening_laws.h>
+#include <deltaform/parameters/registry.h>
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/yield_surface.h>
+#include <deltaform/parameters/registry.h>
 
 #include <algorithm>
 #include <cmath>

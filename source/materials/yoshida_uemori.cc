@@ -1,7 +1,7 @@
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/back_stress.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/read_law.h>
+#include <deltaform/parameters/registry.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include <deltaform/base/atomic_file.h>
-#include <deltaform/base/byte_stream.h>
-#include <deltaform/base/scene_error.h>
+#include <deltaform/io/atomic_file.h>
+#include <deltaform/io/byte_stream.h>
 #include <deltaform/model/checkpoint.h>
+#include <deltaform/parameters/scene_error.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>

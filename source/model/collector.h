@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/assembly_target.h>
+#include <deltaform/assembly/assembly_target.h>
 
 namespace deltaform
 {

@@ -1,5 +1,5 @@
-#include <deltaform/base/text.h>
 #include <deltaform/model/function_values.h>
+#include <deltaform/parameters/text.h>
 
 #include <algorithm>
 #include <cmath>

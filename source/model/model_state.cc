@@ -1,8 +1,8 @@
-#include <deltaform/base/archive.h>
-#include <deltaform/base/byte_stream.h>
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/scene_error.h>
+#include <deltaform/io/archive.h>
+#include <deltaform/io/byte_stream.h>
 #include <deltaform/model/model_state.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/process/ranks.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>

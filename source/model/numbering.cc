@@ -1,5 +1,5 @@
-#include <deltaform/base/ranks.h>
 #include <deltaform/model/numbering.h>
+#include <deltaform/process/ranks.h>
 
 #include <algorithm>
 

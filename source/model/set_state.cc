@@ -1,6 +1,6 @@
 // The committed state of a model as a value, and going to one.
-#include <deltaform/base/scene_error.h>
 #include <deltaform/model/model.h>
+#include <deltaform/parameters/scene_error.h>
 
 namespace deltaform
 {

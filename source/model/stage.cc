@@ -1,5 +1,5 @@
-#include <deltaform/base/text.h>
 #include <deltaform/model/stage.h>
+#include <deltaform/parameters/text.h>
 
 #include <limits>
 

@@ -1,5 +1,5 @@
-#include <deltaform/base/text.h>
 #include <deltaform/model/tool_placement.h>
+#include <deltaform/parameters/text.h>
 
 #include <cmath>
 #include <limits>

@@ -2,9 +2,9 @@
 // deltaform/__init__.py.
 #include <deltaform/app/mpi_session.h>
 #include <deltaform/app/run_in_memory.h>
-#include <deltaform/base/processes.h>
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/scene_error.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/process/processes.h>
+#include <deltaform/process/ranks.h>
 #include <deltaform/results/units.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/scene.h>

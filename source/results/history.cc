@@ -1,7 +1,7 @@
-#include <deltaform/base/atomic_file.h>
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/scene_error.h>
-#include <deltaform/base/text.h>
+#include <deltaform/io/atomic_file.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/process/ranks.h>
 #include <deltaform/results/history.h>
 
 #include <algorithm>

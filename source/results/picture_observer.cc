@@ -1,7 +1,7 @@
 // blank_*.vtu, tools_*.vtu and scene.pvd: what stands in the pictures.
-#include <deltaform/base/command_line.h>
 #include <deltaform/contact/contact_measures.h>
 #include <deltaform/model/accepted_increment.h>
+#include <deltaform/parameters/command_line.h>
 #include <deltaform/results/observers.h>
 #include <deltaform/results/picture_series.h>
 #include <deltaform/results/vtu.h>

@@ -1,8 +1,8 @@
 #include "xml.h"
 
-#include <deltaform/base/atomic_file.h>
-#include <deltaform/base/scene_error.h>
-#include <deltaform/base/text.h>
+#include <deltaform/io/atomic_file.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/text.h>
 #include <deltaform/results/picture_series.h>
 
 #include <boost/property_tree/ptree.hpp>

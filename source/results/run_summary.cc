@@ -1,6 +1,6 @@
 #include "run_summary.h"
 
-#include <deltaform/base/command_line.h>
+#include <deltaform/parameters/command_line.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // summary.json and timing.json, and the last lines on the console.
 #include "run_summary.h"
 
-#include <deltaform/base/atomic_file.h>
+#include <deltaform/io/atomic_file.h>
 #include <deltaform/results/observers.h>
 
 #include <ostream>

@@ -1,4 +1,4 @@
-#include <deltaform/base/atomic_file.h>
+#include <deltaform/io/atomic_file.h>
 #include <deltaform/results/table_file.h>
 
 #include <fmt/core.h>

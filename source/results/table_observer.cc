@@ -1,7 +1,7 @@
 // profile_*.csv, contact_*.csv and tools_*.csv, where a scene asks for them.
-#include <deltaform/base/command_line.h>
-#include <deltaform/base/text.h>
 #include <deltaform/model/accepted_increment.h>
+#include <deltaform/parameters/command_line.h>
+#include <deltaform/parameters/text.h>
 #include <deltaform/results/observers.h>
 #include <deltaform/results/snapshot.h>
 #include <deltaform/results/table_file.h>

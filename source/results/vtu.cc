@@ -1,6 +1,6 @@
 #include "xml.h"
 
-#include <deltaform/base/atomic_file.h>
+#include <deltaform/io/atomic_file.h>
 #include <deltaform/results/vtu.h>
 
 #include <cstdint>

@@ -1,12 +1,12 @@
 // The documentation of all parameters: every registered object declares its entries once.
-#include <deltaform/base/registry.h>
-#include <deltaform/base/units_label.h>
 #include <deltaform/materials/back_stress.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/rate_factor.h>
 #include <deltaform/materials/softening.h>
 #include <deltaform/materials/yield_surface.h>
+#include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/units_label.h>
 #include <deltaform/scene/scene.h>
 
 namespace deltaform

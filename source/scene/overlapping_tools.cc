@@ -1,4 +1,4 @@
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/text.h>
 #include <deltaform/scene/overlapping_tools.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/text.h>
 #include <deltaform/scene/rigid_motions.h>
 
 #include <Eigen/Dense>

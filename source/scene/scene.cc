@@ -1,6 +1,6 @@
-#include <deltaform/base/registry.h>
-#include <deltaform/base/scene_error.h>
-#include <deltaform/base/units_label.h>
+#include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/units_label.h>
 #include <deltaform/scene/scene.h>
 
 namespace deltaform

@@ -1,9 +1,9 @@
 // What is wrong with a scene although every entry by itself is allowed.
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/text.h>
 #include <deltaform/model/function_values.h>
 #include <deltaform/model/reported_columns.h>
 #include <deltaform/model/tool_placement.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/process/ranks.h>
 #include <deltaform/scene/scene.h>
 
 #include <algorithm>

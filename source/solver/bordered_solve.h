@@ -1,6 +1,6 @@
 #pragma once
 // Solving with the border of a tangent; private to the solver.
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
 
 namespace deltaform
 {

@@ -1,5 +1,5 @@
 // Which direct solver is the faster one: measured in doc/performance.md, "Which solver".
-#include <deltaform/base/ranks.h>
+#include <deltaform/process/ranks.h>
 #include <deltaform/solver/linear_solver.h>
 
 #include <algorithm>

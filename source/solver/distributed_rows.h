@@ -1,6 +1,6 @@
 #pragma once
 // Rows of a matrix that are distributed among processes; private to the solver.
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>

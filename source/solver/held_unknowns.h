@@ -1,6 +1,6 @@
 #pragma once
 // Unknowns to hold so that no rigid motion is free; private to the solver.
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
 
 #include <optional>
 #include <vector>

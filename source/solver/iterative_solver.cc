@@ -6,7 +6,7 @@
 
 #include "trilinos_matrix.h"
 
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/text.h>
 
 #include <AztecOO.h>
 #include <Ifpack.h>

@@ -1,9 +1,9 @@
 // The choice of a linear solver, and the matrix that all of them work on.
 #include "trilinos_matrix.h"
 
-#include <deltaform/base/parameter_tree.h>
-#include <deltaform/base/ranks.h>
-#include <deltaform/base/registry.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/registry.h>
+#include <deltaform/process/ranks.h>
 #include <deltaform/solver/linear_method.h>
 
 #include <Epetra_MpiComm.h>

@@ -1,6 +1,6 @@
 #pragma once
 // A matrix whose factorization is kept, plus a few entries that change; private to the solver.
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
 
 #include <Eigen/Dense>
 

@@ -1,6 +1,6 @@
 #pragma once
 // Prescribed unknowns in a linear system; private to the solver.
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
 
 #include <vector>
 

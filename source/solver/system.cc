@@ -6,7 +6,7 @@
 #include "prescribed_rows.h"
 #include "tangent.h"
 
-#include <deltaform/base/ranks.h>
+#include <deltaform/process/ranks.h>
 
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 #include "tangent.h"
 
-#include <deltaform/base/ranks.h>
+#include <deltaform/process/ranks.h>
 
 #include <Epetra_CrsMatrix.h>
 

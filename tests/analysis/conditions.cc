@@ -1,7 +1,7 @@
 // What ends a run, or makes its result doubtful.
 #include <deltaform/analysis/conditions.h>
-#include <deltaform/base/parameter_tree.h>
 #include <deltaform/model/accepted_increment.h>
+#include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/scene/scene.h>
 
 #include <boost/test/unit_test.hpp>

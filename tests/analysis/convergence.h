@@ -1,7 +1,7 @@
 #pragma once
 // The observed order of a Newton iteration.
 #include <deltaform/analysis/newton.h>
-#include <deltaform/base/parameter_tree.h>
+#include <deltaform/parameters/parameter_tree.h>
 
 #include <cmath>
 #include <limits>

@@ -3,7 +3,7 @@
 
 #include <deltaform/analysis/increment.h>
 #include <deltaform/analysis/step_control.h>
-#include <deltaform/base/parameter_tree.h>
+#include <deltaform/parameters/parameter_tree.h>
 
 #include <boost/test/unit_test.hpp>
 

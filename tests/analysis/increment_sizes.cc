@@ -1,6 +1,6 @@
 // Sizes of increments: by iterations, and by an error of first order.
 #include <deltaform/analysis/step_control.h>
-#include <deltaform/base/parameter_tree.h>
+#include <deltaform/parameters/parameter_tree.h>
 
 #include <boost/test/unit_test.hpp>
 

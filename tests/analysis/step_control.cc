@@ -1,5 +1,5 @@
 #include <deltaform/analysis/step_control.h>
-#include <deltaform/base/parameter_tree.h>
+#include <deltaform/parameters/parameter_tree.h>
 
 #include <boost/test/unit_test.hpp>
 

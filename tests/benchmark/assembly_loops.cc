@@ -1,10 +1,10 @@
 // Assembly of a solid by a plain loop and by WorkStream on one and two threads: microseconds per cell. Prints Markdown.
 // The cells do what a cell of degree 2 does: nine material updates, the tangent, and adding it to a sparse matrix.
-#include <deltaform/base/parameter_tree.h>
-#include <deltaform/base/registry.h>
 #include <deltaform/kinematics/logarithmic_strain.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/registry.h>
 
 #include "../../source/blanks/solid_tangent.h"
 

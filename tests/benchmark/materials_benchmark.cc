@@ -1,8 +1,8 @@
 // Time per material point, by hardening law, for both questions about the third direction. Prints Markdown.
-#include <deltaform/base/parameter_tree.h>
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/registry.h>
 
 #include <chrono>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "../materials/material_point.h"
 #include "dense_target.h"
 
-#include <deltaform/base/scene_error.h>
 #include <deltaform/blanks/blank.h>
+#include <deltaform/parameters/scene_error.h>
 
 #include <random>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Residual and tangent as dense arrays, and finite differences against them.
-#include <deltaform/base/assembly_target.h>
-#include <deltaform/base/stiffness_view.h>
+#include <deltaform/assembly/assembly_target.h>
+#include <deltaform/assembly/stiffness_view.h>
 
 #include <boost/test/unit_test.hpp>
 

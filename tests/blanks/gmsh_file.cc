@@ -1,6 +1,6 @@
 // Meshes of Gmsh: those that are right are read as deal.II reads them, those that are wrong are refused in words.
 #include "../../source/blanks/gmsh_file.h"
-#include "../base/messages.h"
+#include "../messages.h"
 
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>

@@ -1,7 +1,7 @@
 // How points of a solid move and flow, by themselves: against closed forms.
 #include "../../source/blanks/solid_motion.h"
 
-#include <deltaform/base/keyed_arrays.h>
+#include <deltaform/io/keyed_arrays.h>
 
 #include <boost/test/unit_test.hpp>
 

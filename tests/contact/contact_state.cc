@@ -3,7 +3,7 @@
 
 #include <deltaform/contact/contact_measures.h>
 
-#include <deltaform/base/registry.h>
+#include <deltaform/parameters/registry.h>
 
 using namespace deltaform;
 using namespace deltaform::testing;

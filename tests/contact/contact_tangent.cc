@@ -2,8 +2,8 @@
 // enforcement: sticking, slipping, on both sides, for tools that are moved and tools that are driven by a force.
 #include "fake_surface.h"
 
-#include <deltaform/base/registry.h>
 #include <deltaform/geometry/curvature.h>
+#include <deltaform/parameters/registry.h>
 
 #include <tuple>
 

@@ -1,8 +1,8 @@
 // The heuristics of others, held against their formulas.
 #include "../materials/material_point.h"
 
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/penalty_rule.h>
+#include <deltaform/parameters/registry.h>
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
 // What every registered enforcement, penalty rule and friction law has to fulfil, whatever it is called.
 #include "../materials/material_point.h"
 
-#include <deltaform/base/registry.h>
 #include <deltaform/contact/enforcement.h>
 #include <deltaform/contact/friction_law.h>
 #include <deltaform/contact/penalty_rule.h>
+#include <deltaform/parameters/registry.h>
 
 #include <cmath>
 #include <random>

@@ -4,9 +4,9 @@
 //
 // A line of LIST: the file of a scene, then entries "A/B=c" for --set, separated by tabs. A line of VERDICTS: how it
 // ended (valid, refused, memory, exception, signal, slow), kB of memory over the start-up, seconds, and what was said.
-#include <deltaform/base/parameter_tree.h>
-#include <deltaform/base/scene_error.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/text.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/scene.h>
 

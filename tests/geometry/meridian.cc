@@ -1,4 +1,4 @@
-#include "../base/messages.h"
+#include "../messages.h"
 
 #include <deltaform/geometry/meridian.h>
 

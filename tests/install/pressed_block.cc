@@ -1,7 +1,7 @@
 // A program outside of the tree: a block of 10 by 5 with Young's modulus 1000 is pressed by a plate, increment by
 // increment; no file is read or written. The force is 2000 times the travel, less what plate and bed penetrate.
-#include <deltaform/base/command_line.h>
 #include <deltaform/materials/hardening_laws.h>
+#include <deltaform/parameters/command_line.h>
 #include <deltaform/scene/scene.h>
 
 #include <deal.II/base/mpi.h>

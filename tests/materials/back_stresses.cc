@@ -1,7 +1,7 @@
 // Registered backstresses against exact and independent values of a bar and of a sheet.
 #include "material_cases.h"
 
-#include <deltaform/base/scene_error.h>
+#include <deltaform/parameters/scene_error.h>
 
 #include <Eigen/Dense>
 

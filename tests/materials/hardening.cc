@@ -1,9 +1,9 @@
 // The hardening laws at figures worked out apart from the code (decimal arithmetic of 40 digits).
 #include "material_point.h"
 
-#include <deltaform/base/scene_error.h>
 #include <deltaform/materials/hardening_laws.h>
 #include <deltaform/materials/read_law.h>
+#include <deltaform/parameters/scene_error.h>
 
 using namespace deltaform;
 using testing::make_hardening;

@@ -1,7 +1,7 @@
 // What a scene may not say about a material.
 #include "material_point.h"
 
-#include <deltaform/base/scene_error.h>
+#include <deltaform/parameters/scene_error.h>
 
 using namespace deltaform;
 using namespace deltaform::testing;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/base/parameter_tree.h>
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/registry.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,8 +1,8 @@
 // Registered rate factors: values, and a bar that relaxes.
 #include "material_cases.h"
 
-#include <deltaform/base/scene_error.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/text.h>
 
 using namespace deltaform;
 using namespace deltaform::testing;

@@ -1,8 +1,8 @@
 // Registered yield surfaces against closed forms of sheet metal: ratios of stress, what is refused, and what they cost.
 #include "material_cases.h"
 
-#include <deltaform/base/scene_error.h>
-#include <deltaform/base/text.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/text.h>
 
 #include <boost/math/tools/roots.hpp>
 

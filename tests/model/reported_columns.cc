@@ -1,9 +1,9 @@
 // The columns of history.csv are part of the interface: add, do not rename.
 #include "../solver/mpi.h"
 
-#include <deltaform/base/parameter_tree.h>
 #include <deltaform/model/accepted_increment.h>
 #include <deltaform/model/reported_columns.h>
+#include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/scene/scene.h>
 
 #include <boost/test/unit_test.hpp>

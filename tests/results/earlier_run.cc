@@ -1,6 +1,6 @@
 #include <deltaform/results/earlier_run.h>
 
-#include "../base/messages.h"
+#include "../messages.h"
 
 #include <filesystem>
 #include <fstream>

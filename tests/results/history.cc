@@ -1,7 +1,7 @@
-#include <deltaform/base/scene_error.h>
+#include <deltaform/parameters/scene_error.h>
 #include <deltaform/results/history.h>
 
-#include "../base/messages.h"
+#include "../messages.h"
 
 #include <filesystem>
 

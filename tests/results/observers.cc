@@ -1,11 +1,11 @@
 // Every observer, told of a small run one at a time: what it writes, and that it needs none of the others.
-#include "../base/messages.h"
+#include "../messages.h"
 #include "../solver/mpi.h"
 
 #include <deltaform/analysis/analysis.h>
-#include <deltaform/base/command_line.h>
-#include <deltaform/base/parameter_tree.h>
 #include <deltaform/model/reported_columns.h>
+#include <deltaform/parameters/command_line.h>
+#include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/results/condition_numbers.h>
 #include <deltaform/results/earlier_run.h>
 #include <deltaform/results/observers.h>

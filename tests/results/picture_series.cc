@@ -1,7 +1,7 @@
-#include <deltaform/base/scene_error.h>
+#include <deltaform/parameters/scene_error.h>
 #include <deltaform/results/picture_series.h>
 
-#include "../base/messages.h"
+#include "../messages.h"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>

@@ -1,7 +1,7 @@
-#include <deltaform/base/scene_error.h>
+#include <deltaform/parameters/scene_error.h>
 #include <deltaform/results/table_file.h>
 
-#include "../base/messages.h"
+#include "../messages.h"
 
 using namespace deltaform;
 

@@ -1,7 +1,7 @@
-#include <deltaform/base/scene_error.h>
+#include <deltaform/parameters/scene_error.h>
 #include <deltaform/results/vtu.h>
 
-#include "../base/messages.h"
+#include "../messages.h"
 #include "vtu_file.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // Warnings before a run with a solid.
-#include <deltaform/base/parameter_tree.h>
-#include <deltaform/base/registry.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/registry.h>
 #include <deltaform/scene/doubtful_solid.h>
 #include <deltaform/tools/shape.h>
 

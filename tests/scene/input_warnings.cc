@@ -1,4 +1,4 @@
-#include <deltaform/base/parameter_tree.h>
+#include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/rigid_motions.h>
 

@@ -1,7 +1,7 @@
 // Tools that run into each other, and that no shipped scene has any.
 #include "scene_text.h"
 
-#include <deltaform/base/scene_error.h>
+#include <deltaform/parameters/scene_error.h>
 #include <deltaform/scene/overlapping_tools.h>
 
 #include <boost/test/unit_test.hpp>

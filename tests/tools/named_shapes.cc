@@ -1,7 +1,7 @@
-#include <deltaform/base/parameter_tree.h>
-#include <deltaform/base/registry.h>
-#include <deltaform/base/scene_error.h>
 #include <deltaform/geometry/curvature.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/scene_error.h>
 #include <deltaform/tools/shape.h>
 
 #include <boost/test/unit_test.hpp>

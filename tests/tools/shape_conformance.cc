@@ -1,6 +1,6 @@
-#include <deltaform/base/parameter_tree.h>
-#include <deltaform/base/registry.h>
 #include <deltaform/geometry/curvature.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/registry.h>
 #include <deltaform/tools/shape.h>
 
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,5 @@
-#include <deltaform/base/parameter_tree.h>
-#include <deltaform/base/scene_error.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/scene_error.h>
 #include <deltaform/tools/tool.h>
 
 #include <boost/test/unit_test.hpp>

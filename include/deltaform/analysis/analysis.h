@@ -4,12 +4,12 @@
 #include <deltaform/analysis/increment.h>
 #include <deltaform/analysis/state.h>
 #include <deltaform/analysis/step_control.h>
-#include <deltaform/base/journal.h>
-#include <deltaform/base/timers.h>
 #include <deltaform/model/checkpoint.h>
 #include <deltaform/model/function_values.h>
 #include <deltaform/model/model.h>
 #include <deltaform/model/observer.h>
+#include <deltaform/process/journal.h>
+#include <deltaform/process/timers.h>
 
 #include <memory>
 #include <optional>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <deltaform/base/makers.h>
 #include <deltaform/model/actors.h>
 #include <deltaform/model/condition.h>
+#include <deltaform/parameters/makers.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>

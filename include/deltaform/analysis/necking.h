@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/archive.h>
 #include <deltaform/blanks/sheet_section.h>
+#include <deltaform/io/archive.h>
 
 #include <string>
 #include <vector>

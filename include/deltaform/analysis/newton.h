@@ -1,10 +1,10 @@
 #pragma once
 
 #include <deltaform/analysis/damping.h>
-#include <deltaform/base/section.h>
-#include <deltaform/base/status.h>
-#include <deltaform/base/timers.h>
+#include <deltaform/assembly/status.h>
 #include <deltaform/model/equations.h>
+#include <deltaform/parameters/section.h>
+#include <deltaform/process/timers.h>
 #include <deltaform/solver/system.h>
 
 #include <string>

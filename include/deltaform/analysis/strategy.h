@@ -1,8 +1,8 @@
 #pragma once
 
 #include <deltaform/analysis/newton.h>
-#include <deltaform/base/makers.h>
 #include <deltaform/model/increment_problem.h>
+#include <deltaform/parameters/makers.h>
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/command_line.h>
+#include <deltaform/parameters/command_line.h>
 
 namespace deltaform
 {

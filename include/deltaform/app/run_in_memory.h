@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/parameter_tree.h>
+#include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/results/recorder.h>
 
 #include <functional>

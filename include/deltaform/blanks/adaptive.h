@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/side.h>
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/side.h>
+#include <deltaform/assembly/types.h>
 
 #include <array>
 #include <vector>

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <deltaform/base/assembly_target.h>
-#include <deltaform/base/energy.h>
-#include <deltaform/base/keyed_arrays.h>
-#include <deltaform/base/status.h>
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/assembly_target.h>
+#include <deltaform/assembly/contact_surface.h>
+#include <deltaform/assembly/energy.h>
+#include <deltaform/assembly/status.h>
+#include <deltaform/assembly/types.h>
 #include <deltaform/blanks/adaptive.h>
 #include <deltaform/blanks/boundary.h>
 #include <deltaform/blanks/fields.h>
 #include <deltaform/blanks/increment_size.h>
-#include <deltaform/kinematics/contact_surface.h>
+#include <deltaform/io/keyed_arrays.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>

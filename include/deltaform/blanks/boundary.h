@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/assembly_target.h>
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/assembly_target.h>
+#include <deltaform/assembly/types.h>
 
 #include <string>
 #include <utility>

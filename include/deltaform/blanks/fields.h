@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/base/drawing.h>
-#include <deltaform/base/table.h>
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
 #include <deltaform/blanks/sheet_section.h>
+#include <deltaform/io/drawing.h>
+#include <deltaform/io/table.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/assembly_target.h>
+#include <deltaform/assembly/assembly_target.h>
 #include <deltaform/contact/contact_projector.h>
 #include <deltaform/contact/contact_settings.h>
 #include <deltaform/contact/factor_control.h>

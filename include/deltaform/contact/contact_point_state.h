@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/types.h>
-#include <deltaform/kinematics/contact_node.h>
+#include <deltaform/assembly/contact_node.h>
+#include <deltaform/assembly/types.h>
 
 #include <array>
 

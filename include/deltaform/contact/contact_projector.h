@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/base/archive.h>
-#include <deltaform/base/scene_error.h>
-#include <deltaform/base/section.h>
-#include <deltaform/kinematics/contact_surface.h>
+#include <deltaform/assembly/contact_surface.h>
+#include <deltaform/io/archive.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/tools/tool.h>
 
 #include <array>

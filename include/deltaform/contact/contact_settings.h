@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/base/section.h>
-#include <deltaform/base/time_function.h>
 #include <deltaform/contact/enforcement.h>
 #include <deltaform/contact/penalty_rule.h>
+#include <deltaform/parameters/section.h>
+#include <deltaform/parameters/time_function.h>
 
 #include <map>
 #include <memory>

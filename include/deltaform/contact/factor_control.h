@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/stiffness_view.h>
+#include <deltaform/assembly/stiffness_view.h>
 #include <deltaform/contact/contact_settings.h>
 #include <deltaform/contact/interface_friction.h>
 #include <deltaform/contact/interface_state.h>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <deltaform/assembly/contact_surface.h>
 #include <deltaform/contact/contact_point_state.h>
 #include <deltaform/contact/friction_law.h>
-#include <deltaform/kinematics/contact_surface.h>
 
 #include <memory>
 #include <utility>

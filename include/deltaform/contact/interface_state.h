@@ -1,8 +1,8 @@
 #pragma once
 
-#include <deltaform/base/archive.h>
-#include <deltaform/base/energy.h>
+#include <deltaform/assembly/energy.h>
 #include <deltaform/contact/contact_point_state.h>
+#include <deltaform/io/archive.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/status.h>
+#include <deltaform/assembly/status.h>
 #include <deltaform/materials/history_layout.h>
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/range.h>
+#include <deltaform/parameters/range.h>
 
 #include <stdexcept>
 #include <string>

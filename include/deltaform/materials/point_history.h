@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/keyed_arrays.h>
+#include <deltaform/io/keyed_arrays.h>
 #include <deltaform/materials/history_layout.h>
 
 #include <cstddef>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/base/registry.h>
 #include <deltaform/materials/elasticity.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/parameter_table.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

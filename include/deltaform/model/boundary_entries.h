@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/section.h>
 #include <deltaform/blanks/blank.h>
+#include <deltaform/parameters/section.h>
 
 #include <string>
 #include <vector>

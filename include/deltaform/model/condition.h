@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/archive_fwd.h>
+#include <deltaform/io/archive_fwd.h>
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/status.h>
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/status.h>
+#include <deltaform/assembly/types.h>
 
 namespace deltaform
 {

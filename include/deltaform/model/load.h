@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/base/registry.h>
-#include <deltaform/base/time_function.h>
 #include <deltaform/blanks/blank.h>
 #include <deltaform/model/term.h>
+#include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/time_function.h>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deltaform/base/timers.h>
 #include <deltaform/model/accounts.h>
 #include <deltaform/model/actors.h>
 #include <deltaform/model/body.h>
@@ -10,6 +9,7 @@
 #include <deltaform/model/increment_problem.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/model/support_set.h>
+#include <deltaform/process/timers.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/keyed_arrays.h>
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
+#include <deltaform/io/keyed_arrays.h>
 #include <deltaform/model/released_forces.h>
 
 #include <iosfwd>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/base/archive_fwd.h>
-#include <deltaform/base/command_line.h>
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
+#include <deltaform/io/archive_fwd.h>
 #include <deltaform/model/checkpoint.h>
+#include <deltaform/parameters/command_line.h>
 
 #include <optional>
 #include <string>

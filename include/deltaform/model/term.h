@@ -1,8 +1,8 @@
 #pragma once
 
-#include <deltaform/base/assembly_target.h>
-#include <deltaform/base/status.h>
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/assembly_target.h>
+#include <deltaform/assembly/status.h>
+#include <deltaform/assembly/types.h>
 #include <deltaform/model/accounts.h>
 
 namespace deltaform

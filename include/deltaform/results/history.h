@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/csv_writer.h>
+#include <deltaform/io/csv_writer.h>
 
 #include <optional>
 #include <set>

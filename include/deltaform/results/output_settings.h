@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/section.h>
 #include <deltaform/model/stage.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/solver/condition_method.h>
 #include <deltaform/tools/tool.h>
 

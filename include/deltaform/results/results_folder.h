@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/base/folder_lock.h>
-#include <deltaform/base/journal.h>
-#include <deltaform/base/timers.h>
-#include <deltaform/base/write_behind.h>
+#include <deltaform/io/write_behind.h>
+#include <deltaform/process/folder_lock.h>
+#include <deltaform/process/journal.h>
+#include <deltaform/process/timers.h>
 #include <deltaform/results/units.h>
 
 #include <functional>

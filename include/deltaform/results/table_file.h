@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/csv_writer.h>
-#include <deltaform/base/table.h>
+#include <deltaform/io/csv_writer.h>
+#include <deltaform/io/table.h>
 #include <deltaform/results/units.h>
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/drawing.h>
+#include <deltaform/io/drawing.h>
 #include <deltaform/results/picture_series.h>
 #include <deltaform/results/units.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/base/side.h>
+#include <deltaform/assembly/side.h>
 
 #include <string>
 #include <vector>

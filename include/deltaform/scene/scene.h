@@ -1,9 +1,9 @@
 #pragma once
 
 #include <deltaform/analysis/analysis.h>
-#include <deltaform/base/journal.h>
-#include <deltaform/base/parameter_tree.h>
 #include <deltaform/model/model.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/process/journal.h>
 #include <deltaform/results/output_settings.h>
 
 #include <memory>

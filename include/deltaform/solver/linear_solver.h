@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/section.h>
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/types.h>
+#include <deltaform/parameters/section.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 

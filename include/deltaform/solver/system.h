@@ -1,8 +1,8 @@
 #pragma once
 
-#include <deltaform/base/assembly_target.h>
-#include <deltaform/base/stiffness_view.h>
-#include <deltaform/base/types.h>
+#include <deltaform/assembly/assembly_target.h>
+#include <deltaform/assembly/stiffness_view.h>
+#include <deltaform/assembly/types.h>
 #include <deltaform/solver/linear_solver.h>
 
 #include <deal.II/base/index_set.h>

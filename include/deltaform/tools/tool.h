@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/base/section.h>
-#include <deltaform/base/side.h>
+#include <deltaform/assembly/side.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/tools/shape.h>
 
 #include <map>

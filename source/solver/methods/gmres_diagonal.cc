@@ -1,6 +1,6 @@
 #include "../iterative_solver.h"
 
-#include <deltaform/base/registry.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

@@ -1,6 +1,6 @@
 #include "../direct_solver.h"
 
-#include <deltaform/base/registry.h>
+#include <deltaform/parameters/registry.h>
 
 namespace deltaform
 {

@@ -1,4 +1,4 @@
-#include <deltaform/base/registry.h>
+#include <deltaform/parameters/registry.h>
 #include <deltaform/tools/shape.h>
 
 #include <stdexcept>

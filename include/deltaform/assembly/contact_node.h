@@ -1,0 +1,41 @@
+#pragma once
+
+#include <deltaform/assembly/types.h>
+
+#include <array>
+
+namespace deltaform
+{
+  /// The thickness that keeps a tool away from the mid-surface of a shell.
+  enum class ContactThickness : unsigned char
+  {
+    current, ///< of the last accepted increment, so that the tangent stays exact
+    initial, ///< for a tool at a fixed gap to another one
+    none ///< 0: the tool touches the mid-surface
+  };
+
+  /**
+   * What contact knows of a node on one side of the blank: a point whose position depends on at most three unknowns.
+   * Shells and solids look the same.
+   */
+  struct ContactNode
+  {
+    static constexpr unsigned int max_dofs = 3;
+
+    unsigned int node = invalid_index; ///< number of the node within the blank
+    unsigned int n_dofs = 0;
+    std::array<DofIndex, max_dofs> dofs{};
+    Point2 x; ///< current position of the contact point
+    std::array<Tensor1, max_dofs> jacobian{}; ///< dx/dq_k
+    std::array<Tensor1, max_dofs> second{}; ///< d2x/dq_k2 (mixed derivatives vanish); zero but for rotations
+    double offset = 0; ///< distance from x to the face that the tool touches: half the thickness, or 0
+    double area = 0; ///< tributary area: of the full circumference, or per unit width
+    double compliance = 0; ///< [length/force] through-thickness compliance: d(half thickness)/d(normal force);
+      ///< solids: 0
+    double recovery = 0; ///< [length] elastic recovery of the face: by how much it would rise if the transverse stress
+      ///< of the last increment were removed
+    double reference_coordinate = 0; ///< R0, for output and messages
+    double thickness = 0; ///< current one, for output and messages
+    double arc_coordinate = 0; ///< S0, arc length along the undeformed blank from its start, for output
+  };
+} // namespace deltaform

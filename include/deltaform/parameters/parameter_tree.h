@@ -1,0 +1,149 @@
+#pragma once
+
+#include <deltaform/parameters/magnitudes.h>
+#include <deltaform/parameters/scene_file.h>
+#include <deltaform/parameters/section.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * All parameters of a run: what the scene says and what the objects of the program have declared. While objects are
+   * made, each declares its entries through a Section and gets their values at once (lenient pass: nobody knows yet
+   * what else will be declared); when all are made, check_unused() reads the scene again, strictly. Objects of this
+   * class stay where they are, because sections point to them.
+   */
+  class ParameterTree
+  {
+  public:
+    /// One entry as the program declares it.
+    struct Declaration
+    {
+      std::string name;
+      std::string value; ///< default, or an example if required
+      bool required = false;
+      std::string unit; ///< dimension; empty where there is none
+      std::string allowed; ///< "(0, inf)", "one of a, b"; empty for free text
+      std::string sentence;
+      std::function<void(const std::string &)> check; ///< throws std::invalid_argument if a value is not allowed
+    };
+
+    explicit ParameterTree(SceneFile scene);
+    ParameterTree(const ParameterTree &) = delete;
+    ParameterTree &operator=(const ParameterTree &) = delete;
+
+    /// Read a scene; @p overrides are "A/B/entry=value". @throws SceneError
+    static ParameterTree read(const std::string &file_name, const std::vector<std::string> &overrides = {});
+
+    /// The same for a text, called @p name in messages.
+    static ParameterTree
+    parse(const std::string &text, const std::string &name, const std::vector<std::string> &overrides = {});
+
+    /// A tree without a scene, in which required entries have their example values: everything that is registered can
+    /// be made from it.
+    static ParameterTree documentation();
+
+    Section root();
+
+    /// The scene file as the user called it.
+    const std::string &file_name() const;
+
+    /**
+     * The strict pass, after everything has been made: @throws SceneError if the scene has entries or subsections that
+     * nobody declared, naming all of them with their lines and the nearest known ones.
+     */
+    void check_unused();
+
+    /**
+     * The scene as read, completed by every default: a scene again, which reads back to the same values. Each entry
+     * comes with unit, range and sentence as a comment.
+     */
+    void print_prm(std::ostream &out) const;
+
+    /// An entry and its value, as print_prm() writes them.
+    struct Value
+    {
+      SectionPath path;
+      std::string name, text;
+    };
+
+    /// All entries, in the order of print_prm().
+    std::vector<Value> values() const;
+
+    /// An entry as it is declared, and where; a choice stands in its path as "Shape: die".
+    struct Documented
+    {
+      SectionPath path;
+      Declaration entry;
+    };
+
+    /// All entries that were declared, in the order of print_markdown().
+    std::vector<Documented> documented() const;
+
+    /// One table per section: entry, default, unit, allowed values, sentence.
+    void print_markdown(std::ostream &out) const;
+
+    /// @name For Section
+    /// @{
+
+    /// Declare an entry, at its first mention, and return the text of its value. @throws SceneError if it is required
+    /// and missing.
+    std::string declare(const SectionPath &path, const Declaration &declaration);
+
+    /// Make a section known, so that it may stand in the scene even if it stays empty.
+    void declare_section(const SectionPath &path);
+
+    bool given(const SectionPath &path, const std::string &entry) const;
+    bool is_documentation() const;
+
+    /// Throw a SceneError that opens with file, line, entry and value.
+    [[noreturn]] void fail(const SectionPath &path, const std::string &entry, const std::string &message) const;
+
+    Magnitudes &magnitudes()
+    {
+      return magnitudes_;
+    }
+
+    /// @}
+
+  private:
+    /// A section with what has been declared in it, in the order of the declarations.
+    struct Node
+    {
+      std::string name;
+      std::vector<Declaration> entries;
+      std::vector<std::unique_ptr<Node>> sections;
+
+      const Declaration *entry(const std::string &entry_name) const;
+      const Node *section(const std::string &section_name) const;
+    };
+
+    ParameterTree(SceneFile scene, bool documentation);
+
+    Node &node(const SectionPath &path);
+    const Node *find(const SectionPath &path) const;
+    std::string value(const SectionPath &path, const Declaration &declaration) const;
+
+    [[noreturn]] void fail_missing(const SectionPath &path, const Declaration &declaration) const;
+    std::string complain_about(const SceneFile::Entry &entry) const;
+    std::string complain_about(const SceneFile::Subsection &subsection) const;
+
+    void collect_values(const Node &node, const SectionPath &path, std::vector<Value> &result) const;
+    static void collect_documented(const Node &node, const SectionPath &path, std::vector<Documented> &result);
+    void print_prm(std::ostream &out, const Node &node, const SectionPath &path) const;
+    void print_markdown(std::ostream &out, const Node &node, const SectionPath &path) const;
+
+    SceneFile scene_;
+    Magnitudes magnitudes_; ///< of the numbers read so far
+    bool documentation_ = false;
+    Node root_;
+    dealii::ParameterHandler handler_;
+  };
+} // namespace deltaform

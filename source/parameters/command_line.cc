@@ -1,0 +1,283 @@
+#include <deltaform/parameters/ceilings.h>
+#include <deltaform/parameters/command_line.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/parameters/value_range.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace deltaform
+{
+  namespace
+  {
+    namespace po = boost::program_options;
+    using Command = CommandLine::Command;
+    using Strings = std::vector<std::string>;
+
+    po::options_description known_options()
+    {
+      po::options_description options;
+      auto add = options.add_options();
+      add("set", po::value<Strings>()->composing());
+      add("output", po::value<std::string>());
+      add("vary", po::value<Strings>()->composing());
+      add("jobs", po::value<int>());
+      add("seconds", po::value<double>());
+      add("svg", po::value<std::string>());
+      for (const auto *const name : {"check", "resume", "force", "quiet", "print", "list", "print-parameters",
+                                     "print-columns", "version", "help,h"})
+        add(name, po::bool_switch());
+      add("words", po::value<Strings>());
+      return options;
+    }
+
+    po::variables_map read_options(const int argc, const char *const *const argv)
+    {
+      const auto options = known_options();
+      po::positional_options_description words;
+      words.add("words", -1);
+      // No guessing of abbreviated options: a new option must not change the meaning of an old script.
+      const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+      po::variables_map values;
+      try
+      {
+        po::store(po::command_line_parser(argc, argv).options(options).positional(words).style(style).run(), values);
+      }
+      catch (const po::unknown_option &error)
+      {
+        Strings known;
+        for (const auto &option : options.options())
+          if (option->long_name() != "words")
+            known.push_back("--" + option->long_name());
+        const std::string unknown = error.get_option_name();
+        const auto is_opening = [&unknown](const std::string &name) { return name.find(unknown) == 0; };
+        const auto longer = std::find_if(known.begin(), known.end(), is_opening);
+        throw UsageError("Unknown option '" + unknown + "'; the nearest known one is '" +
+                         (longer != known.end() ? *longer : text::nearest(unknown, known)) + "'.");
+      }
+      catch (const po::error &error)
+      {
+        throw UsageError(std::string("The command line is wrong: ") + error.what() + ".");
+      }
+      return values;
+    }
+
+    template <typename T>
+    T value_or(const po::variables_map &values, const std::string &name, const T &otherwise)
+    {
+      return values.count(name) > 0 ? values[name].as<T>() : otherwise;
+    }
+
+    /// The values of --vary @p text with its ranges written out.
+    Strings with_ranges(const std::string &text, const Strings &pieces)
+    {
+      Strings result;
+      for (const auto &piece : pieces)
+        try
+        {
+          for (const auto &value : values_of_range(piece))
+            result.push_back(value);
+        }
+        catch (const std::invalid_argument &error)
+        {
+          throw UsageError("--vary \"" + text + "\": in " + piece + ", " + error.what() + ".");
+        }
+      return result;
+    }
+
+    CommandLine::Variation variation(const std::string &text)
+    {
+      const auto equals = text.find('=');
+      CommandLine::Variation result;
+      if (equals != std::string::npos)
+      {
+        // Values with commas of their own, such as tables, are separated by semicolons.
+        const std::string values = text.substr(equals + 1);
+        const char separator = values.find(';') != std::string::npos ? ';' : ',';
+        result.entry = text::trim(text.substr(0, equals));
+        auto pieces = text::split(values, separator);
+        if (separator == ';' && pieces.size() > 1 && pieces.back().empty())
+          pieces.pop_back(); // "0: 0, 1: 1;" is one value
+        result.values = with_ranges(text, pieces);
+      }
+      const bool has_gap = std::find(result.values.begin(), result.values.end(), "") != result.values.end();
+      if (result.entry.empty() || result.values.empty() || has_gap)
+        throw UsageError("--vary \"" + text + "\": expected \"Section/Entry=value,value,...\".");
+      return result;
+    }
+
+    /// The commands that are words.
+    CommandLine words_command(const po::variables_map &values, const Strings &words)
+    {
+      for (const auto &[name, value] : values)
+      {
+        // The switches of a program that was called without them are false.
+        const bool given = !value.defaulted() && name != "words";
+        if (given)
+          throw UsageError("--" + name + " does not go with 'deltaform " + words.front() + "'.");
+      }
+      CommandLine line;
+      line.command = words.front() == "new" ? Command::new_scene : Command::explain;
+      line.words = {words.begin() + 1, words.end()};
+      if (line.command == Command::explain && line.words.size() != 1)
+        throw UsageError("explain needs one name: deltaform explain \"Tools/punch/Friction coefficient\".");
+      return line;
+    }
+
+    Command chosen_command(const po::variables_map &values, const bool sweep)
+    {
+      const std::vector<std::pair<const char *, Command>> commands = {{"help", Command::help},
+                                                                      {"version", Command::version},
+                                                                      {"list", Command::list},
+                                                                      {"print-parameters", Command::print_parameters},
+                                                                      {"print-columns", Command::print_columns},
+                                                                      {"check", Command::check}};
+      Command command = sweep ? Command::sweep : Command::run;
+      std::string name = sweep ? "sweep" : "";
+      for (const auto &[option, meaning] : commands)
+        if (values[option].as<bool>())
+        {
+          if (meaning == Command::help)
+            return meaning;
+          if (!name.empty())
+            throw UsageError(name + " and --" + option + " exclude each other.");
+          name = std::string("--") + option;
+          command = meaning;
+        }
+      return command;
+    }
+
+    /// Switches that go with some commands only.
+    void check_switches(const CommandLine &line, const bool has_svg)
+    {
+      const bool sweep = line.command == Command::sweep;
+      if (line.resume && line.command != Command::run && !sweep)
+        throw UsageError("--resume goes with a run or a sweep only.");
+      if (line.print && !sweep)
+        throw UsageError("--print goes with 'deltaform sweep SCENE.prm' only.");
+      if (has_svg && (line.command != Command::check || line.svg.empty()))
+        throw UsageError("--svg FILE goes with --check only.");
+    }
+  } // namespace
+
+  CommandLine CommandLine::parse(const int argc, const char *const *const argv)
+  {
+    const auto values = read_options(argc, argv);
+    Strings words = value_or(values, "words", Strings());
+    if (!words.empty() && (words.front() == "new" || words.front() == "explain") && !values["help"].as<bool>())
+      return words_command(values, words);
+    const bool sweep = !words.empty() && words.front() == "sweep";
+    if (sweep)
+      words.erase(words.begin());
+
+    CommandLine line;
+    line.command = chosen_command(values, sweep);
+    line.sets = value_or(values, "set", Strings());
+    line.output = value_or(values, "output", std::string());
+    line.quiet = values["quiet"].as<bool>();
+    line.resume = values["resume"].as<bool>();
+    line.print = values["print"].as<bool>();
+    line.svg = value_or(values, "svg", std::string());
+    line.force = values["force"].as<bool>();
+    for (const auto &text : value_or(values, "vary", Strings()))
+    {
+      line.variations.push_back(variation(text));
+      for (std::size_t i = 0; i + 1 < line.variations.size(); ++i)
+        if (line.variations[i].entry == line.variations.back().entry)
+          throw UsageError("--vary \"" + line.variations[i].entry + "\" is stated twice.");
+    }
+    if (line.command == Command::help)
+      return line;
+
+    for (const auto &text : line.sets)
+      if (text.find('=') == std::string::npos || text.front() == '=')
+        throw UsageError("--set \"" + text + "\": expected \"Section/Entry=value\".");
+    if (values.count("output") > 0 && line.output.empty())
+      throw UsageError("--output needs the name of a folder.");
+
+    const bool computes = line.command == Command::run || sweep;
+    const bool needs_scene = computes || line.command == Command::check;
+    const bool takes_scene = needs_scene || line.command == Command::print_parameters;
+    if (words.empty() && needs_scene)
+      throw UsageError("No scene is named: deltaform SCENE.prm, or deltaform --help.");
+    if (words.size() > (takes_scene ? 1u : 0u))
+      throw UsageError("'" + words.back() + "' is one word too many.");
+    if (!words.empty())
+      line.scene = words.front();
+
+    check_switches(line, values.count("svg") > 0);
+    if (line.force && !computes)
+      throw UsageError("--force goes with a run or a sweep only.");
+    if (sweep && line.variations.empty())
+      throw UsageError("A sweep needs --vary \"Section/Entry=value,value,...\".");
+    for (const auto *const name : {"vary", "jobs", "seconds"})
+      if (!sweep && values.count(name) > 0)
+        throw UsageError(std::string("--") + name + " goes with 'deltaform sweep SCENE.prm' only.");
+    const int jobs = value_or(values, "jobs", 1);
+    if (jobs < 1)
+      throw UsageError("--jobs needs a number of at least 1.");
+    line.jobs = static_cast<unsigned int>(jobs);
+    double runs = 1.;
+    for (const auto &variation : line.variations)
+      runs *= static_cast<double>(variation.values.size());
+    if (runs > static_cast<double>(ceilings::sweep_runs))
+      throw UsageError("The values of --vary make " + text::rounded(runs) + " runs; a sweep has at most " +
+                       std::to_string(ceilings::sweep_runs) + ".");
+    line.seconds = value_or(values, "seconds", infinity);
+    if (!(line.seconds > 0))
+      throw UsageError("--seconds needs a positive number.");
+    return line;
+  }
+
+  std::string CommandLine::help()
+  {
+    return R"(deltaform: forming of sheet and bulk metal with rigid tools, where you state how far the
+blank may penetrate a tool and the program finds the penalty factors.
+
+  deltaform SCENE.prm [options]             run a scene
+  deltaform sweep SCENE.prm --vary ...      run it once per value
+  deltaform new cup my.prm ["name=value"]   write a scene to start from; 'deltaform new' lists what there is
+  deltaform explain "Blank/Layers"          what an entry means: unit, range, default
+  deltaform --list                          what can be chosen: materials, tools, rules, ...
+  deltaform --print-parameters [SCENE.prm]  every entry with default, unit, range and meaning;
+                                            of a scene: the scene completed by its defaults
+  deltaform --print-columns                 every column of history.csv with unit and meaning
+  deltaform --version | --help
+
+Options of a run
+  --set "Section/Entry=value"  replace an entry of the scene; may be repeated, the last one counts
+  --output FOLDER              write results to FOLDER instead of where the scene says
+  --check                      only say whether the scene is right; compute nothing
+  --svg FILE                   with --check: draw blank, tools and supports
+  --resume                     go on from the last saved state in the output folder
+  --force                      write into the folder although another run seems to
+  --quiet                      print warnings and errors only
+
+Options of a sweep (and --set, --output, --force, --quiet)
+  --vary "Section/Entry=a,b,c" the values to run; with several --vary, all combinations;
+                               values that contain commas: "Section/Entry=a;b;c";
+                               first:last:step is a range, such as .05:.2:.05
+  --jobs N                     runs at a time (1)
+  --seconds N                  a run that takes longer is ended; its row says so (no limit)
+  --resume                     go on with a sweep that was stopped: runs that have ended stay
+  --print                      print the commands of the runs, one per line, and run nothing
+
+Exit status
+   0  done
+   1  the scene is wrong (the message names file, line and entry)
+   2  it did not converge; what was computed is written and can be resumed
+   3  the promise, penetration <= allowed penetration, could not be kept
+  64  the command line is wrong
+ 128  and more: ended by signal number status - 128, for example 130 by Ctrl-C, 143 by kill;
+      the state is saved, and can be resumed
+  A sweep is done if all its runs are; else its status is the largest of theirs.
+
+Examples
+  deltaform prm/cup.prm --output output/cup
+  deltaform prm/cup.prm --set "Contact/Allowed penetration=1e-4" --set "Blank/Elements=100"
+  deltaform sweep prm/cup.prm --vary "Contact/Allowed penetration=1e-3,1e-5,1e-7" --jobs 2
+)";
+  }
+} // namespace deltaform
