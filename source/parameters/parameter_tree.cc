@@ -1,71 +1,12 @@
+#include <deltaform/parameters/ceilings.h>
+#include <deltaform/parameters/parameter_pages.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/parameters/text.h>
-
-#include <algorithm>
-#include <stdexcept>
+#include <deltaform/parameters/unknown_entries.h>
 
 namespace deltaform
 {
-  namespace
-  {
-    /// Lets deal.II's handler judge values as the declaration does.
-    class CheckedPattern : public dealii::Patterns::PatternBase
-    {
-    public:
-      explicit CheckedPattern(const ParameterTree::Declaration &declaration)
-        : allowed_(declaration.allowed), check_(declaration.check)
-      {
-      }
-
-      bool match(const std::string &value) const override
-      {
-        try
-        {
-          check_(value);
-          return true;
-        }
-        catch (const std::invalid_argument &)
-        {
-          return false;
-        }
-      }
-
-      std::string description(const OutputStyle) const override
-      {
-        return allowed_;
-      }
-
-      std::unique_ptr<PatternBase> clone() const override
-      {
-        return std::make_unique<CheckedPattern>(*this);
-      }
-
-    private:
-      std::string allowed_;
-      std::function<void(const std::string &)> check_;
-    };
-
-    /// What only the author of a declaration can get wrong.
-    void check_declaration(const SectionPath &path, const ParameterTree::Declaration &declaration)
-    {
-      const std::string who = "The declaration of '" + to_string(path, declaration.name) + "' ";
-      AssertThrow(declaration.name.find_first_of("/=#\n") == std::string::npos,
-                  dealii::ExcMessage(who + "has one of the characters / = # in its name."));
-      AssertThrow(declaration.value.find_first_of("#\n") == std::string::npos,
-                  dealii::ExcMessage(who + "has a default that is not one line, or contains '#'."));
-      try
-      {
-        declaration.check(declaration.value);
-      }
-      catch (const std::invalid_argument &error)
-      {
-        AssertThrow(
-          false, dealii::ExcMessage(who + "has the default '" + declaration.value + "', which " + error.what() + "."));
-      }
-    }
-  } // namespace
-
   ParameterTree::ParameterTree(SceneFile scene)
     : ParameterTree(std::move(scene), false)
   {
@@ -112,35 +53,15 @@ namespace deltaform
 
   std::string ParameterTree::declare(const SectionPath &path, const Declaration &declaration)
   {
-    Node &section = node(path);
-    if (const Declaration *const earlier = section.entry(declaration.name))
-    {
-      AssertThrow(earlier->value == declaration.value && earlier->required == declaration.required &&
-                    earlier->unit == declaration.unit && earlier->allowed == declaration.allowed,
-                  dealii::ExcMessage("'" + to_string(path, declaration.name) + "' is declared in two ways."));
-    }
-    else
-    {
-      check_declaration(path, declaration);
-      for (const auto &name : path)
-        handler_.enter_subsection(name);
-      handler_.declare_entry(declaration.name,
-                             declaration.value,
-                             CheckedPattern(declaration),
-                             declaration.sentence,
-                             declaration.required && !documentation_);
-      for (std::size_t i = 0; i < path.size(); ++i)
-        handler_.leave_subsection();
-      section.entries.push_back(declaration);
-    }
+    deltaform::declare(root_.make(path), path, declaration);
     if (declaration.required && !documentation_ && !given(path, declaration.name))
-      fail_missing(path, declaration);
+      throw SceneError(missing_entry(scene_, root_, path, declaration));
     return value(path, declaration);
   }
 
   void ParameterTree::declare_section(const SectionPath &path)
   {
-    node(path);
+    root_.make(path);
   }
 
   bool ParameterTree::given(const SectionPath &path, const std::string &entry) const
@@ -159,46 +80,71 @@ namespace deltaform
     return given == nullptr ? declaration.value : given->value;
   }
 
-  const ParameterTree::Declaration *ParameterTree::Node::entry(const std::string &entry_name) const
+  void ParameterTree::fail(const SectionPath &path, const std::string &entry, const std::string &message) const
   {
-    for (const auto &candidate : entries)
-      if (candidate.name == entry_name)
-        return &candidate;
-    return nullptr;
-  }
-
-  const ParameterTree::Node *ParameterTree::Node::section(const std::string &section_name) const
-  {
-    for (const auto &candidate : sections)
-      if (candidate->name == section_name)
-        return candidate.get();
-    return nullptr;
-  }
-
-  ParameterTree::Node &ParameterTree::node(const SectionPath &path)
-  {
-    Node *node = &root_;
-    for (const auto &name : path)
+    const std::string who = to_string(path, entry);
+    if (const auto *const given = scene_.find(path, entry))
     {
-      const auto same_name = [&name](const std::unique_ptr<Node> &candidate) { return candidate->name == name; };
-      auto next = std::find_if(node->sections.begin(), node->sections.end(), same_name);
-      if (next == node->sections.end())
-      {
-        node->sections.push_back(std::make_unique<Node>());
-        next = std::prev(node->sections.end());
-        (*next)->name = name;
-      }
-      node = next->get();
+      constexpr std::size_t most = 200;
+      const std::string value =
+        given->value.size() <= most ? given->value : text::printable(given->value.substr(0, most)) + "...";
+      throw SceneError(given->origin.to_string() + ": " + who + " = " + value + ": " + message);
     }
-    return *node;
+
+    std::string where = scene_.name;
+    for (const auto &place : {below(path, entry), path})
+      if (const auto *const subsection = scene_.find(place))
+      {
+        where = subsection->origin.to_string();
+        break;
+      }
+    const DeclaredSection *const section = root_.find(path);
+    const Declaration *const declaration = section == nullptr ? nullptr : section->entry(entry);
+    const std::string value = declaration == nullptr ? "" : " = " + declaration->value + " (the default)";
+    throw SceneError(where + ": " + who + value + ": " + message);
   }
 
-  const ParameterTree::Node *ParameterTree::find(const SectionPath &path) const
+  void ParameterTree::check_unused()
   {
-    const Node *node = &root_;
-    for (const auto &name : path)
-      if (node != nullptr)
-        node = node->section(name);
-    return node;
+    std::vector<std::string> complaints = unknown_entries(scene_, root_);
+    if (const std::size_t n = complaints.size(); n > ceilings::complaints)
+    {
+      complaints.resize(ceilings::complaints);
+      complaints.push_back("... and " + std::to_string(n - ceilings::complaints) + " more.");
+    }
+    if (!complaints.empty())
+      throw SceneError(text::join(complaints, "\n"));
+  }
+
+  void ParameterTree::print_prm(std::ostream &out) const
+  {
+    deltaform::print_prm(out, root_, {}, [this](const SectionPath &path, const Declaration &entry) {
+      return value(path, entry);
+    });
+  }
+
+  std::vector<ParameterTree::Value> ParameterTree::values() const
+  {
+    std::vector<Value> result;
+    root_.visit({}, [&](const DeclaredSection &section, const SectionPath &path) {
+      for (const auto &entry : section.entries)
+        result.push_back({path, entry.name, value(path, entry)});
+    });
+    return result;
+  }
+
+  std::vector<ParameterTree::Documented> ParameterTree::documented() const
+  {
+    std::vector<Documented> result;
+    root_.visit({}, [&](const DeclaredSection &section, const SectionPath &path) {
+      for (const auto &entry : section.entries)
+        result.push_back({path, entry});
+    });
+    return result;
+  }
+
+  void ParameterTree::print_markdown(std::ostream &out) const
+  {
+    deltaform::print_markdown(out, root_);
   }
 } // namespace deltaform

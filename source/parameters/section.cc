@@ -14,7 +14,7 @@ namespace deltaform
   namespace
   {
     /// What an expected piece of text should have been: the end of a complaint.
-    std::string described(const ParameterTree::Declaration &declaration)
+    std::string described(const Declaration &declaration)
     {
       const std::string unit = declaration.unit.empty() ? "" : " [" + declaration.unit + "]";
       return unit + (declaration.sentence.empty() ? "." : ". " + declaration.sentence);
@@ -23,7 +23,7 @@ namespace deltaform
     /// Declare the entry and convert its value by @p convert, which throws std::invalid_argument if it cannot.
     template <typename Convert>
     auto
-    read(ParameterTree &tree, const SectionPath &path, ParameterTree::Declaration declaration, const Convert &convert)
+    read(ParameterTree &tree, const SectionPath &path, Declaration declaration, const Convert &convert)
     {
       declaration.check = [convert](const std::string &value) { convert(value); };
       const std::string text = tree.declare(path, declaration);

@@ -1,6 +1,8 @@
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/scene_error.h>
 
+#include <deal.II/base/parameter_handler.h>
+
 #include "../messages.h"
 
 using namespace deltaform;

@@ -1,14 +1,11 @@
 #pragma once
 
+#include <deltaform/parameters/declared_section.h>
 #include <deltaform/parameters/magnitudes.h>
 #include <deltaform/parameters/scene_file.h>
 #include <deltaform/parameters/section.h>
 
-#include <deal.II/base/parameter_handler.h>
-
-#include <functional>
 #include <iosfwd>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,24 +14,12 @@ namespace deltaform
   /**
    * All parameters of a run: what the scene says and what the objects of the program have declared. While objects are
    * made, each declares its entries through a Section and gets their values at once (lenient pass: nobody knows yet
-   * what else will be declared); when all are made, check_unused() reads the scene again, strictly. Objects of this
+   * what else will be declared); when all are made, check_unused() says what the scene has too much. Objects of this
    * class stay where they are, because sections point to them.
    */
   class ParameterTree
   {
   public:
-    /// One entry as the program declares it.
-    struct Declaration
-    {
-      std::string name;
-      std::string value; ///< default, or an example if required
-      bool required = false;
-      std::string unit; ///< dimension; empty where there is none
-      std::string allowed; ///< "(0, inf)", "one of a, b"; empty for free text
-      std::string sentence;
-      std::function<void(const std::string &)> check; ///< throws std::invalid_argument if a value is not allowed
-    };
-
     explicit ParameterTree(SceneFile scene);
     ParameterTree(const ParameterTree &) = delete;
     ParameterTree &operator=(const ParameterTree &) = delete;
@@ -114,36 +99,13 @@ namespace deltaform
     /// @}
 
   private:
-    /// A section with what has been declared in it, in the order of the declarations.
-    struct Node
-    {
-      std::string name;
-      std::vector<Declaration> entries;
-      std::vector<std::unique_ptr<Node>> sections;
-
-      const Declaration *entry(const std::string &entry_name) const;
-      const Node *section(const std::string &section_name) const;
-    };
-
     ParameterTree(SceneFile scene, bool documentation);
 
-    Node &node(const SectionPath &path);
-    const Node *find(const SectionPath &path) const;
     std::string value(const SectionPath &path, const Declaration &declaration) const;
-
-    [[noreturn]] void fail_missing(const SectionPath &path, const Declaration &declaration) const;
-    std::string complain_about(const SceneFile::Entry &entry) const;
-    std::string complain_about(const SceneFile::Subsection &subsection) const;
-
-    void collect_values(const Node &node, const SectionPath &path, std::vector<Value> &result) const;
-    static void collect_documented(const Node &node, const SectionPath &path, std::vector<Documented> &result);
-    void print_prm(std::ostream &out, const Node &node, const SectionPath &path) const;
-    void print_markdown(std::ostream &out, const Node &node, const SectionPath &path) const;
 
     SceneFile scene_;
     Magnitudes magnitudes_; ///< of the numbers read so far
     bool documentation_ = false;
-    Node root_;
-    dealii::ParameterHandler handler_;
+    DeclaredSection root_;
   };
 } // namespace deltaform

@@ -1,5 +1,4 @@
-// A ParameterTree as a scene and as a page of documentation.
-#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/parameter_pages.h>
 #include <deltaform/parameters/text.h>
 
 #include <ostream>
@@ -43,16 +42,11 @@ namespace deltaform
     }
   } // namespace
 
-  void ParameterTree::print_prm(std::ostream &out) const
-  {
-    print_prm(out, root_, {});
-  }
-
-  void ParameterTree::print_prm(std::ostream &out, const Node &node, const SectionPath &path) const
+  void print_prm(std::ostream &out, const DeclaredSection &section, const SectionPath &path, const ValueOf &value)
   {
     const std::string indent(2 * path.size(), ' ');
     bool first = true;
-    for (const auto &entry : node.entries)
+    for (const auto &entry : section.entries)
     {
       std::string comment = entry.unit.empty() ? "" : "[" + entry.unit + "] ";
       if (!entry.allowed.empty())
@@ -67,82 +61,32 @@ namespace deltaform
       const std::string text = value(path, entry);
       out << indent << "set " << entry.name << " =" << (text.empty() ? "" : " ") << text << '\n';
     }
-    for (const auto &section : node.sections)
+    for (const auto &inner : section.sections)
     {
-      SectionPath inner = path;
-      inner.push_back(section->name);
       std::ostringstream content;
-      print_prm(content, *section, inner);
+      print_prm(content, *inner, below(path, inner->name), value);
       if (content.str().empty())
         continue;
       if (!first)
         out << '\n';
       first = false;
-      out << indent << "subsection " << section->name << '\n'
+      out << indent << "subsection " << inner->name << '\n'
           << content.str() << indent << "end\n";
     }
   }
 
-  std::vector<ParameterTree::Value> ParameterTree::values() const
+  void print_markdown(std::ostream &out, const DeclaredSection &root)
   {
-    std::vector<Value> result;
-    collect_values(root_, {}, result);
-    return result;
-  }
-
-  void ParameterTree::collect_values(const Node &node, const SectionPath &path, std::vector<Value> &result) const
-  {
-    for (const auto &entry : node.entries)
-      result.push_back({path, entry.name, value(path, entry)});
-    for (const auto &section : node.sections)
-    {
-      SectionPath inner = path;
-      inner.push_back(section->name);
-      collect_values(*section, inner, result);
-    }
-  }
-
-  std::vector<ParameterTree::Documented> ParameterTree::documented() const
-  {
-    std::vector<Documented> result;
-    collect_documented(root_, {}, result);
-    return result;
-  }
-
-  void ParameterTree::collect_documented(const Node &node, const SectionPath &path, std::vector<Documented> &result)
-  {
-    for (const auto &entry : node.entries)
-      result.push_back({path, entry});
-    for (const auto &section : node.sections)
-    {
-      SectionPath inner = path;
-      inner.push_back(section->name);
-      collect_documented(*section, inner, result);
-    }
-  }
-
-  void ParameterTree::print_markdown(std::ostream &out) const
-  {
-    print_markdown(out, root_, {});
-  }
-
-  void ParameterTree::print_markdown(std::ostream &out, const Node &node, const SectionPath &path) const
-  {
-    if (!node.entries.empty())
-    {
+    root.visit({}, [&out](const DeclaredSection &section, const SectionPath &path) {
+      if (section.entries.empty())
+        return;
       out << "## " << (path.empty() ? "Outermost level" : to_string(path)) << "\n\n"
           << "| entry | default | unit | allowed | meaning |\n|---|---|---|---|---|\n";
-      for (const auto &entry : node.entries)
+      for (const auto &entry : section.entries)
         out << "| " << cell(entry.name) << " | "
             << (entry.required ? "required, e.g. " + code(entry.value) : code(entry.value)) << " | " << cell(entry.unit)
             << " | " << cell(entry.allowed) << " | " << cell(entry.sentence) << " |\n";
       out << '\n';
-    }
-    for (const auto &section : node.sections)
-    {
-      SectionPath inner = path;
-      inner.push_back(section->name);
-      print_markdown(out, *section, inner);
-    }
+    });
   }
 } // namespace deltaform
