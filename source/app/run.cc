@@ -18,6 +18,7 @@
 #include <deltaform/process/interruption.h>
 #include <deltaform/process/ranks.h>
 #include <deltaform/results/earlier_run.h>
+#include <deltaform/results/measure.h>
 #include <deltaform/results/observers.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/scene.h>
@@ -174,6 +175,7 @@ namespace deltaform
       list<Registry<PenaltyRule>>("Contact/Penalty rule");
       list<Registry<LinearMethod>>("Solver/Linear solver");
       list<LoadRegistry>("Loads/<name>/Kind");
+      list<MeasureRegistry>("Output/Measures/<name>/Kind");
       list<StrategyMakers>("Ways to solve an increment");
       list<ConditionMakers>("Conditions that every run is watched for");
       list<ObserverMakers>("Shown and written, besides history.csv");

@@ -98,6 +98,7 @@ namespace deltaform
                     {"time", "time"},
                     {"travel", "length"},
                     {"force_z", "force"},
+                    {"max_force", "force"},
                     {"increments", "1"},
                     {"newton_iterations", "1"},
                     {"penalty_rounds", "1"},
@@ -128,6 +129,10 @@ namespace deltaform
                                                  last(history, "time"),
                                                  last(history, run.main_tool + "_travel"),
                                                  last(history, run.main_tool + "_force_z"),
+                                                 summary.get<double>(
+                                                   boost::property_tree::ptree::path_type(
+                                                     "tools/" + run.main_tool + "/max_force", '/'),
+                                                   nan),
                                                  number("increments"),
                                                  number("newton_iterations"),
                                                  number("penalty_rounds"),

@@ -1,11 +1,26 @@
+#include "collector.h"
+
 #include <deltaform/model/boundary_entries.h>
 #include <deltaform/model/load.h>
+#include <deltaform/model/load_way.h>
 
 namespace deltaform
 {
-  Load::Load(Section &section, const Blank &blank, const std::string &unit, const std::string &sentence)
+  Load::Load(Section &section, const Blank &blank, const LoadWords &words)
     : name_(section.title()),
-      value_(section.function("Value", required("0"), unit, sentence, {{"thickness", blank.initial_thickness()}})),
+      value_(section.function("Value", required("0"), words.unit, words.sentence,
+                              {{"thickness", blank.initial_thickness()}})),
+      follows_way_(section.choice("Control", "load",
+                                  words.way.empty() ? std::vector<std::string>{"load"}
+                                                    : std::vector<std::string>{"load", words.way},
+                                  words.way == "volume"
+                                    ? "What Value is: the load itself, or the volume that the face has swept since the "
+                                      "start (length^3; plane strain: length^2). The load then follows from "
+                                      "equilibrium, also past its maximum."
+                                    : "What Value is: the load itself, or the mean displacement (rad for a rotation) of "
+                                      "what is loaded. The load then follows from equilibrium, also past its "
+                                      "maximum.") != "load"),
+      is_mean_(words.way != "volume"),
       stages_(section.names(
         "Stages", "", "Stages in which the load acts (empty: all). It is released gradually in the next."))
   {
@@ -18,9 +33,19 @@ namespace deltaform
   }
 
 
+  double Load::unit_force(const unsigned int n) const
+  {
+    Collector forces(n);
+    add(Vector(n), 1., forces);
+    return forces.residual.l1_norm();
+  }
+
+
   Status Load::assemble(const Vector &q, const double time, AssemblyTarget &target)
   {
-    add(q, value_(time), target);
+    add(q, size(q, time), target);
+    if (follows_way_)
+      LoadWay(*this, q).assemble(value_(time) * (is_mean_ ? unit_force(q.size()) : 1.), target);
     return {};
   }
 } // namespace deltaform

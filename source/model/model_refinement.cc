@@ -27,6 +27,9 @@ namespace deltaform
   {
     std::vector<Vector> fields{state_.unknowns, state_.hold};
     const std::vector<double> travels = contact_.travels(state_.unknowns);
+    std::vector<double> sizes;
+    for (const auto &load : actors_.loads)
+      sizes.push_back(load->follows_way() ? state_.unknowns[load->unknown()] : 0.);
     actors_.blank->adaptive()->refine(fields);
     renumber();
     const unsigned int n_blank = actors_.blank->n_dofs();
@@ -35,6 +38,9 @@ namespace deltaform
       state_.unknowns[i] = fields[0][i];
       state_.hold[i] = fields[1][i];
     }
+    for (unsigned int i = 0; i < sizes.size(); ++i)
+      if (actors_.loads[i]->follows_way())
+        state_.unknowns[actors_.loads[i]->unknown()] = sizes[i];
     contact_.transfer(travels, state_.unknowns);
     book_.renew_loads(state_);
   }

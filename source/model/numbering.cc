@@ -37,10 +37,17 @@ namespace deltaform
           contact_unknowns.push_back(interface.multiplier_dof(i));
       }
     }
+    for (const auto &load : actors.loads)
+      if (load->follows_way())
+        load->set_unknown(n_sparse + n_border++);
     is_fixed.assign(n(), false);
     for (const auto dof : blank.fixed_dofs())
       is_fixed[dof] = true;
     measure(blank);
+    // The size of a load compares with displacements by its forces over a stiffness, its row by the inverse.
+    for (const auto &load : actors.loads)
+      if (load->follows_way())
+        scale[load->unknown()] = load->unit_force(n()) / blank.stiffness_scale();
   }
 
 

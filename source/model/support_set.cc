@@ -21,6 +21,10 @@ namespace deltaform
     for (const auto &interface : actors_.interfaces)
       if (interface->tool().force_driven() && !interface->tool().exists_in(stage_))
         is_prescribed_[interface->travel_dof()] = true;
+    // Nor does the size of a load that is absent.
+    for (const auto &load : actors_.loads)
+      if (load->follows_way() && !load->acts_in(stage_))
+        is_prescribed_[load->unknown()] = true;
   }
 
 

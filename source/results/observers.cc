@@ -14,7 +14,8 @@ namespace deltaform
     /// What columns are named after.
     struct Names
     {
-      std::vector<std::string> tools, supports, loads;
+      std::vector<std::string> tools, supports, loads, other_loads, pressures; ///< `loads`: all
+      std::vector<Probe> probes;
     };
 
     template <typename Named>
@@ -28,7 +29,9 @@ namespace deltaform
 
     Names names_of(const Actors &actors)
     {
-      Names names{names_of(actors.tools), {}, names_of(actors.loads)};
+      Names names{names_of(actors.tools), {}, names_of(actors.loads), {}, {}, actors.probes};
+      for (const auto &load : actors.loads)
+        (load->pressed_face().empty() ? names.other_loads : names.pressures).push_back(load->name());
       for (const auto &support : actors.supports)
         names.supports.push_back(support.name);
       return names;
@@ -77,7 +80,20 @@ namespace deltaform
            describe_supports(names.supports, columns);
            describe_loads(names.loads, columns);
            describe_balance(columns);
-         }}};
+           describe_load_sizes(names.other_loads, columns);
+         }},
+        {"Loads that press on a face",
+         [](const Model &model, const OutputSettings &, const ConditionReport *) {
+           return !names_of(model.actors()).pressures.empty();
+         },
+         [](const Names &names, const ConditionReport *, Columns &columns) {
+           describe_pressures(names.pressures, columns);
+         }},
+        {"Probes",
+         [](const Model &model, const OutputSettings &, const ConditionReport *) {
+           return !model.actors().probes.empty();
+         },
+         [](const Names &names, const ConditionReport *, Columns &columns) { describe_probes(names.probes, columns); }}};
       return all;
     }
 
@@ -104,11 +120,14 @@ namespace deltaform
     out << "# Columns of history.csv\n\n"
            "Made by `deltaform --print-columns`. What a scene does not have, or does not ask for, has no column.\n"
            "Tools, supports and loads stand with their names, underscores in place of blanks: a tool `die 2` has "
-           "`die_2_force_z`.\n";
+           "`die_2_force_z`. A probe (`Output/Probes`) adds a column `<probe>_<field>` for each of its fields, the columns of "
+           "[profile_*.csv](output.md#profile_csv).\n";
     for (const auto &group : groups())
     {
       Columns columns;
-      group.describe({{"<tool>"}, {"<support>"}, {"<load>"}}, nullptr, columns);
+      group.describe({{"<tool>"}, {"<support>"}, {"<load>"}, {"<load>"}, {"<load>"}, {}}, nullptr, columns);
+      if (columns.columns().empty())
+        continue;
       out << "\n## " << group.title << "\n\n| column | unit | meaning |\n|---|---|---|\n";
       for (const auto &column : columns.columns())
         out << "| `" << column.name << "` | " << column.dimension << " | " << column.meaning << " |\n";

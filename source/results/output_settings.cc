@@ -1,3 +1,4 @@
+#include <deltaform/parameters/text.h>
 #include <deltaform/results/output_settings.h>
 
 #include <algorithm>
@@ -15,7 +16,9 @@ namespace deltaform
                         "",
                         "length",
                         "Travels of the main tool at which profile_*.csv, contact_*.csv and tools_*.csv are written; "
-                        "the increments meet them. Empty: at the end of each stage."))
+                        "the increments meet them. Empty, and no Times: at the end of each stage.")),
+      times(section.numbers("Times", "", "time",
+                            "Times at which the same tables are written, beside Travels; the increments meet them."))
   {
     std::vector<std::string> names{""};
     for (const auto &tool : tools)
@@ -57,13 +60,45 @@ namespace deltaform
 
     const double end = stages.back().end;
     choose_main_tool(main, tools, end);
-    if (travels.empty())
-      for (const auto &stage : stages)
-        travel_times.push_back(stage.end);
-    else
-      find_travel_times(section, tools, end);
+    find_table_times(section, tools, stages);
+    read_measures(section.sub("Measures"));
     for (int i = 1; i <= frames; ++i)
       frame_times.push_back(end * i / frames);
+  }
+
+
+  void OutputSettings::find_table_times(const Section &section, const std::vector<std::unique_ptr<Tool>> &tools,
+                                        const std::vector<Stage> &stages)
+  {
+    const double end = stages.back().end;
+    if (travels.empty() && times.empty())
+      for (const auto &stage : stages)
+        travel_times.push_back(stage.end);
+    if (!travels.empty())
+      find_travel_times(section, tools, end);
+    for (const double time : times)
+    {
+      if (!(time > 0. && time <= end))
+        section.fail("Times", text::format(time) + " is not between the start and the end of the process, " +
+                                text::format(end));
+      travel_times.push_back(time);
+    }
+    std::sort(travel_times.begin(), travel_times.end());
+    travel_times.erase(std::unique(travel_times.begin(), travel_times.end()), travel_times.end());
+  }
+
+
+  void OutputSettings::read_measures(Section section)
+  {
+    auto names = section.section_names("Names", "", "Radii, angles and lengths of the finished part, one subsection "
+                                                    "each; summary.json has them.");
+    if (section.documentation())
+      names = {"<name>"};
+    for (const auto &name : names)
+    {
+      Section own = section.sub(name);
+      measures.push_back(MeasureRegistry::choose(own, "Kind", "u-bend", "What is measured."));
+    }
   }
 
 
@@ -92,6 +127,5 @@ namespace deltaform
         section.fail("Travels", "tool '" + tools[main_tool]->name() + "' never reaches " + std::to_string(travel));
       travel_times.push_back(time);
     }
-    std::sort(travel_times.begin(), travel_times.end());
   }
 } // namespace deltaform

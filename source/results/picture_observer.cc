@@ -47,12 +47,13 @@ namespace deltaform
 
     /// The pressures that act on each face in a stage, summed; a node of two faces shows the larger one.
     std::vector<double>
-    load_pressure(const Actors &actors, const std::string &stage, const double time, const std::size_t n_nodes)
+    load_pressure(const Model &model, const std::string &stage, const double time, const std::size_t n_nodes)
     {
+      const Actors &actors = model.actors();
       std::map<std::string, double> on_face;
       for (const auto &load : actors.loads)
         if (const std::string face = load->pressed_face(); !face.empty() && load->acts_in(stage))
-          on_face[face] += load->value()(time);
+          on_face[face] += load->size(model.committed(), time);
       std::vector<double> result(n_nodes, 0.);
       for (const auto &[face, pressure] : on_face)
         for (const auto node : actors.blank->boundary().face_nodes(face))
@@ -82,7 +83,7 @@ namespace deltaform
         fields = contact_fields(model, n_nodes);
       const auto &loads = actors.loads;
       if (std::any_of(loads.begin(), loads.end(), [](const auto &load) { return !load->pressed_face().empty(); }))
-        fields.push_back({"load_pressure", "stress", true, 1, load_pressure(actors, stage, time, n_nodes)});
+        fields.push_back({"load_pressure", "stress", true, 1, load_pressure(model, stage, time, n_nodes)});
       return fields;
     }
 

@@ -34,6 +34,23 @@ namespace deltaform
     promise_ = std::max(promise_, increment.contact().max_penetration_over_delta);
     between_ = std::max(between_, increment.contact().max_penetration_between_nodes);
     remember(increment);
+    remember_forces(increment.model);
+    if (!output_.measures.empty() && increment.ends_stage && &increment.stage != &increment.model.actors().stages.back())
+      formed_ = increment.profile();
+  }
+
+
+  void RunSummary::remember_forces(const Model &model)
+  {
+    const auto &tools = model.actors().tools;
+    forces_.resize(tools.size(), 0.);
+    travels_.resize(tools.size(), 0.);
+    for (unsigned int i = 0; i < tools.size(); ++i)
+      if (const double force = -(model.tool_forces()[i] * tools[i]->direction()); force > forces_[i])
+      {
+        forces_[i] = force;
+        travels_[i] = model.travel(i);
+      }
   }
 
 
@@ -76,7 +93,16 @@ namespace deltaform
     for (unsigned int i = 0; any_ && i < model.actors().tools.size(); ++i)
       summary["tools"][model.actors().tools[i]->name()] = {{"travel", model.travel(i)},
                                                            {"force_z", model.tool_forces()[i][1]},
-                                                           {"force_r", model.tool_forces()[i][0]}};
+                                                           {"force_r", model.tool_forces()[i][0]},
+                                                           {"max_force", i < forces_.size() ? forces_[i] : 0.},
+                                                           {"max_force_travel", i < forces_.size() ? travels_[i] : 0.}};
+    for (const auto &measure : output_.measures)
+    {
+      const Table now = model.blank().fields().profile(model.committed());
+      auto &results = summary["measures"][measure->name()] = nlohmann::ordered_json::object();
+      for (const auto &[name, value] : measure->of(now, formed_.rows.empty() ? now : formed_))
+        results[name] = value;
+    }
     summary["min_thickness"] = thinnest_;
     summary["max_penetration_over_delta"] = promise_;
     summary["max_penetration_between_nodes"] = between_;

@@ -6,8 +6,11 @@
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include <string>
+#include <vector>
 
 namespace deltaform
 {
@@ -33,20 +36,25 @@ namespace deltaform
 
     void save(boost::archive::binary_oarchive &archive) const
     {
-      archive << cost_.rounds << cost_.correction_iterations << cost_.cutbacks << promise_ << between_;
+      archive << cost_.rounds << cost_.correction_iterations << cost_.cutbacks << promise_ << between_ << forces_
+              << travels_ << formed_.names << formed_.units << formed_.rows;
     }
 
     void load(boost::archive::binary_iarchive &archive)
     {
-      archive >> cost_.rounds >> cost_.correction_iterations >> cost_.cutbacks >> promise_ >> between_;
+      archive >> cost_.rounds >> cost_.correction_iterations >> cost_.cutbacks >> promise_ >> between_ >> forces_ >>
+        travels_ >> formed_.names >> formed_.units >> formed_.rows;
     }
 
   private:
     void remember(const AcceptedIncrement &increment);
+    void remember_forces(const Model &model);
 
     const OutputSettings &output_;
     IncrementCost cost_; ///< of the run
     double promise_ = 0., between_ = 0.; ///< largest p/delta and penetration between nodes of the run
+    std::vector<double> forces_, travels_; ///< of each tool: the largest that it has pressed with, and where
+    Table formed_; ///< profile at the end of the last stage but one; empty where nobody asks for it
     bool any_ = false; ///< was any increment accepted?
     double time_ = 0., thinnest_ = 0., energy_error_ = 0.; ///< of the last accepted increment
   };

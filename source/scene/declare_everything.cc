@@ -7,6 +7,7 @@
 #include <deltaform/materials/yield_surface.h>
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/units_label.h>
+#include <deltaform/results/measure.h>
 #include <deltaform/scene/scene.h>
 
 namespace deltaform
@@ -41,6 +42,7 @@ namespace deltaform
     declare_each<PenaltyRule>(contact, "Penalty rule");
     declare_each<Shape>(root.sub("Tools").sub("<name>"), "Shape");
     declare_each<FrictionLaw>(root.sub("Tools").sub("<name>"), "Friction law");
+    declare_each<Measure>(root.sub("Output").sub("Measures").sub("<name>"), "Kind");
     declare_each<Load>(root.sub("Loads").sub("<name>"), "Kind", blank);
   }
 } // namespace deltaform

@@ -93,7 +93,10 @@ namespace deltaform
     for (const auto &support : actors.supports)
       take("Supports", support.name, {"_reaction"});
     for (const auto &load : actors.loads)
-      take("Loads", load->name(), {"_force_z", "_force_r"});
+      take("Loads", load->name(), {"_force_z", "_force_r", "_size", "_pressure", "_volume", "_height"});
+    for (const auto &probe : actors.probes)
+      for (const auto &field : probe.fields())
+        take("Output/Probes", probe.name(), {"_" + field.name});
   }
 
 

@@ -2,6 +2,7 @@
 #include "../blanks/any_blank.h"
 
 #include <deltaform/model/load.h>
+#include <deltaform/model/load_way.h>
 
 using namespace deltaform;
 using namespace deltaform::testing;
@@ -90,6 +91,71 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative)
                   };
                   BOOST_TEST(tangent_error(beside_springs, q, std::vector<double>(q.size(), 1.), 1e-4) < 1e-9);
                 });
+}
+
+BOOST_AUTO_TEST_CASE(the_way_is_what_the_load_works_on)
+{
+  // dV = f.dq where nodes go straight, and beside it where the ends of a face turn off; by central differences.
+  std::mt19937 generator(13);
+  for_all_loads(curved_and_coarse,
+                [&](Load &load, Blank &blank) {
+                  const Vector q = random_state(blank, generator, .02), d = random_state(blank, generator, 1.);
+                  constexpr double h = 1e-5;
+                  Vector before = q, after = q;
+                  before.add(-h, d);
+                  after.add(h, d);
+                  const double slope = (LoadWay(load, after).value() - LoadWay(load, before).value()) / (2. * h);
+                  BOOST_TEST(std::abs(LoadWay(load, q).gradient() * d - slope) <= 1e-7 * std::abs(slope) + 1e-12);
+                  // Along the straight way itself the gradient is the force.
+                  Vector along = q;
+                  along *= .5;
+                  double work = 0.;
+                  for (DofIndex i = 0; i < q.size(); ++i)
+                    work += forces(load, along, 1.)[i] * q[i];
+                  BOOST_TEST(std::abs(LoadWay(load, along).gradient() * q - work) <= 1e-9 * std::abs(work) + 1e-14);
+                });
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_of_a_load_that_follows_its_way)
+{
+  for_all_blanks(curved_and_coarse,
+                 [](Blank &blank, const Entries &) {
+                   std::mt19937 generator(14);
+                   for (const std::string kind : {"pressure", "edge"})
+                   {
+                     const auto load =
+                       make_load(kind, blank,
+                                 {"load/Value=.01*t", "load/Boundary=end",
+                                  std::string("load/Control=") + (kind == "edge" ? "displacement" : "volume")});
+                     load->set_unknown(blank.n_dofs());
+                     const Vector state = random_state(blank, generator, .02);
+                     Vector q(blank.n_dofs() + 1);
+                     std::copy(state.begin(), state.end(), q.begin());
+                     q[blank.n_dofs()] = 3.;
+                     const Assembly beside_springs = [&](const Vector &x, AssemblyTarget &target) {
+                       BOOST_TEST(load->assemble(x, 2., target).good());
+                       for (DofIndex i = 0; i < x.size(); ++i)
+                       {
+                         const double one = 1., force = x[i];
+                         target.add(&i, 1, target.wants_tangent() ? &one : nullptr, &force);
+                       }
+                     };
+                     BOOST_TEST(tangent_error(beside_springs, q, std::vector<double>(q.size(), 1.), 1e-4) < 1e-8);
+                   }
+                 });
+}
+
+BOOST_AUTO_TEST_CASE(volume_under_a_lifted_ring)
+{
+  for_all_blanks({"Blank/Points=.3 0; 1.1 0", "Blank/Thickness=.01", "Blank/Elements=3"},
+                 [](Blank &blank, const Entries &) {
+                   const auto load = make_load("pressure", blank, {"load/Value=t"});
+                   Vector q(blank.n_dofs());
+                   blank.rigid_motion(q, Tensor1({0., .4}), 0.,
+                                      [&](const DofIndex dof, const double value) { q[dof] = value; });
+                   const double area = blank.axisymmetric() ? dealii::numbers::PI * (1.21 - .09) : .8;
+                   BOOST_TEST(std::abs(LoadWay(*load, q).value() - .4 * area) <= 1e-12);
+                 });
 }
 
 BOOST_AUTO_TEST_CASE(numbering_anew_changes_nothing_on_the_same_mesh)

@@ -36,6 +36,8 @@ BOOST_AUTO_TEST_CASE(names_and_values)
   describe_supports({"no turn"}, columns);
   describe_loads({"weight"}, columns);
   describe_balance(columns);
+  describe_load_sizes({"weight"}, columns);
+  describe_pressures({"weight"}, columns);
   std::string names, dimensions;
   for (const auto &column : columns.columns())
   {
@@ -48,10 +50,11 @@ BOOST_AUTO_TEST_CASE(names_and_values)
                       "max_penetration_between_nodes,min_epsilon,max_epsilon,floor_share,contact_pairs,min_thickness,"
                       "linear_iterations,unknowns,cells,estimated_error,tool_work,elastic_energy,plastic_energy,"
                       "friction_energy,contact_energy,epsilon_work,thickness_work,load_work,energy_error,"
-                      "no_turn_reaction,weight_force_z,weight_force_r,balance_error,");
+                      "no_turn_reaction,weight_force_z,weight_force_r,balance_error,"
+                      "weight_size,weight_pressure,weight_volume,weight_height,");
   BOOST_TEST(dimensions == "1,1,time,length,force,force,1,1,1,1,length,1,length,force/length,force/length,1,1,length,"
                            "1,1,1,1,force*length,force*length,force*length,force*length,force*length,force*length,"
-                           "force*length,force*length,1,force,force,force,1,");
+                           "force*length,force*length,1,force,force,force,1,load,stress,volume,length,");
 
   AcceptedIncrement increment(model, scene.actors.stages.front(), .5, 7, {5, 1, 2, 0, 3});
   const auto row = columns.row(increment);

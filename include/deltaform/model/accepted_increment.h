@@ -48,6 +48,14 @@ namespace deltaform
       return *sections_;
     }
 
+    /// Values along the blank, see Fields::profile().
+    const Table &profile() const
+    {
+      if (!profile_)
+        profile_ = model.blank().fields().profile(model.committed());
+      return *profile_;
+    }
+
     double smallest_thickness() const
     {
       if (!smallest_thickness_)
@@ -72,6 +80,7 @@ namespace deltaform
     mutable std::optional<EnergyAccount> energies_;
     mutable std::optional<ContactAccount> contact_;
     mutable std::optional<std::vector<SheetSection>> sections_;
+    mutable std::optional<Table> profile_;
     mutable std::optional<double> smallest_thickness_, balance_error_;
   };
 } // namespace deltaform

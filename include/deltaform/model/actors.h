@@ -3,6 +3,7 @@
 #include <deltaform/blanks/blank.h>
 #include <deltaform/contact/contact_interface.h>
 #include <deltaform/model/load.h>
+#include <deltaform/model/probe.h>
 #include <deltaform/model/stage.h>
 #include <deltaform/model/support.h>
 
@@ -27,5 +28,6 @@ namespace deltaform
     std::vector<Support> supports;
     std::vector<std::unique_ptr<Load>> loads;
     std::vector<Stage> stages;
+    std::vector<Probe> probes;
   };
 } // namespace deltaform

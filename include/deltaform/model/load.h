@@ -10,15 +10,24 @@
 
 namespace deltaform
 {
+  /// Entry Value of a kind of load: the unit and the sentence of its size, and what it works on.
+  struct LoadWords
+  {
+    std::string unit, sentence;
+    std::string way = ""; ///< what may be prescribed instead of its size: "volume", "displacement"; empty: nothing
+  };
+
   /**
-   * A load on the blank: forces f(q) per unit load times Value(t). Each kind is a file in source/model/loads that
-   * registers itself under the name that the entry Kind gives; it reads its own entries from the load's section.
+   * A load on the blank: forces f(q) per unit load times its size, which is Value(t). Where it is driven by what it
+   * works on (Control), Value(t) is that way, and the size is an unknown: see LoadWay. Each kind is a file in
+   * source/model/loads that registers itself under the name that the entry Kind gives; it reads its own entries from
+   * the load's section.
    */
   class Load : public Term
   {
   public:
-    /// Read the entries that all loads have. @param unit, sentence of the entry Value
-    Load(Section &section, const Blank &blank, const std::string &unit, const std::string &sentence);
+    /// Read the entries that all loads have.
+    Load(Section &section, const Blank &blank, const LoadWords &words);
 
     /// Of the section, by which results and messages call the load.
     const std::string &name() const
@@ -29,6 +38,34 @@ namespace deltaform
     const TimeFunction &value() const
     {
       return value_;
+    }
+
+    /// Is the way prescribed and the size an unknown?
+    bool follows_way() const
+    {
+      return follows_way_;
+    }
+
+    /// @name Of a load that follows a way: the unknown of its size
+    ///@{
+    void set_unknown(const DofIndex unknown)
+    {
+      unknown_ = unknown;
+    }
+
+    DofIndex unknown() const
+    {
+      return unknown_;
+    }
+
+    /// Sum of the absolute forces of a unit load on the undeformed blank of @p n unknowns.
+    double unit_force(unsigned int n) const;
+    ///@}
+
+    /// In the state @p q at @p time: Value, or the unknown.
+    double size(const Vector &q, const double time) const
+    {
+      return follows_way_ ? q[unknown_] : value_(time);
     }
 
     /// In which the load acts; none stands for all.
@@ -59,7 +96,10 @@ namespace deltaform
   private:
     std::string name_;
     TimeFunction value_;
+    bool follows_way_;
+    bool is_mean_; ///< is the way a mean displacement, the work over the unit force?
     std::vector<std::string> stages_;
+    DofIndex unknown_ = invalid_index;
   };
 
   /// Kinds of loads; their makers are also told the blank.

@@ -13,7 +13,8 @@ namespace deltaform
 {
   /**
    * The unknowns of a model and what each of them is: first those of the blank, then the multipliers of contact
-   * points if the enforcement has any, last the travels of force-driven tools, which border the sparse matrix.
+   * points if the enforcement has any, last those that border the sparse matrix: the travels of force-driven tools, and
+   * the sizes of loads that follow a way.
    */
   class Numbering
   {

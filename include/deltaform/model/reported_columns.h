@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/model/columns.h>
+#include <deltaform/model/probe.h>
 
 #include <string>
 #include <vector>
@@ -22,6 +23,11 @@ namespace deltaform
   void describe_energies(Columns &columns);
   void describe_supports(const std::vector<std::string> &names, Columns &columns);
   void describe_loads(const std::vector<std::string> &names, Columns &columns);
+  /// Of those that do not press on a face.
+  void describe_load_sizes(const std::vector<std::string> &names, Columns &columns);
+  /// Of those that do.
+  void describe_pressures(const std::vector<std::string> &names, Columns &columns);
+  void describe_probes(const std::vector<Probe> &probes, Columns &columns);
   void describe_balance(Columns &columns);
   ///@}
 } // namespace deltaform

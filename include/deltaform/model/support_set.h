@@ -22,7 +22,7 @@ namespace deltaform
     /// The blank was refined: its unknowns have new numbers.
     void renumber();
 
-    /// Symmetry, supports, and travels of force-driven tools that are absent.
+    /// Symmetry, supports, and border unknowns of tools and loads that are absent.
     const std::vector<bool> &is_prescribed() const
     {
       return is_prescribed_;

@@ -2,6 +2,7 @@
 
 #include <deltaform/model/stage.h>
 #include <deltaform/parameters/section.h>
+#include <deltaform/results/measure.h>
 #include <deltaform/solver/condition_method.h>
 #include <deltaform/tools/tool.h>
 
@@ -19,7 +20,9 @@ namespace deltaform
     std::string folder;
     unsigned int main_tool = invalid_index; ///< index of the tool whose travel names the files
     std::vector<double> travels; ///< at which tables are written
-    std::vector<double> travel_times; ///< the times that belong to them
+    std::vector<double> times; ///< further times at which tables are written
+    std::vector<double> travel_times; ///< all times of tables, ascending
+    std::vector<std::unique_ptr<Measure>> measures; ///< of the finished part
     std::vector<double> frame_times; ///< of the pictures, ascending
     unsigned int condition_every = 0; ///< condition numbers in every so many increments; 0: never
     condition::Method condition_method = condition::Method::automatic;
@@ -27,6 +30,12 @@ namespace deltaform
     double checkpoint_interval = 5; ///< seconds
 
   private:
+    void read_measures(Section section);
+
+    /// All times of tables.
+    void find_table_times(const Section &section, const std::vector<std::unique_ptr<Tool>> &tools,
+                          const std::vector<Stage> &stages);
+
     /// @param name of the tool; empty: the first that moves
     void choose_main_tool(const std::string &name, const std::vector<std::unique_ptr<Tool>> &tools, double end);
 

@@ -11,7 +11,8 @@ namespace deltaform
     {
     public:
       BodyLoad(Section &section, const Blank &blank)
-        : Load(section, blank, "force/volume", "Force per initial volume as a function of time t."),
+        : Load(section, blank,
+               {"force/volume", "Force per initial volume as a function of time t.", "displacement"}),
           body_(blank.boundary()), component_(read_component(section))
       {
         BodyLoad::renumber();

@@ -15,8 +15,8 @@ namespace deltaform
       EdgeLoad(Section &section, const Blank &blank)
         : Load(section,
                blank,
-               "force/length of the initial edge, moment/length (solid: stress)",
-               "Line load (solid: traction on the initial area) as a function of time t."),
+               {"force/length of the initial edge, moment/length (solid: stress)",
+                "Line load (solid: traction on the initial area) as a function of time t.", "displacement"}),
           boundary_(blank.boundary()), part_(read_boundary(section, boundary_)), component_(read_component(section))
       {
         EdgeLoad::renumber();

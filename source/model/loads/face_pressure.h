@@ -13,9 +13,10 @@ namespace deltaform
     FacePressure(Section &section, const Blank &blank)
       : Load(section,
              blank,
-             "stress",
-             "Pressure as a function of time t, positive if it pushes into the blank (bottom: upwards on a flat "
-             "blank)."),
+             {"stress",
+              "Pressure as a function of time t, positive if it pushes into the blank (bottom: upwards on a flat "
+              "blank).",
+              "volume"}),
         boundary_(blank.boundary()), face_(section.choice("Face",
                                                           boundary_.faces().front(),
                                                           boundary_.faces(),
