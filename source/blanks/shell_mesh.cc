@@ -1,5 +1,6 @@
 #include "shell_mesh.h"
 
+#include <deltaform/geometry/grading.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/memory.h>
 
@@ -21,14 +22,13 @@ namespace deltaform
       return size;
     }
 
-    /// Integral of 1/size over [a, b] in fractions of the whole meridian, by the trapezoidal rule on a fine grid.
+    /// In proportion to the number of elements between @p a and @p b, fractions of the whole meridian.
     double density(const TimeFunction &grading, const double a, const double b)
     {
-      constexpr unsigned int n = 64;
-      double sum = 0;
-      for (unsigned int k = 0; k <= n; ++k)
-        sum += (k == 0 || k == n ? .5 : 1.) / relative_size(grading, a + (b - a) * k / n);
-      return sum * (b - a) / n;
+      // The quadrature does not look at the ends.
+      for (const double end : {a, b})
+        relative_size(grading, end);
+      return grading.is_constant() ? b - a : element_density([&grading](const double t) { return relative_size(grading, t); }, a, b);
     }
 
     /// Share the elements among the pieces by their density, at least one each (largest remainder).
@@ -120,29 +120,18 @@ namespace deltaform
                              const double total_length,
                              const unsigned int degree)
   {
-    const auto place = [&](const double fraction) {
-      return (piece.arc_start + fraction * piece.length) / total_length;
-    };
-    const double whole = density(grading, place(0), place(1));
-
-    // Ends of the cells: equal shares of the density, found by bisection.
-    std::vector<double> ends(n_cells + 1, 0.);
-    ends[n_cells] = 1.;
-    for (unsigned int c = 1; c < n_cells; ++c)
-    {
-      if (grading.is_constant())
-      {
-        ends[c] = static_cast<double>(c) / n_cells;
-        continue;
-      }
-      double low = ends[c - 1], high = 1.;
-      while (high - low > 1e-14)
-      {
-        const double middle = .5 * (low + high);
-        (density(grading, place(0), place(middle)) < whole * c / n_cells ? low : high) = middle;
-      }
-      ends[c] = .5 * (low + high);
-    }
+    // Fractions of the piece.
+    std::vector<double> ends(n_cells + 1, 1.);
+    for (unsigned int c = 0; c < n_cells; ++c)
+      ends[c] = static_cast<double>(c) / n_cells;
+    if (!grading.is_constant())
+      ends = element_ends(
+        [&](const double fraction) {
+          return relative_size(grading, (piece.arc_start + fraction * piece.length) / total_length);
+        },
+        0.,
+        1.,
+        n_cells);
 
     const auto add_node = [&](const double fraction) {
       nodes_.push_back(piece.point_at(fraction * piece.length));

@@ -2,6 +2,7 @@
 #include "gmsh_file.h"
 #include "shell_mesh.h"
 
+#include <deltaform/geometry/grading.h>
 #include <deltaform/parameters/ceilings.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/memory.h>
@@ -12,6 +13,7 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -40,22 +42,15 @@ namespace deltaform
                                       " at t = " + text::format(t));
         return result;
       };
-      std::vector<double> result{-.5};
-      constexpr unsigned int n_samples = 8192;
-      double total = 0;
-      for (unsigned int k = 0; k < n_samples; ++k)
-        total += 1. / size((k + .5) / n_samples);
-      double passed = 0;
-      for (unsigned int k = 0; k < n_samples; ++k)
-      {
-        const double step = 1. / size((k + .5) / n_samples);
-        for (double wanted = total * result.size() / n; result.size() < n && wanted <= passed + step;
-             wanted = total * result.size() / n)
-          result.push_back(grading.is_constant() ? static_cast<double>(result.size()) / n - .5
-                                                 : (k + (wanted - passed) / step) / n_samples - .5);
-        passed += step;
-      }
-      result.push_back(.5);
+      std::vector<double> result(n + 1, .5);
+      for (unsigned int k = 0; k < n; ++k)
+        result[k] = static_cast<double>(k) / n - .5;
+      if (grading.is_constant())
+        return result;
+      for (const double end : {0., 1.}) // the quadrature does not look at them
+        size(end);
+      const std::vector<double> ends = element_ends(size, 0., 1., n);
+      std::transform(ends.begin(), ends.end(), result.begin(), [](const double t) { return t - .5; });
       return result;
     }
 

@@ -104,10 +104,10 @@ def one_element():
                      "%d, 1, 1" % ids[0, 0]] + step(["*CLOAD", "%d, 2, 1." % ids[2, 2]], 1., 1.)) + "\n"
 
 
-def hertz(n, kind, young=1000., nu=.3, radius=200., approach=.005, size=50.):
+def hertz(n, kind, grading=lambda t: t + .02, stiffness=1e7, young=1000., nu=.3, radius=200., approach=.005, size=50.):
     """prm/hertz_sphere.prm: the outer boundary moves as in the half-space under the force of Hertz."""
     job = Job()
-    r, depth = graded(n, size, lambda t: t + .02), graded(n, size, lambda t: t + .02)
+    r, depth = graded(n, size, grading), graded(n, size, grading)
     # u grows outwards, v upwards; v = 0 is the base
     ids, cells = job.block("B", kind, (r, [depth[-1] - d for d in reversed(depth)]), lambda u, v: (u, v - size))
     last_i, last_j = max(i for i, _ in ids), max(j for _, j in ids)
@@ -128,10 +128,10 @@ def hertz(n, kind, young=1000., nu=.3, radius=200., approach=.005, size=50.):
     faces = job.tool("TOOL", [(radius * math.sin(angle * k / facets), radius * (1 - math.cos(angle * k / facets)))
                               for k in range(facets + 1)], .1)
     boundary += ["TOOL, 1, 1, 0.", "TOOL, 2, 2, %.12g" % -approach]
-    # p0 = 3.5: a penetration of 3.5e-7, 7e-5 of the approach
+    # p0 = 3.5: with 1e7 a penetration of 3.5e-7, 7e-5 of the approach
     return "\n".join(job.header() + material("M", young, nu) + surface("SLAVE", slaves) + surface("MASTER", faces) +
                      ["*SOLID SECTION, ELSET=EB, MATERIAL=M", "*SOLID SECTION, ELSET=ETOOL, MATERIAL=M"] +
-                     contact("C", "SLAVE", "MASTER", 1e7) + step(boundary, 1., 1., prints=["TOOL"])) + "\n"
+                     contact("C", "SLAVE", "MASTER", stiffness) + step(boundary, 1., 1., prints=["TOOL"])) + "\n"
 
 
 def upsetting(n, across, kind, largest=.05, travel=9., friction=0.):
