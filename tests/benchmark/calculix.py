@@ -107,6 +107,45 @@ def hertz(deltaform, calculix, folder_of):
                 yield calculix.name + " " + kind, mesh, cost, abs(rows[-1][1]) / exact - 1 if cost.good and rows else None
 
 
+def hertz_graded(deltaform, calculix, folder_of):
+    """The same force on meshes that are fine under the sphere alone, of degree 2."""
+    exact = 4. / 3. * 1000. / .91 * math.sqrt(200.) * .005 ** 1.5
+    for n, first, steady in ((15, .25, 5), (28, .125, 10)):
+        line, ratio = inp.steady_then_growing(n, 50., first, steady)
+        mesh = "%d x %d, degree 2, first element a/%d" % (n, n, round(1. / first))
+        grading = "max(1,1+%.10g*(50*t/%g-%d))" % (math.log(ratio), first, steady)
+        folder = folder_of()
+        cost = deltaform.run(folder, "hertz_sphere", "Blank/Degree=2", "Blank/Elements=%d" % n,
+                             "Blank/Elements through thickness=%d" % n, "Blank/Grading=" + grading,
+                             "Blank/Grading through thickness=" + grading.replace("50*t", "50*(1-t)"),
+                             "Steps/press/First increment=1", "Steps/press/Largest increment=1")
+        rows = deltaform.column(folder, "sphere_force_z")
+        yield deltaform.name, mesh, cost, rows[-1][0] / exact - 1 if cost.good else None
+        for stiffness in (1e7, 1e9) if calculix else ():
+            folder = folder_of()
+            cost = calculix.run(folder, inp.hertz(n, "CAX8", line, stiffness))
+            rows = calculix.forces(folder, "tool")
+            yield ("%s CAX8, K = %.0e" % (calculix.name, stiffness), mesh, cost,
+                   abs(rows[-1][1]) / exact - 1 if cost.good and rows else None)
+
+
+def cup_through(deltaform, calculix, folder_of):
+    """Force at a travel of 1 in; CalculiX with nodes against faces and a soft contact, which it likes best."""
+    for scene, elements, across in (("cup", 50, 0), ("cup", 400, 0), ("cup_solid", 60, 2)):
+        folder = folder_of()
+        sets = ["Blank/Elements=%d" % elements] + (["Blank/Elements through thickness=%d" % across] if across else [])
+        cost = deltaform.run(folder, scene, *sets)
+        rows = deltaform.column(folder, "punch_force_z")
+        mesh = "%d x %d, degree 2" % (elements, across) if across else "shell, %d elements" % elements
+        yield deltaform.name, mesh, cost, rows[-1][0] / CUP_THROUGH_REFERENCE - 1 if cost.good else None
+    if calculix:
+        folder = folder_of()
+        cost = calculix.run(folder, inp.cup(60, 2, "CAX8R", 1., 1e4, "NODE TO SURFACE"))
+        rows = calculix.forces(folder, "punch")
+        yield (calculix.name + " CAX8R, K = 1e4", "60 x 2, degree 2", cost,
+               abs(rows[-1][1]) / CUP_THROUGH_REFERENCE - 1 if cost.good and rows else None)
+
+
 def upsetting(deltaform, calculix, folder_of):
     """Force at 60 % without friction against s(e) A0 h0/h."""
     strain = math.log(15. / 6.)
@@ -172,13 +211,17 @@ def cup(deltaform, calculix, folder_of):
 
 # 1.17761 with 200 x 2, 1.17750 with 400 x 3 elements of degree 2
 CUP_REFERENCE = 1.1775
+# 2.9191 with 200 x 2 elements of degree 2; the shell with 400 elements: 2.9022
+CUP_THROUGH_REFERENCE = 2.919
 # 454 280 with 20 x 30, 454 025 with 40 x 60 elements of degree 2
 ROUGH_REFERENCE = 454025.
 TITLES = {"start_up": "time of a job of one element", "hertz": "11: Hertz, error of the force against time",
           "upsetting": "18: upsetting to 60 %, no friction, error of the force against time",
           "rough": "18: upsetting to 40 %, friction .1, error of the force (454.03 kN) against time",
-          "cup": "20: cup, solid, to .6 in, error of the force (1.1775 tonf) against time"}
-PROBLEMS = {"hertz": hertz, "upsetting": upsetting, "rough": rough, "cup": cup}
+          "hertz_graded": "11: Hertz, graded meshes, error of the force against time",
+         "cup_through": "20: cup to 1 in, error of the force (2.919 tonf) against time",
+         "cup": "20: cup, solid, to .6 in, error of the force (1.1775 tonf) against time"}
+PROBLEMS = {"hertz": hertz, "hertz_graded": hertz_graded, "cup_through": cup_through, "upsetting": upsetting, "rough": rough, "cup": cup}
 
 
 def start_up(deltaform, calculix, folder_of):
@@ -211,7 +254,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
     parser.add_argument("--ccx", default="ccx")
-    parser.add_argument("--problem", nargs="+", choices=sorted(PROBLEMS), default=["hertz", "upsetting", "rough", "cup"])
+    parser.add_argument("--problem", nargs="+", choices=sorted(PROBLEMS), default=sorted(PROBLEMS))
     parser.add_argument("--limit", type=float, default=300., help="seconds of processor time after which a run is given up")
     parser.add_argument("--keep", metavar="FOLDER", help="leave the files of the runs here")
     parser.add_argument("--write", action="store_true", help="renew doc/measured/calculix_*.csv")

@@ -74,11 +74,11 @@ def material(name, young, poisson, table=()):
     return lines
 
 
-def contact(name, slave, master, stiffness, friction=0., stick=0.):
+def contact(name, slave, master, stiffness, friction=0., stick=0., kind="SURFACE TO SURFACE"):
     lines = ["*SURFACE INTERACTION, NAME=I%s" % name, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR", "%.10g" % stiffness]
     if friction:
         lines += ["*FRICTION", "%g, %.10g" % (friction, stick)]
-    return lines + ["*CONTACT PAIR, INTERACTION=I%s, TYPE=SURFACE TO SURFACE" % name, "%s, %s" % (slave, master)]
+    return lines + ["*CONTACT PAIR, INTERACTION=I%s, TYPE=%s" % (name, kind), "%s, %s" % (slave, master)]
 
 
 def step(lines, first, largest, total=1., nlgeom=False, prints=(), increments=10000):
@@ -96,6 +96,19 @@ def graded(n, length, size):
     return [length * place / places[-1] for place in places]
 
 
+def steady_then_growing(n, length, first, steady):
+    """Places of the nodes of n elements: `steady` ones of the size `first`, the others grow by a constant ratio. And that ratio."""
+    low, high = 1. + 1e-9, 10.
+    for _ in range(200):
+        ratio = (low + high) / 2
+        reached = steady * first + sum(first * ratio ** (k + 1) for k in range(n - steady))
+        low, high = (ratio, high) if reached < length else (low, ratio)
+    places = [0.]
+    for i in range(n):
+        places.append(places[-1] + (first if i < steady else first * ratio ** (i - steady + 1)))
+    return [place * length / places[-1] for place in places], ratio
+
+
 def one_element():
     job = Job()
     ids, _ = job.block("B", "CAX4", ([0., 1.], [0., 1.]), lambda u, v: (u, v))
@@ -104,10 +117,10 @@ def one_element():
                      "%d, 1, 1" % ids[0, 0]] + step(["*CLOAD", "%d, 2, 1." % ids[2, 2]], 1., 1.)) + "\n"
 
 
-def hertz(n, kind, grading=lambda t: t + .02, stiffness=1e7, young=1000., nu=.3, radius=200., approach=.005, size=50.):
-    """prm/hertz_sphere.prm: the outer boundary moves as in the half-space under the force of Hertz."""
+def hertz(n, kind, line=None, stiffness=1e7, young=1000., nu=.3, radius=200., approach=.005, size=50.):
+    """prm/hertz_sphere.prm: the outer boundary moves as in the half-space under the force of Hertz. @p line: places of nodes."""
     job = Job()
-    r, depth = graded(n, size, grading), graded(n, size, grading)
+    r = depth = line or graded(n, size, lambda t: t + .02)
     # u grows outwards, v upwards; v = 0 is the base
     ids, cells = job.block("B", kind, (r, [depth[-1] - d for d in reversed(depth)]), lambda u, v: (u, v - size))
     last_i, last_j = max(i for i, _ in ids), max(j for _, j in ids)
@@ -160,7 +173,7 @@ def arc(centre, radius, start, end, n):
              centre[1] + radius * math.sin(start + (end - start) * k / n)) for k in range(n + 1)]
 
 
-def cup(n, across, kind, travel, stiffness=1e5):
+def cup(n, across, kind, travel, stiffness=1e5, pairing="SURFACE TO SURFACE", first=.002):
     """prm/cup_solid.prm: punch 1, throat 1.0625, profile radius .25, holder at a gap of 1.05 thicknesses, friction .2."""
     job, h = Job(), .035
     ids, cells = job.block("B", kind, ([2.22 * i / n for i in range(n + 1)], [h * (j / across - .5) for j in range(across + 1)]),
@@ -185,5 +198,5 @@ def cup(n, across, kind, travel, stiffness=1e5):
         lines.append("*SOLID SECTION, ELSET=E%s, MATERIAL=T" % name)
     lines.append("*SOLID SECTION, ELSET=EB, MATERIAL=M")
     for name, slave in (("PUNCH", "TOP"), ("DIE", "BOTTOM"), ("HOLDER", "TOP")):
-        lines += contact(name, slave, "S" + name, stiffness, .2, .1 * stiffness)
-    return "\n".join(lines + step(boundary, .002, .02, nlgeom=True, prints=["PUNCH"])) + "\n"
+        lines += contact(name, slave, "S" + name, stiffness, .2, .1 * stiffness, pairing)
+    return "\n".join(lines + step(boundary, first, .02 / travel if pairing.startswith("NODE") else .02, nlgeom=True, prints=["PUNCH"])) + "\n"
