@@ -9,6 +9,8 @@ install(TARGETS deltaform_library EXPORT deltaform LIBRARY DESTINATION ${CMAKE_I
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/deltaform DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.h" PATTERN "precompiled.h" EXCLUDE)
 
+install(FILES ${PROJECT_SOURCE_DIR}/share/materials.prm DESTINATION ${CMAKE_INSTALL_DATADIR}/deltaform)
+
 set(_folder ${CMAKE_INSTALL_LIBDIR}/cmake/deltaform)
 install(EXPORT deltaform NAMESPACE deltaform:: FILE deltaformTargets.cmake DESTINATION ${_folder})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/deltaformConfig.cmake.in

@@ -59,7 +59,7 @@ def jobs():
             entries["Contact/Allowed penetration"] = "1e-2*thickness"
         result[enforcement] = ("cup", entries)
     # As in the paper, the thickness of the sheet is rigid.
-    rigid = {f"Tools/{tool}/Squeeze": "off" for tool in TOOLS}
+    rigid = {f"Tools/{tool}/Thickness compliance": "off" for tool in TOOLS}
     return {name: (scene, {**rigid, **entries}) for name, (scene, entries) in result.items()}
 
 
@@ -205,7 +205,7 @@ def main():
     conditions(runs, [f"rule {rule}" for rule in RULES if rule != "paper"], "condition_rules", folder)
     conditions(runs, list(CASES), "digits_lost", folder, ("condition_raw", "digits_lost"))
     tables = {"figures_runs": (run_table(runs, states),
-                               "cup with rigid thickness (Squeeze = off): penetration [in], condition numbers, digits lost"),
+                               "cup with rigid thickness (Thickness compliance = off): penetration [in], condition numbers, digits lost"),
               "figures_delta": (delta_table(runs), "cup with rigid thickness: penetration/delta of the loaded points at travels .2 to 1 in, "
                                 "mean share of points whose factor is the lower bound")}
     for name, (table, title) in tables.items():

@@ -29,8 +29,8 @@ namespace deltaform
                        0.,
                        Range{0., 1., false, true},
                        "1",
-                       "Relative error of the plastic strain of an increment: half the turn of the flow direction, "
-                       "mean over the blank. Increments are made as long as it allows. 0: it is not used.")),
+                       "Allowed relative error of the plastic strain that an increment adds, estimated as half the turn of "
+                       "its direction, mean over the blank. Increments are as long as it allows. 0: it is not used.")),
       extrapolate(section.flag("Extrapolate", true, "Predictor: Newton starts from the last increment's velocity."))
   {
   }

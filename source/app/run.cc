@@ -9,6 +9,7 @@
 #include <deltaform/materials/back_stress.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
+#include <deltaform/materials/material_table.h>
 #include <deltaform/materials/rate_factor.h>
 #include <deltaform/materials/yield_surface.h>
 #include <deltaform/parameters/parameter_tree.h>
@@ -111,6 +112,8 @@ namespace deltaform
                                       : Journal::Console::automatic);
       auto tree = ParameterTree::read(command.scene, command.sets);
       Scene scene(tree);
+      for (const auto &note : scene.notes)
+        journal.note(note);
 
       std::string folder = command.output.empty() ? scene.output->folder : command.output;
       if (folder.empty())
@@ -141,6 +144,8 @@ namespace deltaform
     {
       auto tree = ParameterTree::read(command.scene, command.sets);
       const Scene scene(tree);
+      for (const auto &note : scene.notes)
+        std::cerr << "note: " << note << '\n';
       for (const auto &warning : input_warnings(scene))
         std::cerr << "warning: " << warning << '\n';
       if (!command.svg.empty())
@@ -161,10 +166,26 @@ namespace deltaform
     }
 
 
+    /// The metals of the program's table.
+    void list_metals()
+    {
+      const std::string file = MaterialTable::shipped();
+      if (file.empty())
+        return;
+      const MaterialTable table(file);
+      std::cout << "Material/Name\n";
+      for (const auto &name : table.names())
+        std::cout << "  " << name << std::string(name.size() < 24 ? 24 - name.size() : 1, ' ') << table.source(name)
+                  << '\n';
+      std::cout << '\n';
+    }
+
+
     int list_everything()
     {
       list<Registry<Blank>>("Blank/Kind");
       list<Registry<Material>>("Material/Model");
+      list_metals();
       list<Registry<Hardening>>("Material/Hardening/Law");
       list<Registry<YieldSurface>>("Material/Yield surface/Law");
       list<Registry<BackStress>>("Material/Backstress/Law");

@@ -15,6 +15,8 @@ namespace deltaform
     std::ostringstream said;
     Journal journal(Journal::Console::plain, said, said);
     Scene scene(tree);
+    for (const auto &note : scene.notes)
+      journal.note(note);
     Analysis analysis(scene.actors, scene.analysis_settings(), journal, timers);
     RunRecord record;
     record.title = scene.title;

@@ -1,3 +1,4 @@
+#include "sweep_plan.h"
 #include "sweep_table.h"
 
 #include <deltaform/parameters/scene_error.h>
@@ -23,33 +24,6 @@ namespace deltaform
 {
   namespace
   {
-    /// All combinations; the values of the last variation change fastest.
-    std::vector<SweepRun> combinations(const std::vector<CommandLine::Variation> &variations)
-    {
-      std::vector<SweepRun> runs(1);
-      for (const auto &variation : variations)
-      {
-        std::vector<SweepRun> longer;
-        for (const auto &run : runs)
-          for (const auto &value : variation.values)
-          {
-            longer.push_back(run);
-            longer.back().values.push_back(value);
-          }
-        runs = std::move(longer);
-      }
-      return runs;
-    }
-
-    /// The --set of a run: those of the command line, then the varied values.
-    std::vector<std::string> assignments(const CommandLine &command, const SweepRun &run)
-    {
-      std::vector<std::string> result = command.sets;
-      for (std::size_t i = 0; i < run.values.size(); ++i)
-        result.push_back(command.variations[i].entry + "=" + run.values[i]);
-      return result;
-    }
-
     /// In quotes for a shell.
     std::string quoted(const std::string &word)
     {
@@ -132,27 +106,43 @@ namespace deltaform
       }
     }
 
-    /// Build the scene of every combination and name the folders. @return the label of the units
-    std::string check_all(const CommandLine &command, std::vector<SweepRun> &runs, std::string &folder)
+    /// What the scenes of a sweep have in common.
+    struct Common
     {
-      std::string units;
+      std::string folder, units;
+      std::vector<std::string> notes; ///< each once
+    };
+
+    /// Build the scene of a run, and look what an earlier sweep has left of it.
+    void check_one(const CommandLine &command, SweepRun &run, const std::size_t number, Common &common)
+    {
+      auto tree = ParameterTree::read(command.scene, assignments(command, run));
+      const Scene scene(tree);
+      if (scene.output->main_tool != invalid_index)
+        run.main_tool = scene.actors.tools[scene.output->main_tool]->name();
+      for (const auto &note : scene.notes)
+        if (std::find(common.notes.begin(), common.notes.end(), note) == common.notes.end())
+          common.notes.push_back(note);
+      common.units = scene.units;
+      if (common.folder.empty())
+        common.folder = !scene.output->folder.empty()
+                          ? scene.output->folder
+                          : "output/" + std::filesystem::path(command.scene).stem().string() + "_sweep";
+      char name[32];
+      std::snprintf(name, sizeof name, "/run_%03u", static_cast<unsigned int>(number));
+      run.folder = common.folder + name;
+      if (command.resume)
+        find_earlier(run, tree);
+    }
+
+    /// Build the scene of every run and name the folders.
+    Common check_all(const CommandLine &command, std::vector<SweepRun> &runs)
+    {
+      Common common{command.output, "", {}};
       for (std::size_t i = 0; i < runs.size(); ++i)
         try
         {
-          auto tree = ParameterTree::read(command.scene, assignments(command, runs[i]));
-          const Scene scene(tree);
-          if (scene.output->main_tool != invalid_index)
-            runs[i].main_tool = scene.actors.tools[scene.output->main_tool]->name();
-          units = scene.units;
-          if (folder.empty())
-            folder = !scene.output->folder.empty()
-                       ? scene.output->folder
-                       : "output/" + std::filesystem::path(command.scene).stem().string() + "_sweep";
-          char name[32];
-          std::snprintf(name, sizeof name, "/run_%03u", static_cast<unsigned int>(i + 1));
-          runs[i].folder = folder + name;
-          if (command.resume)
-            find_earlier(runs[i], tree);
+          check_one(command, runs[i], i + 1, common);
         }
         catch (const SceneError &error)
         {
@@ -162,47 +152,135 @@ namespace deltaform
           throw SceneError("The sweep was not started: run " + std::to_string(i + 1) + " of " +
                            std::to_string(runs.size()) + " (" + values + ") is no valid scene. " + error.what());
         }
-      return units;
+      return common;
     }
 
-    using Clock = std::chrono::steady_clock;
 
-    /// The runs that have ended.
-    struct Ended
+    /// The runs of a sweep while they run: some at a time, the table written whenever one ends.
+    class RunningSweep
     {
-      std::size_t n = 0, n_failed = 0;
-      int worst = exit_status::done;
+    public:
+      using Run = std::function<int(const CommandLine &)>;
 
-      void add(const int status)
+      RunningSweep(const CommandLine &command, std::vector<SweepRun> &runs, const Common &common, const Run &run)
+        : command_(command), runs_(runs), folder_(common.folder), units_(common.units), run_(run)
       {
-        ++n;
-        n_failed += status != exit_status::done;
-        worst = std::max(worst, status);
+        for (const auto &one : runs_)
+          if (one.exit_status >= 0)
+            count(one.exit_status);
       }
-    };
 
-    /// A run under way.
-    struct Running
-    {
-      std::size_t run = 0;
-      Clock::time_point begin;
-    };
-
-    /// End the runs that take longer than they may. @return seconds until the next one does
-    double end_overdue(const std::map<int, Running> &running, std::vector<SweepRun> &runs, const double seconds)
-    {
-      double left = seconds;
-      for (const auto &[process, own] : running)
+      std::size_t n_ended() const
       {
-        const double rest = seconds - std::chrono::duration<double>(Clock::now() - own.begin).count();
-        runs[own.run].overdue = runs[own.run].overdue || rest <= 0;
-        if (rest <= 0)
-          end_process(process);
-        else
-          left = std::min(left, rest);
+        return n_ended_;
       }
-      return left;
-    }
+
+      /// Until all have ended, or a signal has come. @return the exit status of the sweep
+      int wait(Journal &journal)
+      {
+        if (n_ended_ == runs_.size())
+          write_sweep_table(folder_, command_, runs_, units_);
+        bool interrupted = false;
+        while (interrupted ? !running_.empty() : n_ended_ < runs_.size())
+        {
+          if (interruption::signal() != 0 && !interrupted)
+          {
+            interrupted = true; // those that run save their states; no others are started
+            for (const auto &[process, own] : running_)
+              ask_process_to_end(process);
+            continue;
+          }
+          if (!interrupted)
+            start();
+          if (take_ended())
+            journal.progress("sweep: " + std::to_string(n_ended_) + " of " + std::to_string(runs_.size()) +
+                             " runs ended, " + std::to_string(n_failed_) + " not done, " +
+                             std::to_string(running_.size()) + " running");
+        }
+        journal.finish_progress();
+        journal.note(std::to_string(runs_.size() - n_failed_) + " of " + std::to_string(runs_.size()) +
+                     " runs done; table in " + folder_ + "/sweep.csv");
+        if (!interrupted)
+          return worst_;
+        journal.note("the sweep was ended by " + interruption::name(interruption::signal()) + "; " +
+                     std::to_string(runs_.size() - next_) + " runs were not started");
+        return exit_status::by_signal + interruption::signal();
+      }
+
+    private:
+      using Clock = std::chrono::steady_clock;
+
+      /// A run under way.
+      struct Running
+      {
+        std::size_t run = 0;
+        Clock::time_point begin;
+      };
+
+      void count(const int status)
+      {
+        ++n_ended_;
+        n_failed_ += status != exit_status::done;
+        worst_ = std::max(worst_, status);
+      }
+
+      /// As many as may run.
+      void start()
+      {
+        for (; next_ < runs_.size() && running_.size() < command_.jobs; ++next_)
+        {
+          SweepRun &own = runs_[next_];
+          if (own.exit_status >= 0)
+            continue;
+          make_folder(own.folder);
+          if (!own.resume)
+            remove_outcome(own.folder);
+          const auto job = [this, line = command_of(command_, own)]() { return run_(line); };
+          running_[start_process(job, own.folder + "/console.txt")] = {next_, Clock::now()};
+        }
+      }
+
+      /// End the runs that take longer than they may. @return seconds until the next one does
+      double end_overdue()
+      {
+        double left = command_.seconds;
+        for (const auto &[process, own] : running_)
+        {
+          const double rest = command_.seconds - std::chrono::duration<double>(Clock::now() - own.begin).count();
+          runs_[own.run].overdue = runs_[own.run].overdue || rest <= 0;
+          if (rest <= 0)
+            end_process(process);
+          else
+            left = std::min(left, rest);
+        }
+        return left;
+      }
+
+      /// Wait a little for a run that ends. @return has one?
+      bool take_ended()
+      {
+        constexpr double attention = .2; // seconds within which a signal is heard
+        const auto ended = wait_for_process(std::min(attention, end_overdue()));
+        const auto which = ended ? running_.find(ended->process) : running_.end();
+        if (which == running_.end())
+          return false;
+        SweepRun &own = runs_[which->second.run];
+        own.exit_status = own.overdue ? exit_status::not_converged : ended->exit_status;
+        count(own.exit_status);
+        running_.erase(which);
+        write_sweep_table(folder_, command_, runs_, units_);
+        return true;
+      }
+
+      const CommandLine &command_;
+      std::vector<SweepRun> &runs_;
+      const std::string folder_;
+      const Units units_;
+      const Run &run_;
+      std::map<int, Running> running_; ///< by the numbers of their processes
+      std::size_t next_ = 0, n_ended_ = 0, n_failed_ = 0;
+      int worst_ = exit_status::done;
+    };
   } // namespace
 
 
@@ -210,70 +288,22 @@ namespace deltaform
   {
     // Checking scenes must not start threads, which would be missing in the copies of this process.
     dealii::MultithreadInfo::set_thread_limit(1);
-    auto runs = combinations(command.variations);
-    std::string folder = command.output;
-    const Units units(check_all(command, runs, folder));
+    auto runs = plan_sweep(command);
+    const Common common = check_all(command, runs);
     if (command.print)
     {
       print_commands(command, runs);
       return exit_status::done;
     }
-    make_folder(folder);
-    const FolderLock lock(folder, command.force);
+    make_folder(common.folder);
+    const FolderLock lock(common.folder, command.force);
     interruption::watch();
     Journal journal(command.quiet ? Journal::Console::quiet : Journal::Console::automatic);
-
-    std::map<int, Running> running;
-    std::size_t next = 0;
-    Ended ended_runs;
-    for (const auto &one : runs)
-      if (one.exit_status >= 0)
-        ended_runs.add(one.exit_status);
-    if (ended_runs.n > 0)
-      journal.note(std::to_string(ended_runs.n) + " of " + std::to_string(runs.size()) + " runs had ended before");
-    if (ended_runs.n == runs.size())
-      write_sweep_table(folder, command, runs, units);
-    bool interrupted = false;
-    while (interrupted ? !running.empty() : ended_runs.n < runs.size())
-    {
-      if (interruption::signal() != 0 && !interrupted)
-      {
-        interrupted = true; // those that run save their states; no others are started
-        for (const auto &[process, own] : running)
-          ask_process_to_end(process);
-        continue;
-      }
-      for (; !interrupted && next < runs.size() && running.size() < command.jobs; ++next)
-      {
-        if (runs[next].exit_status >= 0)
-          continue;
-        make_folder(runs[next].folder);
-        if (!runs[next].resume)
-          remove_outcome(runs[next].folder);
-        const auto job = [&run, own = command_of(command, runs[next])]() { return run(own); };
-        running[start_process(job, runs[next].folder + "/console.txt")] = {next, Clock::now()};
-      }
-      constexpr double attention = .2; // seconds within which a signal is heard
-      const auto ended = wait_for_process(std::min(attention, end_overdue(running, runs, command.seconds)));
-      const auto which = ended ? running.find(ended->process) : running.end();
-      if (which == running.end())
-        continue;
-      SweepRun &own = runs[which->second.run];
-      own.exit_status = own.overdue ? exit_status::not_converged : ended->exit_status;
-      ended_runs.add(own.exit_status);
-      running.erase(which);
-      write_sweep_table(folder, command, runs, units);
-      journal.progress("sweep: " + std::to_string(ended_runs.n) + " of " + std::to_string(runs.size()) +
-                       " runs ended, " + std::to_string(ended_runs.n_failed) + " not done, " +
-                       std::to_string(running.size()) + " running");
-    }
-    journal.finish_progress();
-    journal.note(std::to_string(runs.size() - ended_runs.n_failed) + " of " + std::to_string(runs.size()) +
-                 " runs done; table in " + folder + "/sweep.csv");
-    if (!interrupted)
-      return ended_runs.worst;
-    journal.note("the sweep was ended by " + interruption::name(interruption::signal()) + "; " +
-                 std::to_string(runs.size() - next) + " runs were not started");
-    return exit_status::by_signal + interruption::signal();
+    for (const auto &note : common.notes)
+      journal.note(note);
+    RunningSweep sweep(command, runs, common, run);
+    if (sweep.n_ended() > 0)
+      journal.note(std::to_string(sweep.n_ended()) + " of " + std::to_string(runs.size()) + " runs had ended before");
+    return sweep.wait(journal);
   }
 } // namespace deltaform

@@ -81,6 +81,73 @@ namespace deltaform
           words = line;
       return words.empty() ? "no results" : words;
     }
+
+    /// The columns: what is varied, then the results.
+    std::vector<CsvWriter::Column> columns_of(const CommandLine &command)
+    {
+      std::vector<CsvWriter::Column> columns{{"run", "1"}};
+      for (const auto &variation : command.variations)
+        columns.push_back({variation.entry, "1"});
+      columns.insert(columns.end(),
+                     {{"exit_status", "1"},
+                      {"outcome", "1"},
+                      {"time", "time"},
+                      {"travel", "length"},
+                      {"force_z", "force"},
+                      {"max_force", "force"},
+                      {"increments", "1"},
+                      {"newton_iterations", "1"},
+                      {"penalty_rounds", "1"},
+                      {"cutbacks", "1"},
+                      {"max_penetration", "length"},
+                      {"max_penetration_over_delta", "1"},
+                      {"max_epsilon", "force/length"},
+                      {"max_condition_raw", "1"},
+                      {"max_condition_scaled", "1"},
+                      {"min_thickness", "length"},
+                      {"energy_error", "1"},
+                      {"seconds", "s"},
+                      {"folder", "1"}});
+      return columns;
+    }
+
+    /// The row of a run that has ended.
+    std::vector<CsvWriter::Cell> row_of(const SweepRun &run, const std::size_t number, const CommandLine &command)
+    {
+      const Columns history = read_history(run.folder);
+      const auto summary = read_summary(run.folder);
+      const auto said = [&](const char *const name) { return summary.get<double>(name, nan); };
+      // A tool's name may hold the usual separator, a point.
+      const boost::property_tree::ptree::path_type max_force("tools/" + run.main_tool + "/max_force", '/');
+      std::vector<CsvWriter::Cell> row{static_cast<double>(number)};
+      row.insert(row.end(), run.values.begin(), run.values.end());
+      const std::vector<CsvWriter::Cell> results{static_cast<double>(run.exit_status),
+                                                 summary.empty() ? last_words(run, command.seconds)
+                                                                 : summary.get<std::string>("outcome", ""),
+                                                 last(history, "time"),
+                                                 last(history, run.main_tool + "_travel"),
+                                                 last(history, run.main_tool + "_force_z"),
+                                                 summary.get<double>(max_force, nan),
+                                                 said("increments"),
+                                                 said("newton_iterations"),
+                                                 said("penalty_rounds"),
+                                                 said("cutbacks"),
+                                                 largest(history, "max_penetration"),
+                                                 said("max_penetration_over_delta"),
+                                                 largest(history, "max_epsilon"),
+                                                 largest(history, "condition_raw"),
+                                                 largest(history, "condition_scaled"),
+                                                 said("min_thickness"),
+                                                 said("energy_error"),
+                                                 said("seconds"),
+                                                 std::filesystem::path(run.folder).filename().string()};
+      for (const auto &cell : results)
+      {
+        const auto *const value = std::get_if<double>(&cell);
+        row.push_back(value != nullptr && !std::isfinite(*value) ? CsvWriter::Cell(std::string()) : cell);
+      }
+      return row;
+    }
   } // namespace
 
 
@@ -89,73 +156,13 @@ namespace deltaform
                          const std::vector<SweepRun> &runs,
                          const Units &units)
   {
-    std::vector<CsvWriter::Column> columns{{"run", "1"}};
-    for (const auto &variation : command.variations)
-      columns.push_back({variation.entry, "1"});
-    columns.insert(columns.end(),
-                   {{"exit_status", "1"},
-                    {"outcome", "1"},
-                    {"time", "time"},
-                    {"travel", "length"},
-                    {"force_z", "force"},
-                    {"max_force", "force"},
-                    {"increments", "1"},
-                    {"newton_iterations", "1"},
-                    {"penalty_rounds", "1"},
-                    {"cutbacks", "1"},
-                    {"max_penetration", "length"},
-                    {"max_penetration_over_delta", "1"},
-                    {"max_epsilon", "force/length"},
-                    {"max_condition_raw", "1"},
-                    {"max_condition_scaled", "1"},
-                    {"min_thickness", "length"},
-                    {"energy_error", "1"},
-                    {"seconds", "s"},
-                    {"folder", "1"}});
     std::vector<std::vector<CsvWriter::Cell>> rows;
     for (std::size_t i = 0; i < runs.size(); ++i)
-    {
-      const SweepRun &run = runs[i];
-      if (run.exit_status < 0)
-        continue;
-      const Columns history = read_history(run.folder);
-      const auto summary = read_summary(run.folder);
-      const auto number = [&](const char *const name) { return summary.get<double>(name, nan); };
-      std::vector<CsvWriter::Cell> row{i + 1.};
-      row.insert(row.end(), run.values.begin(), run.values.end());
-      const std::vector<CsvWriter::Cell> results{static_cast<double>(run.exit_status),
-                                                 summary.empty() ? last_words(run, command.seconds)
-                                                                 : summary.get<std::string>("outcome", ""),
-                                                 last(history, "time"),
-                                                 last(history, run.main_tool + "_travel"),
-                                                 last(history, run.main_tool + "_force_z"),
-                                                 summary.get<double>(
-                                                   boost::property_tree::ptree::path_type(
-                                                     "tools/" + run.main_tool + "/max_force", '/'),
-                                                   nan),
-                                                 number("increments"),
-                                                 number("newton_iterations"),
-                                                 number("penalty_rounds"),
-                                                 number("cutbacks"),
-                                                 largest(history, "max_penetration"),
-                                                 number("max_penetration_over_delta"),
-                                                 largest(history, "max_epsilon"),
-                                                 largest(history, "condition_raw"),
-                                                 largest(history, "condition_scaled"),
-                                                 number("min_thickness"),
-                                                 number("energy_error"),
-                                                 number("seconds"),
-                                                 std::filesystem::path(run.folder).filename().string()};
-      for (const auto &cell : results)
-      {
-        const auto *const value = std::get_if<double>(&cell);
-        row.push_back(value != nullptr && !std::isfinite(*value) ? CsvWriter::Cell(std::string()) : cell);
-      }
-      rows.push_back(row);
-    }
+      if (runs[i].exit_status >= 0)
+        rows.push_back(row_of(runs[i], i + 1, command));
     const std::vector<std::string> comments{"sweep of " + command.scene,
                                             "travel and force are those of the main tool in the last increment; empty: "
                                             "unknown, or not asked for"};
-    write_table(folder + "/sweep.csv", comments, columns, rows, units);
+    write_table(folder + "/sweep.csv", comments, columns_of(command), rows, units);
   }
 } // namespace deltaform

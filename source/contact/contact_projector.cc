@@ -17,13 +17,13 @@ namespace deltaform
     thickness_ = thickness == "current"   ? ContactThickness::current
                  : thickness == "initial" ? ContactThickness::initial
                                           : ContactThickness::none;
-    const std::string squeeze = tool_section.choice(
-      "Squeeze",
+    const std::string compliance = tool_section.choice(
+      "Thickness compliance",
       "on",
       {"on", "off"},
-      "Through-thickness compliance of a shell. on: the half of the thickness on this side is an elastic spring, "
-      "compressed by the contact pressure within the increment. off: it is rigid until the increment is accepted.");
-    gives_way_ = squeeze == "on";
+      "Of a shell, through its thickness. on: the half on this side of the mid-surface is an elastic spring that the "
+      "contact pressure compresses. off: it is rigid within an increment.");
+    gives_way_ = compliance == "on";
     reset();
   }
 

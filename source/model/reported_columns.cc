@@ -76,11 +76,11 @@ namespace deltaform
   void describe_contact(Columns &columns)
   {
     columns.add({{"max_penetration", "length",
-                  "largest penetration p over the touching nodes: of the sheet's face, which the contact force "
-                  "has squeezed by (t/2) pressure/E (`Squeeze`, [theory](theory/contact.md#squeeze)), into the "
-                  "tool"},
+                  "largest penetration of a touching node into a tool. Of a shell, that of its face, which the contact force "
+                  "has compressed by (t/2) pressure/E (`Thickness compliance`, "
+                  "[theory](theory/contact.md#thickness-compliance))"},
                  {"max_penetration_over_delta", "1",
-                  "largest p/delta: with rule `adaptive` never above 1 (but for 1e-6 of it, or round-off)"},
+                  "largest penetration/delta: with rule `adaptive` never above 1 (but for 1e-6 of it, or round-off)"},
                  {"max_penetration_between_nodes", "length",
                   "largest penetration between nodes, where delta says nothing: an error of the mesh"},
                  {"min_epsilon", "force/length", "smallest penalty factor of what touches"},

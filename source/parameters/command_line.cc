@@ -1,7 +1,6 @@
 #include <deltaform/parameters/ceilings.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/text.h>
-#include <deltaform/parameters/value_range.h>
 
 #include <boost/program_options.hpp>
 
@@ -25,6 +24,8 @@ namespace deltaform
       add("vary", po::value<Strings>()->composing());
       add("jobs", po::value<int>());
       add("seconds", po::value<double>());
+      add("samples", po::value<int>());
+      add("seed", po::value<int>());
       add("svg", po::value<std::string>());
       for (const auto *const name : {"check", "resume", "force", "quiet", "print", "list", "print-parameters",
                                      "print-columns", "version", "help,h"})
@@ -70,42 +71,63 @@ namespace deltaform
       return values.count(name) > 0 ? values[name].as<T>() : otherwise;
     }
 
-    /// The values of --vary @p text with its ranges written out.
-    Strings with_ranges(const std::string &text, const Strings &pieces)
+    /// What --vary says. @throws UsageError
+    std::vector<Variation> read_variations(const Strings &texts, const bool intervals)
     {
-      Strings result;
-      for (const auto &piece : pieces)
+      std::vector<Variation> result;
+      for (const auto &text : texts)
         try
         {
-          for (const auto &value : values_of_range(piece))
-            result.push_back(value);
+          result.push_back(Variation::read(text, intervals));
         }
         catch (const std::invalid_argument &error)
         {
-          throw UsageError("--vary \"" + text + "\": in " + piece + ", " + error.what() + ".");
+          throw UsageError("--vary \"" + text + "\": " + error.what() + ".");
         }
+      for (std::size_t i = 0; i < result.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+          if (result[i].entry == result[k].entry)
+            throw UsageError("--vary \"" + result[i].entry + "\" is stated twice.");
       return result;
     }
 
-    CommandLine::Variation variation(const std::string &text)
+    /// A number of at least 1.
+    unsigned int count(const po::variables_map &values, const std::string &name, const int otherwise)
     {
-      const auto equals = text.find('=');
-      CommandLine::Variation result;
-      if (equals != std::string::npos)
-      {
-        // Values with commas of their own, such as tables, are separated by semicolons.
-        const std::string values = text.substr(equals + 1);
-        const char separator = values.find(';') != std::string::npos ? ';' : ',';
-        result.entry = text::trim(text.substr(0, equals));
-        auto pieces = text::split(values, separator);
-        if (separator == ';' && pieces.size() > 1 && pieces.back().empty())
-          pieces.pop_back(); // "0: 0, 1: 1;" is one value
-        result.values = with_ranges(text, pieces);
-      }
-      const bool has_gap = std::find(result.values.begin(), result.values.end(), "") != result.values.end();
-      if (result.entry.empty() || result.values.empty() || has_gap)
-        throw UsageError("--vary \"" + text + "\": expected \"Section/Entry=value,value,...\".");
-      return result;
+      const int result = value_or(values, name, otherwise);
+      if (result < 1)
+        throw UsageError("--" + name + " needs a number of at least 1.");
+      return static_cast<unsigned int>(result);
+    }
+
+    /// The options of a sweep, or that there are none.
+    void read_sweep(CommandLine &line, const po::variables_map &values)
+    {
+      const bool sweep = line.command == Command::sweep;
+      for (const auto *const name : {"vary", "jobs", "seconds", "samples", "seed"})
+        if (!sweep && values.count(name) > 0)
+          throw UsageError(std::string("--") + name + " goes with 'deltaform sweep SCENE.prm' only.");
+      if (!sweep)
+        return;
+      if (values.count("samples") > 0)
+        line.samples = count(values, "samples", 1);
+      else if (values.count("seed") > 0)
+        throw UsageError("--seed goes with --samples only.");
+      line.seed = count(values, "seed", 1);
+      line.variations = read_variations(value_or(values, "vary", Strings()), line.samples > 0);
+      if (line.variations.empty())
+        throw UsageError("A sweep needs --vary \"Section/Entry=value,value,...\".");
+      line.jobs = count(values, "jobs", 1);
+      double runs = line.samples > 0 ? line.samples : 1.;
+      if (line.samples == 0)
+        for (const auto &variation : line.variations)
+          runs *= static_cast<double>(variation.values.size());
+      if (runs > static_cast<double>(ceilings::sweep_runs))
+        throw UsageError("The values of --vary make " + text::rounded(runs) + " runs; a sweep has at most " +
+                         std::to_string(ceilings::sweep_runs) + ".");
+      line.seconds = value_or(values, "seconds", CommandLine::infinity);
+      if (!(line.seconds > 0))
+        throw UsageError("--seconds needs a positive number.");
     }
 
     /// The commands that are words.
@@ -181,13 +203,6 @@ namespace deltaform
     line.print = values["print"].as<bool>();
     line.svg = value_or(values, "svg", std::string());
     line.force = values["force"].as<bool>();
-    for (const auto &text : value_or(values, "vary", Strings()))
-    {
-      line.variations.push_back(variation(text));
-      for (std::size_t i = 0; i + 1 < line.variations.size(); ++i)
-        if (line.variations[i].entry == line.variations.back().entry)
-          throw UsageError("--vary \"" + line.variations[i].entry + "\" is stated twice.");
-    }
     if (line.command == Command::help)
       return line;
 
@@ -210,24 +225,7 @@ namespace deltaform
     check_switches(line, values.count("svg") > 0);
     if (line.force && !computes)
       throw UsageError("--force goes with a run or a sweep only.");
-    if (sweep && line.variations.empty())
-      throw UsageError("A sweep needs --vary \"Section/Entry=value,value,...\".");
-    for (const auto *const name : {"vary", "jobs", "seconds"})
-      if (!sweep && values.count(name) > 0)
-        throw UsageError(std::string("--") + name + " goes with 'deltaform sweep SCENE.prm' only.");
-    const int jobs = value_or(values, "jobs", 1);
-    if (jobs < 1)
-      throw UsageError("--jobs needs a number of at least 1.");
-    line.jobs = static_cast<unsigned int>(jobs);
-    double runs = 1.;
-    for (const auto &variation : line.variations)
-      runs *= static_cast<double>(variation.values.size());
-    if (runs > static_cast<double>(ceilings::sweep_runs))
-      throw UsageError("The values of --vary make " + text::rounded(runs) + " runs; a sweep has at most " +
-                       std::to_string(ceilings::sweep_runs) + ".");
-    line.seconds = value_or(values, "seconds", infinity);
-    if (!(line.seconds > 0))
-      throw UsageError("--seconds needs a positive number.");
+    read_sweep(line, values);
     return line;
   }
 
@@ -257,8 +255,12 @@ Options of a run
 
 Options of a sweep (and --set, --output, --force, --quiet)
   --vary "Section/Entry=a,b,c" the values to run; with several --vary, all combinations;
-                               values that contain commas: "Section/Entry=a;b;c";
+                               values that contain commas: "Section/Entry=a;b;c",
+                               semicolons: "Section/Entry={0 0; 1 1},{0 0; 2 1}";
                                first:last:step is a range, such as .05:.2:.05
+  --samples N                  N runs instead of all combinations, by a Latin hypercube:
+                               first:last is then an interval, such as .05:.2
+  --seed N                     other random numbers for --samples (1)
   --jobs N                     runs at a time (1)
   --seconds N                  a run that takes longer is ended; its row says so (no limit)
   --resume                     go on with a sweep that was stopped: runs that have ended stay

@@ -1,3 +1,5 @@
+#include "renamed_entries.h"
+
 #include <deltaform/parameters/ceilings.h>
 #include <deltaform/parameters/parameter_pages.h>
 #include <deltaform/parameters/parameter_tree.h>
@@ -22,6 +24,7 @@ namespace deltaform
     SceneFile scene = SceneFile::read(file_name);
     for (const auto &assignment : overrides)
       scene.override_entry(assignment);
+    rename_old_entries(scene);
     return ParameterTree(std::move(scene), false);
   }
 
@@ -31,6 +34,7 @@ namespace deltaform
     SceneFile scene = SceneFile::parse(text, name);
     for (const auto &assignment : overrides)
       scene.override_entry(assignment);
+    rename_old_entries(scene);
     return ParameterTree(std::move(scene), false);
   }
 
@@ -102,6 +106,22 @@ namespace deltaform
     const Declaration *const declaration = section == nullptr ? nullptr : section->entry(entry);
     const std::string value = declaration == nullptr ? "" : " = " + declaration->value + " (the default)";
     throw SceneError(where + ": " + who + value + ": " + message);
+  }
+
+  void ParameterTree::supply(const SceneFile::Entry &entry)
+  {
+    scene_.supply(entry);
+  }
+
+  std::string ParameterTree::stated(const SectionPath &path, const std::string &entry) const
+  {
+    const auto *const said = scene_.find(path, entry);
+    return said == nullptr ? "" : said->value;
+  }
+
+  std::vector<std::string> ParameterTree::drop_replaced(const KnownElsewhere &known_elsewhere)
+  {
+    return deltaform::drop_replaced(scene_, root_, known_elsewhere);
   }
 
   void ParameterTree::check_unused()

@@ -271,14 +271,24 @@ namespace deltaform
     path.pop_back();
     for (auto &section : path)
       section = tidy(section);
+    ++n_overrides;
     for (auto &entry : entries)
       if (entry.path == path && entry.name == entry_name)
       {
+        if (entry.value != value) // what is said twice is no change
+          entry.layer = n_overrides;
         entry.value = value;
         entry.origin = {"--set", 0};
         return;
       }
-    entries.push_back({path, entry_name, value, {"--set", 0}});
+    entries.push_back({path, entry_name, value, {"--set", 0}, n_overrides});
+  }
+
+  void SceneFile::supply(Entry entry)
+  {
+    entry.layer = -1;
+    if (find(entry.path, entry.name) == nullptr)
+      entries.push_back(std::move(entry));
   }
 
   const SceneFile::Entry *SceneFile::find(const SectionPath &path, const std::string &entry) const

@@ -1,4 +1,5 @@
 #include <deltaform/parameters/text.h>
+#include <deltaform/parameters/unit_system.h>
 #include <deltaform/scene/doubtful_solid.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/overlapping_tools.h>
@@ -67,6 +68,26 @@ namespace deltaform
           "; of metals it is 200 to 1000 times. Elastic strains are taken to be small: look at the units.");
     }
 
+    /// Values that no metal and no sheet has, if the label of the units is right.
+    void doubtful_units(const Scene &scene, Texts &result)
+    {
+      const UnitSystem unit_system(scene.units);
+      const Blank &blank = *scene.actors.blank;
+      constexpr double softest = 1e10, stiffest = 7e11; // Pa: lead, tungsten carbide
+      const double modulus = blank.surface().modulus();
+      if (unit_system.stress && std::isfinite(blank.initial_flow_stress()) &&
+          (modulus * *unit_system.stress < softest || modulus * *unit_system.stress > stiffest))
+        result.push_back("Material: a Young's modulus of " + text::rounded(modulus * *unit_system.stress / 1e9) +
+                         " GPa is that of no metal (10 to 700): look at the modulus and at Units = " + scene.units +
+                         ".");
+      constexpr double thinnest = 1e-6, thickest = .2; // m
+      const double thickness = blank.initial_thickness();
+      if (unit_system.length && blank.fields().is_sheet() &&
+          (thickness * *unit_system.length < thinnest || thickness * *unit_system.length > thickest))
+        result.push_back("Blank: a sheet of " + text::rounded(thickness * *unit_system.length * 1e3) +
+                         " mm is none that is formed: look at Thickness and at Units = " + scene.units + ".");
+    }
+
     void doubtful_friction(const Actors &actors, Texts &result)
     {
       for (const auto &interface : actors.interfaces)
@@ -103,6 +124,7 @@ namespace deltaform
     rigid_motions(scene.actors, result);
     short_elements(*scene.actors.blank, result);
     soft_material(*scene.actors.blank, result);
+    doubtful_units(scene, result);
     doubtful_friction(scene.actors, result);
     gripped_solid(scene.actors, result);
     for (auto &text : overlapping_tools(scene.actors))

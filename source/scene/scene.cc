@@ -1,7 +1,11 @@
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/unit_system.h>
 #include <deltaform/parameters/units_label.h>
+#include <deltaform/scene/known_entries.h>
 #include <deltaform/scene/scene.h>
+
+#include <optional>
 
 namespace deltaform
 {
@@ -22,8 +26,11 @@ namespace deltaform
     Section root = tree.root();
     title = root.text("Title", Default<std::string>("a deltaform scene"), "What this scene is.");
     units = read_units_label(root);
+    if (const std::string objection = UnitSystem(units).objection(); !objection.empty())
+      root.fail("Units", objection);
 
     Section blank = root.sub("Blank");
+    supply_material(root);
     actors.blank = Registry<Blank>::choose(blank, "Kind", "shell", "How the blank is modelled.");
     build_tools(root);
 
@@ -52,6 +59,12 @@ namespace deltaform
 
     if (root.documentation())
       return;
+    std::optional<KnownEntries> known; // asked for seldom
+    notes = tree.drop_replaced([&known](const SectionPath &path, const std::string &name) {
+      if (!known)
+        known.emplace();
+      return known->contain(path, name);
+    });
     tree.check_unused();
     check(root);
   }

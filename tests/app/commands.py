@@ -20,8 +20,9 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 def run(*words, status=0):
+    """What the program says. @p status it must end with; None: any."""
     done = subprocess.run([PROGRAM, *words], capture_output=True, text=True, cwd=WORK)
-    assert done.returncode == status, (words, done.returncode, done.stdout, done.stderr)
+    assert status is None or done.returncode == status, (words, done.returncode, done.stdout, done.stderr)
     return done.stdout + done.stderr
 
 
@@ -123,6 +124,70 @@ class Commands(unittest.TestCase):
                    "--output", "sweep", "--resume")
         self.assertNotIn("had ended before", said)
         self.assertEqual({float(row["travel"]) for row in self.table()}, {.05})
+
+    def test_a_latin_hypercube(self):
+        def rows(*words):
+            run("sweep", SCENE, "--set", "Steps/form/End time=.05", "--set", "Output/Pictures=0", "--vary", "Contact/Penalty rule=adaptive,paper",
+                "--vary", "Tools/punch/Friction coefficient=.1:.3", "--vary", "Tools/die/Profile radius=.2:.4", "--samples", "10",
+                "--quiet", "--output", "sampled", *words, status=None)
+            with open(os.path.join(WORK, "sampled", "sweep.csv"), newline="", encoding="utf-8") as file:
+                return list(csv.DictReader(line for line in file if not line.startswith("#")))
+        first = rows()
+        self.assertEqual(len(first), 10)
+        # Every tenth of every interval has one sample, and half of the samples have each of two values.
+        for name, low, high in (("Tools/punch/Friction coefficient", .1, .3), ("Tools/die/Profile radius", .2, .4)):
+            self.assertEqual(sorted(int((float(row[name]) - low) / (high - low) * 10) for row in first), list(range(10)))
+        self.assertEqual([row["Contact/Penalty rule"] for row in first].count("paper"), 5)
+        # Two entries are not sampled in step, the same seed gives the same samples, and another one others.
+        order = [[row[name] for row in sorted(first, key=lambda row: float(row[name]))] for name in
+                 ("Tools/punch/Friction coefficient", "Tools/die/Profile radius")]
+        self.assertNotEqual([row["run"] for row in sorted(first, key=lambda row: float(row["Tools/punch/Friction coefficient"]))],
+                            [row["run"] for row in sorted(first, key=lambda row: float(row["Tools/die/Profile radius"]))], order)
+        values = [row["Tools/die/Profile radius"] for row in first]
+        self.assertEqual(values, [row["Tools/die/Profile radius"] for row in rows("--seed", "1")])
+        self.assertNotEqual(values, [row["Tools/die/Profile radius"] for row in rows("--seed", "2")])
+
+    def test_values_with_commas_and_semicolons(self):
+        said = run("sweep", SCENE, "--vary", "Blank/Points={0 0; 2.22 0},{0 0; 2 0}", "--vary", "Output/Travels={.1, .2}", "--print",
+                   "--output", "points")
+        self.assertEqual([re.search(r"Points=([^']*)'", line).group(1) for line in said.splitlines()], ["0 0; 2.22 0", "0 0; 2 0"])
+        self.assertEqual(said.count("Travels=.1, .2'"), 2)
+
+    def test_a_law_changed_on_the_command_line(self):
+        law = ("--set", "Material/Hardening/Law=voce", "--set", "Material/Hardening/Initial flow stress=6", "--set",
+               "Material/Hardening/Saturation stress=30", "--set", "Material/Hardening/Saturation rate=4")
+        said = run(SCENE, "--check", *law)
+        self.assertIn("is a valid scene", said)
+        self.assertEqual(said.count("is not used: it does not go with Material/Hardening/Law = voce"), 4)
+        self.assertIn("unknown entry Material/Hardening/Prestrain", run(SCENE, "--check", *law, "--set", "Material/Hardening/Prestrain=1", status=1))
+        # The shape of a tool, the yield surface, and a sweep over laws whose constants stand before.
+        run(SCENE, "--check", "--set", "Tools/punch/Shape=flat punch", "--set", "Tools/punch/Edge radius=.2")
+        run(SCENE, "--check", "--set", "Material/Yield surface/Law=hosford", "--set", "Material/Yield surface/Exponent=8", "--set",
+            "Material/Yield surface/r-bar=1.4")
+        run("sweep", SCENE, "--set", "Steps/form/End time=.05", "--set", "Output/Pictures=0", *law[2:], "--set", "Material/Hardening/Strength coefficient=40",
+            "--set", "Material/Hardening/Prestrain=.01", "--set", "Material/Hardening/Hardening exponent=.3",
+            "--vary", "Material/Hardening/Law=voce,swift", "--quiet", "--output", "laws")
+        forces = []
+        for k, (used, dropped) in enumerate((("Saturation stress", "Prestrain"), ("Prestrain", "Saturation stress"))):
+            with open(os.path.join(WORK, "laws", f"run_00{k + 1}", "scene.prm"), encoding="utf-8") as file:
+                scene = file.read()
+            self.assertIn(f"set {used} =", scene)
+            self.assertNotIn(f"set {dropped} =", scene)
+
+    def test_a_metal_by_name(self):
+        self.assertRegex(run("--list"), r"Material/Name\n  AA2024-T351 +G\.R\. Johnson")
+        with open(SCENE, encoding="utf-8") as file:
+            text = file.read()
+        start, end = text.index("subsection Material"), text.index("subsection Tools")
+        scene = text[:start] + "subsection Material\n  set Name = OFHC copper\nend\n\n" + text[end:]
+        with open(os.path.join(WORK, "copper.prm"), "w", encoding="utf-8") as file:
+            file.write(scene)
+        run("copper.prm", "--quiet", "--set", "Steps/form/End time=.05", "--output", "copper")
+        with open(os.path.join(WORK, "copper", "scene.prm"), encoding="utf-8") as file:
+            echo = file.read()
+        # 117 GPa in long tons-force per square inch of 15.4443 MPa.
+        self.assertAlmostEqual(float(re.search(r"set Young's modulus = (\S+)", echo).group(1)), 117e3 / 15.4443, delta=.1)
+        run("copper/scene.prm", "--check")
 
 
 if __name__ == "__main__":

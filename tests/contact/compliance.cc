@@ -8,7 +8,7 @@ namespace
 {
   constexpr double give = .02, factor = 200., stiffness = 1e3;
 
-  FakeSurface squeezed_node()
+  FakeSurface compliant_node()
   {
     FakeSurface surface(1);
     surface.X[0] = Point2(.3, 0.);
@@ -30,8 +30,8 @@ namespace
   {
     CompliantContact(const FakeSurface &surface,
                      const Entries &contact_entries,
-                     const std::string &squeeze = "Squeeze=on")
-      : InterfaceFixture(surface, contact_entries, flat + Entries{squeeze})
+                     const std::string &compliance = "Thickness compliance=on")
+      : InterfaceFixture(surface, contact_entries, flat + Entries{compliance})
     {
       contact.begin_stage(sunk(*this, 0.), 0.);
       begin_increment(sunk(*this, 0.), 1., stiffness);
@@ -43,10 +43,10 @@ BOOST_AUTO_TEST_SUITE(compliance)
 
 BOOST_AUTO_TEST_CASE(two_springs_in_series)
 {
-  const FakeSurface surface = squeezed_node();
+  const FakeSurface surface = compliant_node();
   for (const double share : {0., 1.})
   {
-    const std::string entry = share > 0. ? "Squeeze=on" : "Squeeze=off";
+    const std::string entry = share > 0. ? "Thickness compliance=on" : "Thickness compliance=off";
     CompliantContact fixture(surface, constant + Entries{"Enforcement=penalty"}, entry);
     const DenseTarget target = fixture.settle(sunk(fixture, .1));
     const double stiff = 1. / (1. / factor + share * give);
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(two_springs_in_series)
 
 BOOST_AUTO_TEST_CASE(an_estimate_along_a_step_is_the_force_at_its_end)
 {
-  const FakeSurface surface = squeezed_node();
+  const FakeSurface surface = compliant_node();
   CompliantContact fixture(surface, constant + Entries{"Enforcement=penalty"});
   fixture.settle(sunk(fixture, .1));
   Vector d(fixture.n);
@@ -73,9 +73,9 @@ BOOST_AUTO_TEST_CASE(an_estimate_along_a_step_is_the_force_at_its_end)
   BOOST_TEST(std::abs(state.multiplier - state.force) < 1e-13);
 }
 
-BOOST_AUTO_TEST_CASE(an_exact_constraint_holds_at_the_squeezed_face)
+BOOST_AUTO_TEST_CASE(an_exact_constraint_holds_at_the_compressed_face)
 {
-  const FakeSurface surface = squeezed_node();
+  const FakeSurface surface = compliant_node();
   CompliantContact fixture(surface, {"Enforcement=active set"});
   Vector q = sunk(fixture, .1);
   q[2] = .1 / give;
@@ -88,10 +88,10 @@ BOOST_AUTO_TEST_CASE(an_exact_constraint_holds_at_the_squeezed_face)
   BOOST_TEST(std::abs(target.residual[2] + .3 * give) < 1e-15);
 }
 
-BOOST_AUTO_TEST_CASE(augmentation_leaves_the_squeeze)
+BOOST_AUTO_TEST_CASE(augmentation_leaves_the_compression)
 {
-  // A shift that is the force of the squeezed sheet: no penetration is left.
-  const FakeSurface surface = squeezed_node();
+  // A shift that is the force of the compressed sheet: no penetration is left.
+  const FakeSurface surface = compliant_node();
   CompliantContact fixture(surface, constant + Entries{"Enforcement=augmented Lagrangian"});
   fixture.settle(sunk(fixture, .1));
   const double force = .1 / give;

@@ -449,10 +449,10 @@ BOOST_AUTO_TEST_CASE(the_deepest_point_of_an_edge_over_an_arc)
   // A chord with ends of different depth, also with faces that give way with the force, outside and inside of a circle,
   // on both sides of the axis: against a search of the chord in small steps.
   for (const std::string concave : {"false", "true"})
-    for (const std::string squeeze : {"off", "on"})
+    for (const std::string compliance : {"off", "on"})
       for (const double side : {1., -1.})
         for (const double depth : {2e-3, 9e-3, 6e-2})
-          BOOST_TEST_CONTEXT("concave " << concave << ", squeeze " << squeeze << ", side of the axis " << side
+          BOOST_TEST_CONTEXT("concave " << concave << ", compliance " << compliance << ", side of the axis " << side
                                         << ", depth " << depth)
           {
             FakeSurface surface(2);
@@ -466,7 +466,8 @@ BOOST_AUTO_TEST_CASE(the_deepest_point_of_an_edge_over_an_arc)
             InterfaceFixture fixture(
               surface,
               constant,
-              {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0", "Concave=" + concave, "Squeeze=" + squeeze});
+              {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0", "Concave=" + concave,
+               "Thickness compliance=" + compliance});
             const Vector q(fixture.n);
             fixture.contact.begin_stage(q, 0.);
             fixture.begin_increment(q, 1., stiffness);
@@ -481,7 +482,7 @@ BOOST_AUTO_TEST_CASE(the_deepest_point_of_an_edge_over_an_arc)
               const Point2 x = surface.X[0] + xi * (surface.X[1] - surface.X[0]);
               const auto &points = fixture.contact.committed();
               const double force = (1. - xi) * points[0].force + xi * points[1].force;
-              const double face = squeeze == "off" ? 0. : -surface.compliance * force;
+              const double face = compliance == "off" ? 0. : -surface.compliance * force;
               deepest = std::max(deepest, face - fixture.contact.tool().project(x, 0., 0).distance);
             }
             BOOST_TEST(deepest > 0.);

@@ -175,4 +175,20 @@ BOOST_AUTO_TEST_CASE(authors_are_told_of_their_errors)
   BOOST_CHECK_THROW(root.number("a/b", 1., Range::positive(), "length", "Z."), dealii::ExceptionBase);
 }
 
+BOOST_AUTO_TEST_CASE(old_names)
+{
+  const auto value = [](const std::string &text, const std::vector<std::string> &sets) {
+    auto tree = ParameterTree::parse(text, "test.prm", sets);
+    Section tool = tree.root().sub("Tools").sub("punch");
+    const std::string result = tool.choice("Thickness compliance", "on", {"on", "off"}, "");
+    tree.check_unused();
+    return result;
+  };
+  const std::string open = "subsection Tools\n subsection punch\n", close = " end\nend\n";
+  BOOST_TEST(value(open + "set Squeeze = off\n" + close, {}) == "off");
+  BOOST_TEST(value("", {"Tools/punch/Squeeze=off"}) == "off");
+  BOOST_TEST(value(open + "set Thickness compliance = on\n" + close, {"Tools/punch/Squeeze=off"}) == "off");
+  BOOST_CHECK_THROW(value(open + "set Thickness compliance = on\n set Squeeze = off\n" + close, {}), SceneError);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -142,13 +142,13 @@ def penetrations(run, label, profile, outlines, contact):
             if kind == "initial" and not solid:
                 h = float(run.scene["Blank"]["Thickness"])
             half = 0. if kind == "none" else .5 * h
-            squeezed = 0.
-            if tool.entries.get("Squeeze") == "on" and given_way and not solid:
-                squeezed = .5 * h * pressed.get((tool.name, S), 0.) / modulus
+            compressed = 0.
+            if tool.entries.get("Thickness compliance") == "on" and given_way and not solid:
+                compressed = .5 * h * pressed.get((tool.name, S), 0.) / modulus
             distance, doubt = outlines[tool.name].distance(x)
             # The table's pressure is over the new area.
-            doubt += 1e-9 * size + (half if kind == "current" else squeezed) * change
-            yield tool.name, S, half - squeezed - distance, doubt
+            doubt += 1e-9 * size + (half if kind == "current" else compressed) * change
+            yield tool.name, S, half - compressed - distance, doubt
 
 
 def thickness_change(run, profile):

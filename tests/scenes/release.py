@@ -25,7 +25,7 @@ VARIANTS = {
     "active set": ["Contact/Enforcement=active set"],
     "outer fibre": ["Blank/Contact point=outer fibre"],
     "initial thickness": ["Tools/die/Contact thickness=initial", "Tools/holder/Contact thickness=initial"],
-    "rigid": ["Tools/die/Squeeze=off", "Tools/holder/Squeeze=off"],
+    "rigid": ["Tools/die/Thickness compliance=off", "Tools/holder/Thickness compliance=off"],
     "degree 2": ["Blank/Degree=2"],
     "solid": ["Blank/Kind=solid", "Blank/Elements through thickness=2"],
     "solid of degree 2": ["Blank/Kind=solid", "Blank/Degree=2", "Blank/Elements through thickness=1"],

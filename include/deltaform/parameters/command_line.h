@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deltaform/parameters/variation.h>
+
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -48,13 +50,6 @@ namespace deltaform
       help
     };
 
-    /// "Contact/Allowed penetration=1e-3,1e-5".
-    struct Variation
-    {
-      std::string entry;
-      std::vector<std::string> values;
-    };
-
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
     Command command = Command::run;
@@ -67,6 +62,8 @@ namespace deltaform
     unsigned int jobs = 1; ///< runs of a sweep at a time
     double seconds = infinity; ///< a run of a sweep may take
     std::vector<Variation> variations; ///< of a sweep
+    unsigned int samples = 0; ///< runs of a sweep that samples; 0: all combinations
+    unsigned int seed = 1; ///< of the random numbers of a sweep that samples
     bool print = false; ///< the commands of a sweep instead of running them
     std::string svg; ///< file that --check draws the scene into; empty: none
     std::vector<std::string> words; ///< of new_scene and explain

@@ -2,6 +2,7 @@
 
 #include <deltaform/parameters/declared_section.h>
 #include <deltaform/parameters/magnitudes.h>
+#include <deltaform/parameters/replaced_entries.h>
 #include <deltaform/parameters/scene_file.h>
 #include <deltaform/parameters/section.h>
 
@@ -39,6 +40,15 @@ namespace deltaform
 
     /// The scene file as the user called it.
     const std::string &file_name() const;
+
+    /// Add an entry that counts where the scene itself says nothing.
+    void supply(const SceneFile::Entry &entry);
+
+    /// What the scene says of an entry, before anybody has declared it; empty if nothing.
+    std::string stated(const SectionPath &path, const std::string &entry) const;
+
+    /// After everything has been made: deltaform::drop_replaced().
+    std::vector<std::string> drop_replaced(const KnownElsewhere &known_elsewhere);
 
     /**
      * The strict pass, after everything has been made: @throws SceneError if the scene has entries or subsections that

@@ -41,6 +41,7 @@ namespace deltaform
       std::string name;
       std::string value;
       Origin origin;
+      int layer = 0; ///< what was said later has a higher one: -1 taken from a table, 0 the file, 1, 2, ... --set
     };
 
     struct Subsection
@@ -52,6 +53,7 @@ namespace deltaform
     std::string name; ///< the file as the user called it
     std::vector<Entry> entries; ///< in order; an entry that replaces an included one appears once
     std::vector<Subsection> subsections; ///< in order, each path once, where it first begins
+    int n_overrides = 0; ///< assignments of the command line
 
     /**
      * Read a file and what it includes. An entry of the including file and one of the included file may have the same
@@ -66,6 +68,9 @@ namespace deltaform
 
     /// Add "A/B/entry=value" of the command line, which replaces what the file says. @throws SceneError
     void override_entry(const std::string &assignment);
+
+    /// Add an entry of a table, which replaces nothing.
+    void supply(Entry entry);
 
     const Entry *find(const SectionPath &path, const std::string &entry) const;
     const Subsection *find(const SectionPath &path) const;

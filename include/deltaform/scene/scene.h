@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace deltaform
 {
@@ -22,6 +23,7 @@ namespace deltaform
 
     ParameterTree &tree;
     std::string title, units;
+    std::vector<std::string> notes; ///< what the user should know of how the scene was read
     std::unique_ptr<LinearSolverSettings> linear_solver;
     Actors actors;
 
@@ -34,6 +36,9 @@ namespace deltaform
 
   private:
     void build_tools(Section root);
+
+    /// What a metal's name stands for (entry Material/Name). @throws SceneError
+    void supply_material(Section root);
 
     /// Things that are wrong although every entry is allowed: overlaps, stages in which nothing changes, ...
     void check(Section root) const;
