@@ -21,7 +21,8 @@ namespace deltaform
       }
       catch (const std::invalid_argument &error)
       {
-        throw SceneError(entry.origin.to_string() + ": " + entry.name + " = " + entry.value + ": " + error.what() + ".");
+        throw SceneError(entry.origin.to_string() + ": " + entry.name + " = " + entry.value + ": " + error.what() +
+                         ".");
       }
     }
 

@@ -76,8 +76,8 @@ namespace deltaform
   void describe_contact(Columns &columns)
   {
     columns.add({{"max_penetration", "length",
-                  "largest penetration of a touching node into a tool. Of a shell, that of its face, which the contact force "
-                  "has compressed by (t/2) pressure/E (`Thickness compliance`, "
+                  "largest penetration of a touching node into a tool. Of a shell, that of its face, which the contact "
+                  "force has compressed by (t/2) pressure/E (`Thickness compliance`, "
                   "[theory](theory/contact.md#thickness-compliance))"},
                  {"max_penetration_over_delta", "1",
                   "largest penetration/delta: with rule `adaptive` never above 1 (but for 1e-6 of it, or round-off)"},
