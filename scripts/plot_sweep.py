@@ -87,7 +87,7 @@ def draw_panel(figure, axis, sweep, entry, column):
         axis.plot(x[bad], np.full(bad.sum(), 0.03), "x", color="#b00020", transform=axis.get_xaxis_transform(), clip_on=False)
     if words is not None:
         axis.set_xticks(range(len(words)), [word if len(word) < 20 else word[:17] + "..." for word in words], rotation=20, ha="right")
-    elif len(x) and x.min() > 0 and x.max() > 30 * x.min():
+    elif groups is not None and x.min() > 0 and x.max() > 30 * x.min():
         axis.set_xscale("log")
     axis.set_xlabel(entry)
     axis.set_ylabel(labelled(NAMES.get(column, column.replace("_", " ")), sweep.table.unit(column)))

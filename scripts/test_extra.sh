@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# The tests of the label extra: the Python package, its examples, the report in a browser. Installs what they need on
-# Debian, builds, runs them one at a time. The last line counts: "N passed, M failed".
+# The tests of the label extra: the Python package and its examples, the plot of a sweep, the report in a browser, the Debian
+# package. Installs what they need on Debian, builds, runs them one at a time. The last line counts: "N passed, M failed".
 #   scripts/test_extra.sh [options of ctest, such as -R python]
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build/release
 
 "$root/scripts/setup.sh" python3-dev pybind11-dev python3-numpy python3-scipy python3-matplotlib \
-  python3-plotly python3-selenium chromium chromium-driver || exit 1
+  python3-plotly python3-selenium chromium chromium-driver dpkg-dev file || exit 1
 "$root/scripts/build.sh" "$build" || exit 1
 # The packages may be newer than the build folder.
 cmake -S "$root" -B "$build" >/dev/null && "$root/scripts/build.sh" "$build" || exit 1

@@ -29,8 +29,8 @@ namespace deltaform
                        0.,
                        Range{0., 1., false, true},
                        "1",
-                       "Allowed relative error of the plastic strain that an increment adds, estimated as half the turn of "
-                       "its direction, mean over the blank. Increments are as long as it allows. 0: it is not used.")),
+                       "Allowed relative error of the plastic strain that an increment adds: half the turn of its "
+                       "direction, mean over the blank. Increments are as long as it allows. 0: not used.")),
       extrapolate(section.flag("Extrapolate", true, "Predictor: Newton starts from the last increment's velocity."))
   {
   }

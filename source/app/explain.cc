@@ -48,8 +48,12 @@ namespace deltaform
       throw UsageError("explain needs the name of an entry, for example \"Tools/punch/Friction coefficient\".");
     std::set<std::string> told; // choices repeat what they have in common
     for (const auto &one : known.all())
-      if (matches(one, asked) && told.insert(to_string(KnownEntries::place(one), one.entry.name) + one.entry.sentence).second)
-        print(one, out);
+      if (matches(one, asked))
+      {
+        const std::string name = to_string(KnownEntries::place(one), one.entry.name);
+        if (told.insert(name + one.entry.sentence).second)
+          print(one, out);
+      }
     if (!told.empty())
     {
       out << "Every entry: doc/parameters.md, or deltaform --print-parameters\n";

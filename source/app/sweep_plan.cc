@@ -53,7 +53,8 @@ namespace deltaform
     {
       if (variation.interval)
         return fmt::format("{:.6g}", variation.first + share * (variation.last - variation.first));
-      return variation.values[static_cast<std::size_t>(std::floor(share * static_cast<double>(variation.values.size())))];
+      const double n = static_cast<double>(variation.values.size());
+      return variation.values[static_cast<std::size_t>(std::floor(share * n))];
     }
 
 

@@ -1,9 +1,11 @@
 # The Debian package: made, unpacked, and run from there, with nothing of the build folder but what the package has.
 #
-#     cmake -DBUILD=<build folder> -DWORK=<scratch> -DPYTHON=<interpreter or empty> -P debian.cmake
+#     cmake -DBUILD=<build folder> -DWORK=<scratch> -DTARGETS=<to build besides> -DPYTHON=<interpreter or empty> -P debian.cmake
 cmake_minimum_required(VERSION 3.21)
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${BUILD} --target deltaform deltaform_library ${TARGETS} OUTPUT_QUIET
+                COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_CPACK_COMMAND} --config ${BUILD}/CPackConfig.cmake -B ${WORK}/made -G DEB OUTPUT_QUIET
                 WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB package ${WORK}/made/*.deb)

@@ -3,6 +3,9 @@
 #     cmake -DBUILD=<build folder> -DWORK=<scratch> -DPYTHON=<interpreter> -DPACKAGES=<below the prefix> -DSCENE=<file> -P installed.cmake
 cmake_minimum_required(VERSION 3.21)
 file(REMOVE_RECURSE ${WORK})
+# Library and package of one build: a library that is newer than the package cannot serve it.
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${BUILD} --target deltaform deltaform_library deltaform_python OUTPUT_QUIET
+                COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 set(words "import deltaform, sys\nrun = deltaform.Scene(sys.argv[1], {'Steps/form/End time': .1}).run()\n"
           "maps = open('/proc/self/maps').read()\n"

@@ -7,8 +7,8 @@
 
 namespace deltaform
 {
-  /// Metals by name: a file in the language of scenes with a subsection per metal, which holds a Source and what section
-  /// Material of a scene may hold (share/materials.prm). Stresses are in MPa.
+  /// Metals by name: a file in the language of scenes with a subsection per metal, which holds a Source and what
+  /// section Material of a scene may hold (share/materials.prm). Stresses are in MPa.
   class MaterialTable
   {
   public:

@@ -15,7 +15,8 @@ namespace deltaform
 
     /**
      * Values are separated by commas. Those with commas of their own, such as tables, are separated by semicolons, and
-     * those with semicolons too, such as points, stand in braces: "{0 0; 1 1},{0 0; 2 1}". "first:last:step" is a range.
+     * those with semicolons too, such as points, stand in braces: "{0 0; 1 1},{0 0; 2 1}". "first:last:step" is
+     * a range.
      * @param intervals is "first:last" an interval, or a value (a table of one row)?
      * @throws std::invalid_argument with a sentence
      */
