@@ -38,6 +38,7 @@ def run(folder):
         "summary": read_json(os.path.join(folder, "summary.json")),
         "timing": read_json(os.path.join(folder, "timing.json")),
         "cuts": cuts(os.path.join(folder, "run.log")),
+        "limit": limit(os.path.join(folder, "fld.csv")),
         "scene": scene(os.path.join(folder, "scene.prm")),
     }
 
@@ -104,6 +105,14 @@ def states(folder):
                        "file": os.path.basename(path), "written": os.path.getmtime(path)})
     result.sort(key=lambda state: (state.pop("written"), state["travel"]))
     return result
+
+
+def limit(path):
+    """The forming limit curve that `deltaform fld` has written into the folder of a run, or None."""
+    if not os.path.isfile(path):
+        return None
+    columns = table(path)["columns"]
+    return {"minor": columns["minor_strain"], "major": columns["major_strain"]}
 
 
 def film(folder):

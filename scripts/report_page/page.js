@@ -300,6 +300,52 @@ function tables() {
   contact();
 }
 
+// Major and minor strain of a sheet: the nodes in the last state, and the paths of some of them through all states.
+const N_PATHS = 9;
+const isSheet = run => run.states.some(state => "eps_meridional" in state.profile.columns && "eps_hoop" in state.profile.columns);
+
+function inPlane(state) {
+  const {eps_meridional: meridional, eps_hoop: hoop} = state.profile.columns;
+  return {minor: meridional.map((value, i) => Math.min(value, hoop[i])), major: meridional.map((value, i) => Math.max(value, hoop[i]))};
+}
+
+// Some nodes along the sheet, and the one that is strained most.
+function nodesOfPaths(last) {
+  const n = last.major.length, some = Array.from({length: N_PATHS}, (_, i) => Math.round(i * (n - 1) / (N_PATHS - 1)));
+  return [...new Set([...some, last.major.indexOf(Math.max(...last.major))])].sort((a, b) => a - b);
+}
+
+function strains() {
+  const run = runs[+element("strains-run").value], states = run.states.filter(state => "eps_hoop" in state.profile.columns);
+  if (!states.length) { Plotly.react("strains", [], layout("minor strain", "no profile of a sheet was written"), CONFIG); return; }
+  const all = states.map(inPlane), last = all.at(-1), columns = states.at(-1).profile.columns, used = columns.forming_limit;
+  const traces = nodesOfPaths(last).map(i => ({x: [0, ...all.map(state => state.minor[i])], y: [0, ...all.map(state => state.major[i])], type: "scatter",
+    mode: "lines+markers", name: "path", showlegend: false, marker: {size: 3}, line: {width: 1, color: "#8a96a3"},
+    hovertemplate: `node at S0 = ${short(columns.S0[i])}: %{x:.4f}, %{y:.4f}<extra></extra>`}));
+  traces.push({x: last.minor, y: last.major, type: "scatter", mode: "markers", name: "nodes at the end", customdata: columns.S0.map((place, i) => [place, used ? used[i] : null]),
+    hovertemplate: `S0 %{customdata[0]:.4g}: %{x:.4f}, %{y:.4f}${used ? "<br>share of the limit %{customdata[1]:.3f}" : ""}<extra></extra>`,
+    marker: {size: 6, color: used || RUN_COLOURS[0], ...(used ? {cmin: 0, cmax: 1, showscale: true, colorscale: SCALE.map((colour, i) => [i / (SCALE.length - 1), colour]),
+      colorbar: {title: {text: "share of the limit", side: "right"}, thickness: 14, len: .9}} : {})}});
+  const most = Math.max(...last.major, 1e-3) * 1.05;
+  [["uniaxial tension", -.5], ["plane strain", 0], ["equibiaxial", 1]].forEach(([name, ratio]) => traces.push({x: [0, ratio * most], y: [0, most], type: "scatter", mode: "lines",
+    name, hoverinfo: "name", showlegend: false, line: {width: 1, dash: "dot", color: "#b9c2cc"}}));
+  if (run.limit) traces.push({x: run.limit.minor, y: run.limit.major, type: "scatter", mode: "lines", name: "forming limit", line: {color: "#b00020", width: 2.5}});
+  Plotly.react("strains", traces, layout("minor strain", "major strain"), CONFIG);
+  const largest = used ? Math.max(...used.filter(value => value !== null)) : null;
+  element("strains-note").textContent = [used ? `Largest share of the forming limit that a path has used up: ${short(largest)} (1: it necks).` : "",
+    states.length < 3 ? "More points of the paths: Output/Travels." : ""].filter(Boolean).join(" ");
+}
+
+function startStrains() {
+  const sheets = runs.map((run, i) => [i, run.name]).filter(([i]) => isSheet(runs[i]));
+  element("strains-section").hidden = sheets.length === 0;
+  if (sheets.length === 0) return;
+  fill(element("strains-run"), sheets);
+  element("strains-run").parentElement.hidden = sheets.length === 1;
+  element("strains-run").addEventListener("change", strains);
+  strains();
+}
+
 function energies() {
   const run = runs[+element("energy-run").value], columns = run.history.columns;
   const parts = ["plastic_energy", "friction_energy", "elastic_energy", "contact_energy", "epsilon_work", "thickness_work"].filter(name => name in columns);
@@ -370,6 +416,7 @@ async function start() {
   if (frame) mark(travelAt(runs[0], frame.time), frame.time);
   element("force-over").addEventListener("change", () => { forces(); showFrame(); });
   tables();
+  startStrains();
   fill(element("energy-run"), runs.map((run, i) => [i, run.name]));
   element("energy-run").parentElement.hidden = !several();
   element("energy-run").addEventListener("change", energies);

@@ -5,6 +5,7 @@
 
 Needs Debian's chromium, chromium-driver, python3-selenium and python3-plotly (scripts/test_extra.sh).
 """
+import csv
 import os
 import subprocess
 import sys
@@ -29,6 +30,8 @@ class Report(unittest.TestCase):
             folders.append(os.path.join(WORK, name))
             subprocess.run([PROGRAM, SCENE, "--quiet", "--output", folders[-1], "--set", f"Tools/punch/Friction coefficient={friction}",
                             "--set", "Output/Travels=.5, 1", "--set", "Tools/holder/Force=2"], check=True)
+        with open(os.path.join(folders[0], "fld.csv"), "w", encoding="utf-8") as file:
+            file.write("# forming limit of a scene, logarithmic strains\nminor_strain,major_strain\n-.2,.5\n0,.3\n.3,.35\n")
         cls.path = os.path.join(WORK, "two.html")
         subprocess.run([sys.executable, SCRIPT, *folders, "--file", cls.path], check=True)
         options = Options()
@@ -65,7 +68,7 @@ class Report(unittest.TestCase):
         self.assertLess(os.path.getsize(self.path), 8e6)
 
     def test_every_chart_is_drawn(self):
-        for chart in ("film", "force", "profile", "contact", "energy", "cost", "timing"):
+        for chart in ("film", "force", "profile", "contact", "strains", "energy", "cost", "timing"):
             self.assertGreater(self.js("document.querySelectorAll(`#${arguments[0]} .trace path, #${arguments[0]} .point path`).length", chart), 1, chart)
         self.browser.save_screenshot(os.path.join(WORK, "top.png"))
         self.browser.execute_script("document.getElementById('energy').scrollIntoView()")
@@ -133,6 +136,22 @@ class Report(unittest.TestCase):
         box.click()
         self.assertLess(self.js("Math.min(...document.getElementById('film').data.flatMap(t => t.fill === 'toself' ? t.x : []))"), -1.5)
         box.click()
+
+    def test_paths_of_strain(self):
+        with open(os.path.join(WORK, "rough", "profile_1.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        pairs = [sorted((float(row["eps_meridional"]), float(row["eps_hoop"]))) for row in rows]
+        nodes = self.js("document.getElementById('strains').data.find(t => t.name === 'nodes at the end')")
+        self.assertEqual([list(pair) for pair in zip(nodes["x"], nodes["y"])], pairs)
+        paths = self.js("document.getElementById('strains').data.filter(t => t.name === 'path').map(t => [t.x.length, t.y.at(-1)])")
+        self.assertEqual({length for length, _ in paths}, {3})  # from nothing over .5 in to 1 in
+        self.assertIn(max(major for _, major in pairs), [last for _, last in paths])
+        self.assertEqual(self.js("document.getElementById('strains').data.find(t => t.name === 'forming limit').y"), [.5, .3, .35])
+        self.browser.execute_script("document.getElementById('strains').scrollIntoView()")
+        self.browser.save_screenshot(os.path.join(WORK, "strains.png"))
+        Select(self.browser.find_element(By.ID, "strains-run")).select_by_visible_text("slippery")
+        self.assertIsNone(self.js("document.getElementById('strains').data.find(t => t.name === 'forming limit') ?? null"))
+        Select(self.browser.find_element(By.ID, "strains-run")).select_by_visible_text("rough")
 
     def test_what_differs_is_shown(self):
         rows = self.browser.find_elements(By.CSS_SELECTOR, "#scene tr.differs")

@@ -109,6 +109,15 @@ class Data(unittest.TestCase):
         self.assertEqual(len(self.run_["cuts"]), self.run_["summary"]["cutbacks"])
         self.assertGreater(len(self.run_["timing"]["sections"]), 5)
 
+    def test_the_limit_of_the_sheet(self):
+        self.assertIsNone(self.run_["limit"])
+        folder = os.path.join(WORK, "limited")
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(self.folder, folder)
+        with open(os.path.join(folder, "fld.csv"), "w", encoding="utf-8") as file:
+            file.write("# forming limit of a scene, logarithmic strains\nminor_strain,major_strain\n-.1,.3\n0,.2\n")
+        self.assertEqual(report(folder)[2][0]["limit"], {"minor": [-.1, 0], "major": [.3, .2]})
+
     def test_cuts_have_their_causes(self):
         folder = os.path.join(WORK, "cut")
         subprocess.run([PROGRAM, SCENE, "--quiet", "--output", folder, "--set", "Solver/Maximal iterations=8", "--set", "Output/Pictures=0"],
