@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(names_that_cannot_be)
   BOOST_TEST(mentions(complaint(sheet(" set Name = mild steel\n", "")), "Units = consistent does not say"));
   BOOST_TEST(mentions(complaint(sheet(" set Table = mine.prm\n" + swift)), "no metal of it is chosen"));
   BOOST_TEST(mentions(complaint(sheet(" set Name = a\n set Table = mine.prm\n")), "mine.prm: cannot be read"));
-  BOOST_TEST(mentions(complaint(sheet(swift, "set Units = mm, N, Pa\n")), "of 1e6 Pa"));
+  BOOST_TEST(mentions(complaint(sheet(swift, "set Units = mm, N, Pa\n")), "of 1000000 Pa"));
 }
 
 BOOST_AUTO_TEST_CASE(values_that_cannot_be)
