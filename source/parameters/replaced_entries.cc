@@ -21,15 +21,17 @@ namespace deltaform
       const DeclaredSection *const section = root.find(path);
       return section == nullptr ? nullptr : section->entry(name);
     };
-    // The choice in @p path or around it that was made after everything of a layer.
-    const auto choice_after = [&](const int layer, const SectionPath &path) -> const SceneFile::Entry * {
+    // The choice in @p path, or else the nearest one around it, that was made after everything of a layer.
+    const auto choice_after = [&](const int layer, const SectionPath &path) {
+      const SceneFile::Entry *nearest = nullptr;
       for (const auto &later : scene.entries)
       {
         const Declaration *const own = declared(later.path, later.name);
-        if (later.layer > layer && within(path, later.path) && own != nullptr && own->allowed.rfind("one of", 0) == 0)
-          return &later;
+        if (later.layer > layer && within(path, later.path) && own != nullptr && own->allowed.rfind("one of", 0) == 0 &&
+            (nearest == nullptr || later.path.size() > nearest->path.size()))
+          nearest = &later;
       }
-      return nullptr;
+      return nearest;
     };
 
     std::vector<std::string> notes;

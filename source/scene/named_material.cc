@@ -65,11 +65,18 @@ namespace deltaform
     const bool rolling_direction = tree.stated({"Blank"}, "Symmetry") == "plane strain";
     const bool own_anisotropy = !tree.stated(surface, "r-bar").empty() || !tree.stated(surface, "r0").empty() ||
                                 !tree.stated(surface, "r90").empty();
+    std::vector<std::string> own;
     for (const auto &entry : table.entries(metal, *unit_system.stress, rolling_direction))
     {
+      const std::string stated = tree.stated(entry.path, entry.name);
+      if (!stated.empty() && stated != entry.value)
+        own.push_back(to_string(entry.path, entry.name));
       const bool is_anisotropy = entry.name == "r-bar" || entry.name == "r0" || entry.name == "r90";
       if (!(is_anisotropy && own_anisotropy))
         tree.supply(entry);
     }
+    if (!own.empty())
+      notes.push_back("the scene's own " + text::join(own, ", ") + " count more than those of the table's metal '" +
+                      metal + "'");
   }
 } // namespace deltaform

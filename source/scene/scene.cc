@@ -60,11 +60,12 @@ namespace deltaform
     if (root.documentation())
       return;
     std::optional<KnownEntries> known; // asked for seldom
-    notes = tree.drop_replaced([&known](const SectionPath &path, const std::string &name) {
+    auto dropped = tree.drop_replaced([&known](const SectionPath &path, const std::string &name) {
       if (!known)
         known.emplace();
       return known->contain(path, name);
     });
+    notes.insert(notes.end(), dropped.begin(), dropped.end());
     tree.check_unused();
     check(root);
   }

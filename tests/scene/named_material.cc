@@ -88,14 +88,16 @@ BOOST_AUTO_TEST_CASE(the_scene_counts_more)
   BOOST_TEST(read.value("Material/Young's modulus") == "207e3");
   BOOST_TEST(read.value("Material/Yield surface/r-bar") == "1.6");
   BOOST_TEST(read.value("Material/Hardening/Strength coefficient") == "565.32");
-  BOOST_TEST(read.scene.notes.empty());
+  BOOST_REQUIRE(read.scene.notes.size() == 1u);
+  BOOST_TEST(mentions(read.scene.notes.front(), "Young's modulus, Material/Yield surface/r-bar count"));
   const Read in_psi(sheet(" set Name = mild steel\n", "set Units = in, lbf, psi\n"));
   BOOST_TEST(std::stod(in_psi.value("Material/Young's modulus")) == 29.8778e6, boost::test_tools::tolerance(1e-5));
   // Another law than the table's: its constants are not asked for any more.
   const Read other(sheet(" set Name = mild steel\n"), linear);
   BOOST_TEST(other.value("Material/Hardening/Strength coefficient") == "none");
   BOOST_TEST(other.value("Material/Hardening/Initial flow stress") == "150");
-  BOOST_TEST(other.scene.notes.size() == 3u);
+  BOOST_TEST(other.scene.notes.size() == 4u); // three entries are dropped, the law is the scene's own
+  BOOST_TEST(mentions(other.scene.notes.back(), "does not go with Material/Hardening/Law = linear"));
 }
 
 BOOST_AUTO_TEST_CASE(names_that_cannot_be)
