@@ -230,7 +230,7 @@ namespace deltaform
     if (!std::isfinite(q + vector(point.stress).sum()))
       return PointOutcome::not_finite;
     FlowStress flow = flow_stress(law, state, 0.);
-    if (q <= flow.value * (1. + tolerance))
+    if (q - flow.value <= yield_round_off(law, point.start, q))
       return stay_elastic();
 
     const auto excess = [&](const double mu) -> Excess {

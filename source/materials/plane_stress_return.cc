@@ -179,7 +179,7 @@ namespace deltaform
         return {1. - flow.value * r.inverse_q, (flow.value * r.slope - flow.slope * r.x_slope) * r.inverse_q};
       };
       // q <= q_trial / (1 + a l), or with b if that is less, and the flow stress does not fall under its initial value.
-      const double ratio = std::sqrt(q_square) / law.initial_flow_stress;
+      const double q_trial = std::sqrt(q_square), ratio = q_trial / law.initial_flow_stress;
       const double upper = ratio / std::min(stress_at.a, stress_at.b);
       const double start = std::fmin(ratio - 1., 1.) / stress_at.b;
       const double guess = stress_at.multiplier(expected_increment(committed, trial));
@@ -187,7 +187,7 @@ namespace deltaform
       if (!solved.found)
         return PointOutcome::not_converged;
       const double l = solved.amount;
-      if (l == 0.)
+      if (l == 0. || rests_on_surface(law, committed, q_trial, q_trial - r.q))
         return stay_elastic();
 
       const double a_now = r.scale_a * A, b_now = r.scale_b * B, t_now = r.scale_b * T;

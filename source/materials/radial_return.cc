@@ -56,7 +56,7 @@ namespace deltaform
     if (!solved.found)
       return PointOutcome::not_converged;
     const double x = solved.amount;
-    if (x == 0.)
+    if (x == 0. || rests_on_surface(law, committed, q, 3. * G * x))
       return stay_elastic();
 
     // The flow stress has the digits that q - 3 G x loses after a large increment.
