@@ -12,6 +12,7 @@
 #include <deltaform/materials/material_table.h>
 #include <deltaform/materials/rate_factor.h>
 #include <deltaform/materials/yield_surface.h>
+#include <deltaform/model/damaged_state.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/scene_error.h>
@@ -83,7 +84,7 @@ namespace deltaform
       }
       catch (const std::exception &error)
       {
-        throw SceneError(Checkpoint::damaged(folder) + " (" + error.what() + ")");
+        throw SceneError(damaged_state(folder, error));
       }
       journal.note("resumed after increment " + std::to_string(start.increment) + ", time " + text::format(start.time));
     }
@@ -147,10 +148,10 @@ namespace deltaform
       for (const auto &note : scene.notes)
         std::cerr << "note: " << note << '\n';
       for (const auto &warning : input_warnings(scene))
-        std::cerr << "warning: " << warning << '\n';
+        std::cerr << "warning: " << text::printable(warning) << '\n';
       if (!command.svg.empty())
         write_file_atomically(command.svg, [&scene](std::ostream &out) { draw_svg(scene, out); });
-      std::cout << command.scene << " is a valid scene: " << scene.title << '\n';
+      std::cout << text::printable(command.scene + " is a valid scene: " + scene.title) << '\n';
       return exit_status::done;
     }
 

@@ -1,6 +1,7 @@
 #include <deltaform/app/scene_svg.h>
 #include <deltaform/blanks/boundary.h>
 #include <deltaform/blanks/fields.h>
+#include <deltaform/parameters/text.h>
 #include <deltaform/scene/scene.h>
 
 #include <fmt/format.h>
@@ -73,11 +74,12 @@ namespace deltaform
       double scale_;
     };
 
-    std::string escaped(const std::string &text)
+    /// Between tags or quotes; XML has no place for control characters.
+    std::string escaped(const std::string &raw)
     {
       std::string result;
-      for (const char c : text)
-        result += c == '<' ? "&lt;" : (c == '&' ? "&amp;" : (c == '>' ? "&gt;" : std::string(1, c)));
+      for (const char c : text::printable(raw))
+        result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
       return result;
     }
 

@@ -230,7 +230,8 @@ namespace deltaform
     if (!std::isfinite(q + vector(point.stress).sum()))
       return PointOutcome::not_finite;
     FlowStress flow = flow_stress(law, state, 0.);
-    if (q - flow.value <= yield_round_off(law, point.start, q))
+    // Twice: what has flowed before has solved equations whose terms, strains, are rounded again.
+    if (q - flow.value <= 2. * yield_round_off(law, point.start, q))
       return stay_elastic();
 
     const auto excess = [&](const double mu) -> Excess {

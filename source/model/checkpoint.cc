@@ -1,6 +1,7 @@
 #include <deltaform/io/atomic_file.h>
 #include <deltaform/io/byte_stream.h>
 #include <deltaform/model/checkpoint.h>
+#include <deltaform/model/damaged_state.h>
 #include <deltaform/parameters/scene_error.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -154,7 +155,7 @@ namespace deltaform
     }
     catch (const std::exception &error) // of the archive, or of a length that no memory holds
     {
-      throw SceneError(damaged(folder) + " (" + error.what() + ")");
+      throw SceneError(damaged_state(folder, error));
     }
     return result;
   }

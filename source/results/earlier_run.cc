@@ -54,6 +54,22 @@ namespace deltaform
   }
 
 
+  unsigned int remove_drafts(const std::string &folder)
+  {
+    const std::regex draft("(scene\\.(prm|pvd)|(summary|timing)\\.json|checkpoint\\.bin|(history|profile_.+|contact_.+|"
+                           "tools_.+)\\.csv|(blank|tools)_[0-9_]+\\.vtu)\\.part");
+    std::error_code error;
+    std::vector<fs::path> found;
+    for (const auto &entry : fs::directory_iterator(folder, error))
+      if (entry.is_regular_file(error) && std::regex_match(entry.path().filename().string(), draft))
+        found.push_back(entry.path());
+    unsigned int count = 0;
+    for (const auto &path : found)
+      count += fs::remove(path, error);
+    return count;
+  }
+
+
   std::optional<int> earlier_exit_status(const std::string &folder)
   {
     std::ifstream file(fs::path(folder) / "summary.json");

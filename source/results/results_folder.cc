@@ -38,6 +38,8 @@ namespace deltaform
   void ResultsFolder::begin(const std::function<void(std::ostream &)> &print_scene, const bool resumed)
   {
     std::error_code error;
+    if (ranks::first())
+      remove_drafts(folder_);
     // State and results of an earlier run must not be taken for those of this run.
     if (ranks::first())
       for (const std::string &file : {path("summary.json"), resumed ? "" : Checkpoint::path(folder_)})

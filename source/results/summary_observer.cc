@@ -38,9 +38,10 @@ namespace deltaform
         folder_.behind().wait();
         const std::string summary =
           summary_.json(model, outcome, folder_.title(), folder_.units_label(), folder_.timers().total());
-        write_file_atomically(folder_.path("summary.json"), [&](std::ostream &out) { out << summary << '\n'; });
+        // The summary comes last: where it says that a run is done, nothing is missing.
         write_file_atomically(folder_.path("timing.json"),
                               [&](std::ostream &out) { folder_.timers().write_json(out); });
+        write_file_atomically(folder_.path("summary.json"), [&](std::ostream &out) { out << summary << '\n'; });
         folder_.journal().finish_progress();
         folder_.journal().note(summary_.last_line(model, outcome, folder_.timers().total()));
         folder_.journal().note("results in " + folder_.name());

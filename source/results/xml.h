@@ -1,14 +1,16 @@
 #pragma once
 
+#include <deltaform/parameters/text.h>
+
 #include <string>
 
 namespace deltaform
 {
-  /// @p text as it stands between the quotes of an XML attribute.
-  inline std::string xml_attribute(const std::string &text)
+  /// @p raw as it stands between the quotes of an XML attribute; control characters have no place there.
+  inline std::string xml_attribute(const std::string &raw)
   {
     std::string result;
-    for (const char c : text)
+    for (const char c : text::printable(raw))
       if (c == '<')
         result += "&lt;";
       else if (c == '&')

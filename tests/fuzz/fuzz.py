@@ -2,12 +2,14 @@
 """Bad input by the thousand: no crash, no hang, no number that is none, no exception without a name, no memory out of
 proportion.
 
-    fuzz.py scenes      PROGRAM JUDGE SCENES FOLDER [--seed N] [--count N]     mutated scenes are built; some are run
-    fuzz.py meshes      PROGRAM JUDGE SCENES FOLDER [--seed N] [--count N]     mutated Gmsh files, formats 2.2, 4.0, 4.1
-    fuzz.py checkpoints PROGRAM JUDGE SCENES FOLDER [--seed N] [--count N]     damaged states whose sums are right
-    fuzz.py writes      PROGRAM JUDGE SCENES FOLDER [--seed N] [--count N]     killed at the n-th write, then resumed (strace)
+    fuzz.py scenes      PROGRAM RUN_MANY SCENES FOLDER [--seed N] [--count N]  mutated scenes are checked; some are run
+    fuzz.py meshes      PROGRAM RUN_MANY SCENES FOLDER [--seed N] [--count N]  mutated Gmsh files, formats 2.2, 4.0, 4.1
+    fuzz.py checkpoints PROGRAM RUN_MANY SCENES FOLDER [--seed N] [--count N]  damaged states whose sums are right
+    fuzz.py writes      PROGRAM RUN_MANY SCENES FOLDER [--seed N] [--count N]  killed at the n-th write, then resumed
+    fuzz.py full        PROGRAM RUN_MANY SCENES FOLDER [--seed N] [--count N]  a disk that is full from the n-th write on
 
-JUDGE is the program judge_inputs. What fails is kept in FOLDER. A seed is a case: the same ones come again."""
+RUN_MANY is the program with many command lines (run_many.cc). What fails is kept in FOLDER. A seed is a case: the same ones
+come again."""
 import argparse
 import collections
 import pathlib
@@ -23,7 +25,7 @@ import mutations
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "scenes"))
 from resume import compare  # noqa: E402
 
-PATIENCE = 100  # seconds of a run
+CHECKING, RUNNING = 20, 100  # seconds of processor time that a case may take
 LATIN = "latin-1"  # a byte is a character
 
 
@@ -31,7 +33,7 @@ class Findings:
     """How the cases ended, and those that must not have."""
 
     def __init__(self, folder):
-        self.folder, self.ends, self.runs, self.bad = folder, collections.Counter(), collections.Counter(), []
+        self.folder, self.ends, self.runs, self.bad, self.kills = folder, collections.Counter(), collections.Counter(), [], 0
 
     def add(self, end, case, wrong=None):
         self.ends[end] += 1
@@ -42,51 +44,79 @@ class Findings:
         total = sum(self.ends.values())
         listed = lambda ends: ", ".join(f"{n} {end}" for end, n in ends.most_common())
         runs = f"; {sum(self.runs.values())} of them run: {listed(self.runs)}" if self.runs else ""
-        print(f"{total} {what}: {listed(self.ends)}{runs}; {len(self.bad)} findings")
+        kills = f"; {self.kills} kills" if self.kills else ""
+        print(f"{total} {what}: {listed(self.ends)}{runs}{kills}; {len(self.bad)} findings")
         for line in self.bad[:20]:
             print("  " + line[:600])
         return 1 if self.bad or total == 0 else 0
 
 
-def judged(judge, cases):
-    """(verdict, kB, seconds, said) of each line of judge_inputs."""
-    process = subprocess.run([judge], input="\n".join(cases) + "\n", stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                             encoding=LATIN, check=True)
-    for line in process.stdout.splitlines():
-        verdict, kilobytes, seconds, said = line.split("\t", 3)
-        yield verdict, int(kilobytes), float(seconds), said
+def ends_of(run_many, seconds, commands):
+    """(end, kB, seconds, said) of each command, a list of words."""
+    lines = "\n".join("\t".join(map(str, words)) for words in commands)
+    process = subprocess.run([run_many, str(seconds)], input=lines + "\n" if lines else "", stdout=subprocess.PIPE,
+                             stderr=subprocess.DEVNULL, encoding=LATIN, check=True)
+    ends = process.stdout.split("\n")[:-1]
+    if len(ends) != len(commands):
+        sys.exit(f"run_many has ended itself: {len(ends)} of {len(commands)} ends")
+    for line in ends:
+        end, kilobytes, taken, _, said = line.split("\t", 4)
+        said = re.sub(r"\\(.)", lambda found: {"n": "\n", "t": "\t"}.get(found.group(1), found.group(1)), said)
+        yield end, int(kilobytes), float(taken), said
 
 
-def run(program, scene, folder, *options):
-    """(exit status, what it said); status None: it did not end."""
-    try:
-        done = subprocess.run([program, scene, "--quiet", "--output", str(folder), *options], stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=PATIENCE)
-        return done.returncode, done.stdout.decode(LATIN)
-    except subprocess.TimeoutExpired:
-        return None, "not ended"
+def n_calls_of(run_many, command):
+    """How often a command changes files."""
+    line = "\t".join(map(str, command)) + "\n"
+    return int(subprocess.run([run_many, str(RUNNING)], input=line, stdout=subprocess.PIPE, encoding=LATIN,
+                              check=True).stdout.split("\t")[3])
 
 
 def not_finite(folder):
-    """A cell of a table that is no number, or None."""
+    """A cell of a table that is no number, or a file that should not be there, or None."""
     for path in folder.glob("*.csv"):
         for line in path.read_text(encoding=LATIN).splitlines():
             if not line.startswith("#") and re.search(r"(^|,)[+-]?(nan|inf)(,|$)", line):
                 return f"{path.name}: {line[:100]}"
+    for path in folder.glob("*.vtu"):
+        if re.search(rb"[ >][+-]?(nan|inf)[ <]", path.read_bytes()):
+            return f"{path.name} has numbers that are none"
+    for path in folder.glob("*.json"):
+        try:
+            found = re.search(r"\b(NaN|Infinity)\b", path.read_text(encoding="utf-8"))
+        except UnicodeDecodeError:
+            return f"{path.name} is no UTF-8"
+        if found:
+            return f"{path.name}: {found.group()}"
+    left = [path.name for path in folder.glob("*.part")] + [path.name for path in folder.glob("deltaform.lock")]
+    return f"left behind: {left}" if left else None
+
+
+def wrong_words(end, said):
+    """Why a command must not have ended like this and said that, or None."""
+    if end not in ("status 0", "status 1", "status 2", "status 3"):
+        return f"{end}: {said[-300:]}"
+    if "error of the program" in said:
+        return said[-400:]
+    if "not enough memory" in said:
+        return "memory over the limit: " + said[-300:]
+    if "dealii::" in said or "boost::" in said or "std::" in said:
+        return "shows an exception of a library: " + said[-400:]
+    if re.search(r"[\x00-\x08\x0b-\x1f\x7f]", said):
+        return "control characters on the terminal: " + repr(said[:200])
+    if end == "status 1" and ":" not in said:
+        return "names no place: " + said
     return None
 
 
-def wrong_end(status, said, folder):
-    """Why a run must not have ended like this, or None."""
-    if status is None:
-        return "does not end"
-    if status not in (0, 1, 2, 3):
-        return f"exit status {status}: {said[-300:]}"
-    if "error of the program" in said:
-        return said[-400:]
-    if re.search(r"[\x00-\x08\x0b-\x1f\x7f]", said):
-        return "control characters on the terminal: " + repr(said[:200])
-    return not_finite(folder)
+def run(program, scene, folder, *options):
+    """(exit status, what it said) of a process of its own; status None: it did not end."""
+    try:
+        done = subprocess.run([program, scene, "--quiet", "--output", str(folder), *options], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, timeout=RUNNING)
+        return done.returncode, done.stdout.decode(LATIN)
+    except subprocess.TimeoutExpired:
+        return None, "not ended"
 
 
 def batches(count, size):
@@ -94,36 +124,64 @@ def batches(count, size):
         yield range(first, min(first + size, count))
 
 
+def read_originals(root):
+    """The shipped scenes and those of tests, as they are; what they include lies where it says."""
+    result = []
+    for path in sorted(root.glob("prm/*.prm")) + sorted(root.glob("tests/scenes/*.prm")):
+        text = path.read_text()
+        result.append(re.sub(r"(?m)^include (.*)$", lambda found: f"include {(path.parent / found.group(1)).resolve()}", text))
+    return result
+
+
+def with_defaults(run_many, root):
+    """The shipped scenes with every entry."""
+    commands = [(path, "--print-parameters") for path in sorted(root.glob("prm/*.prm"))]
+    return [said for _, _, _, said in ends_of(run_many, CHECKING, commands)]
+
+
 def fuzz_scenes(arguments, findings):
-    originals = sorted(arguments.scenes.glob("prm/*.prm")) + sorted(arguments.scenes.glob("tests/scenes/*.prm"))
-    originals = [path for path in originals if "\ninclude" not in "\n" + path.read_text()]
+    originals, full = read_originals(arguments.scenes), with_defaults(arguments.run_many, arguments.scenes)
+    vocabulary = mutations.Vocabulary(originals + full)
     for batch in batches(arguments.count, 200):
         files = []
         for i in batch:
             chance = random.Random(f"scene {arguments.seed} {i}")
             file = arguments.folder / f"scene_{i}.prm"
-            file.write_bytes(mutations.scene(chance, chance.choice(originals).read_text()).encode("utf-8", "replace")
-                             if chance.random() < .7 else
-                             mutations.scene(chance, chance.choice(originals).read_text()).encode(LATIN, "replace"))
+            text = mutations.scene(chance, chance.choice(chance.choice((originals, full))), vocabulary)
+            file.write_bytes(text.encode("utf-8" if chance.random() < .7 else LATIN, "replace"))
             files.append(file)
-        for i, file, (verdict, kilobytes, seconds, said) in zip(batch, files, judged(arguments.judge, map(str, files))):
-            wrong = None
-            if verdict not in ("valid", "refused"):
-                wrong = f"{verdict}: {said}"
-            elif verdict == "refused" and (":" not in said or "dealii::" in said or "boost::" in said):
-                wrong = "names no place, or shows an exception of a library: " + said
-            findings.add(verdict, file, wrong)
-            if verdict == "valid" and not wrong and i % arguments.run_every == 0:
-                folder = arguments.folder / f"run_{i}"
-                status, said = run(arguments.program, file, folder, "--set", "Solver/Maximal increments=4", "--set",
-                                   "Solver/Maximal iterations=20")
-                wrong = wrong_end(status, said, folder)
-                findings.runs[f"status {status}"] += 1
-                if wrong:
-                    findings.bad.append(f"{file}, run: {wrong}")
-                shutil.rmtree(folder, ignore_errors=True)
-            if not wrong:
+        valid = check_scenes(arguments, findings, batch, files)
+        run_scenes(arguments, findings, [case for case in valid if case[0] % arguments.run_every == 0])
+        for _, file in valid:
+            if file.exists() and not any(str(file) in line for line in findings.bad):
                 file.unlink()
+
+
+def check_scenes(arguments, findings, batch, files):
+    """Numbers and files of those that are valid; those that are refused as they should be are removed."""
+    valid = []
+    svg = arguments.folder / "drawing.svg"
+    commands = [(file, "--check", *(("--svg", svg) if i % 10 == 0 else ())) for i, file in zip(batch, files)]
+    for i, file, (end, _, _, said) in zip(batch, files, ends_of(arguments.run_many, CHECKING, commands)):
+        wrong = wrong_words(end, said)
+        findings.add({"status 0": "valid", "status 1": "refused"}.get(end, end), file, wrong)
+        if end == "status 0" and not wrong:
+            valid.append((i, file))
+        elif not wrong:
+            file.unlink()
+    return valid
+
+
+def run_scenes(arguments, findings, cases):
+    folders = [arguments.folder / f"run_{i}" for i, _ in cases]
+    commands = [(file, "--quiet", "--output", folder, "--set", "Solver/Maximal increments=4", "--set",
+                 "Solver/Maximal iterations=20") for (_, file), folder in zip(cases, folders)]
+    for (_, file), folder, (end, _, _, said) in zip(cases, folders, ends_of(arguments.run_many, RUNNING, commands)):
+        wrong = wrong_words(end, said) or not_finite(folder)
+        findings.runs[end] += 1
+        if wrong:
+            findings.bad.append(f"{file}, run: {wrong}")
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def grid(chance):
@@ -201,16 +259,14 @@ def fuzz_meshes(arguments, findings):
             text = grid(chance)
             file.write_bytes((text if i < 3 else mutations.mesh(chance, text)).encode(LATIN, "replace"))
             files.append(file)
-        lines = [f"{scene}\tBlank/File={file}" for file in files]
-        for i, file, (verdict, kilobytes, seconds, said) in zip(batch, files, judged(arguments.judge, lines)):
-            wrong = None
-            if verdict not in ("valid", "refused"):
-                wrong = f"{verdict}: {said}"
-            elif verdict != "valid" and i < 3:
+        commands = [(scene, "--check", "--set", f"Blank/File={file}") for file in files]
+        for i, file, (end, kilobytes, _, said) in zip(batch, files, ends_of(arguments.run_many, CHECKING, commands)):
+            wrong = wrong_words(end, said)
+            if end != "status 0" and i < 3 and not wrong:
                 wrong = "a right mesh is refused: " + said
-            elif kilobytes > 64 * 1024 + len(file.read_bytes().splitlines()):
+            elif not wrong and kilobytes > 64 * 1024 + len(file.read_bytes().splitlines()):
                 wrong = f"{kilobytes} kB"
-            findings.add(verdict, file, wrong)
+            findings.add({"status 0": "valid", "status 1": "refused"}.get(end, end), file, wrong)
             if not wrong:
                 file.unlink()
 
@@ -236,55 +292,108 @@ def fuzz_checkpoints(arguments, findings):
             findings.add("no state", name, said)
             return
         kept.append((arguments.scenes / scene, folder, sets))
-    for i in range(arguments.count):
-        chance = random.Random(f"checkpoint {arguments.seed} {i}")
-        scene, original, sets = chance.choice(kept)
-        folder = arguments.folder / f"state_{i}"
-        shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(original, folder)
-        head, rest = (folder / "checkpoint.bin").read_bytes().split(b"\n", 1)
-        (folder / "checkpoint.bin").write_bytes(forged((head, mutations.content(chance, rest))))
-        status, said = run(arguments.program, scene, folder, *sets, "--resume", "--set", "Solver/Maximal increments=4", "--set",
-                           "Solver/Maximal iterations=20")
-        wrong = wrong_end(status, said, folder)
-        findings.add(f"status {status}", folder, wrong)
-        if not wrong:
-            shutil.rmtree(folder)
+    for batch in batches(arguments.count, 100):
+        folders, commands = [], []
+        for i in batch:
+            chance = random.Random(f"checkpoint {arguments.seed} {i}")
+            scene, original, sets = chance.choice(kept)
+            folder = arguments.folder / f"state_{i}"
+            shutil.rmtree(folder, ignore_errors=True)
+            shutil.copytree(original, folder)
+            head, rest = (folder / "checkpoint.bin").read_bytes().split(b"\n", 1)
+            (folder / "checkpoint.bin").write_bytes(forged((head, mutations.content(chance, rest))))
+            folders.append(folder)
+            commands.append((scene, "--quiet", "--output", folder, *sets, "--resume", "--set", "Solver/Maximal increments=4",
+                             "--set", "Solver/Maximal iterations=20"))
+        for folder, (end, _, _, said) in zip(folders, ends_of(arguments.run_many, RUNNING, commands)):
+            wrong = wrong_words(end, said) or not_finite(folder)
+            findings.add(end, folder, wrong)
+            if not wrong:
+                shutil.rmtree(folder)
+
+
+class Interrupted:
+    """The cup with many files, and what it leaves behind when it is left alone."""
+
+    def __init__(self, arguments):
+        self.arguments, self.alone = arguments, arguments.folder / "alone"
+        self.sets = [word for entry in ("Blank/Elements=20", "Output/Pictures=4", "Output/Checkpoint interval=0",
+                                        "Steps/form/End time=.1", "Output/Travels=.05") for word in ("--set", entry)]
+        (end, _, _, said), = self.run([self.command(self.alone)])
+        if end != "status 0":
+            sys.exit("the run that is left alone is not done: " + said)
+        self.n_calls = n_calls_of(arguments.run_many, self.command(arguments.folder / "counted"))
+
+    def command(self, folder, *options):
+        return [self.arguments.scenes / "prm/cup.prm", "--quiet", "--output", folder, *self.sets, *options]
+
+    def run(self, commands):
+        return list(ends_of(self.arguments.run_many, RUNNING, commands))
+
+    def resumed(self, folder):
+        """Why the results of a run that goes on in @p folder to its end are not those of one left alone, or None."""
+        (end, _, _, said), = self.run([self.command(folder, "--resume")])
+        if end != "status 0":
+            return f"resumed: {end}, {said[-300:]}"
+        different = compare(self.alone, folder)
+        return f"different: {different}" if different else not_finite(folder)
 
 
 def fuzz_writes(arguments, findings):
-    """Killed just before the n-th call that changes a file, and resumed; then every file is that of a run left alone."""
-    scene = arguments.scenes / "prm/cup.prm"
-    sets = ["--set", "Blank/Elements=20", "--set", "Output/Pictures=4", "--set", "Output/Checkpoint interval=0", "--set",
-            "Steps/form/End time=.1", "--set", "Output/Travels="]
-    alone = arguments.folder / "alone"
-    run(arguments.program, scene, alone, *sets)
-    calls = "write,writev,rename,ftruncate,unlink,openat"
+    """Killed just before the n-th call that changes a file, up to three times, and resumed."""
+    cup = Interrupted(arguments)
     for i in range(arguments.count):
         chance = random.Random(f"write {arguments.seed} {i}")
         folder = arguments.folder / f"killed_{i}"
-        shutil.rmtree(folder, ignore_errors=True)
-        n_kills = 0
+        commands = []
         for attempt in range(chance.choice((1, 1, 2, 3))):
-            call, n = chance.choice(calls.split(",")), round(10 ** chance.uniform(0., 2.3))
-            done = subprocess.run(["strace", "-f", "-qq", "-o", "/dev/null", "-e", f"trace={call}", "-e",
-                                   f"inject={call}:signal=SIGKILL:when={n}", arguments.program, scene, "--quiet", "--output",
-                                   str(folder), *sets, *(["--resume"] if attempt else [])],
-                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            n_kills += done.returncode not in (0, 1, 2, 3)
-        status, said = run(arguments.program, scene, folder, *sets, "--resume")
-        different = compare(alone, folder) if status == 0 else []
-        wrong = f"exit status {status}, {said[-300:]}" if status != 0 else f"different: {different}" if different else None
-        findings.add("killed and identical" if n_kills and not wrong else "not hit" if not wrong else "different", folder, wrong)
+            n = 1 + int(cup.n_calls * chance.random() * (1 if attempt == 0 else .5))
+            commands.append([f"@killed={n}"] + cup.command(folder, *(["--resume"] if attempt else [])))
+        ends = cup.run(commands)
+        n_kills = sum(end == "signal 9" for end, _, _, _ in ends)
+        unwanted = [f"{end}: {said[-300:]}" for end, _, _, said in ends if end not in ("signal 9", "status 0")]
+        wrong = unwanted[0] if unwanted else cup.resumed(folder)
+        findings.kills += n_kills
+        findings.add("different" if wrong else "killed and identical" if n_kills else "not hit", folder, wrong)
         if not wrong:
             shutil.rmtree(folder)
+
+
+def half_rows(folder):
+    """A table whose last row is not whole, or None."""
+    for path in folder.glob("*.csv"):
+        content = path.read_text(encoding=LATIN)
+        rows = [line.count(",") for line in content.splitlines() if not line.startswith("#")]
+        if content and not content.endswith("\n") or len(set(rows)) > 1:
+            return f"{path.name} ends with half a row"
+    return None
+
+
+def fuzz_full(arguments, findings):
+    """From the n-th call on nothing can be written; there is room again, and the run goes on."""
+    cup = Interrupted(arguments)
+    for i in range(arguments.count):
+        chance = random.Random(f"full {arguments.seed} {i}")
+        folder = arguments.folder / f"full_{i}"
+        n = 1 + int(cup.n_calls * chance.random())
+        (end, _, _, said), = cup.run([[f"@full={n}"] + cup.command(folder)])
+        # The last calls only remove files.
+        wrong = wrong_words(end, said) or half_rows(folder) or not_finite(folder)
+        if not wrong and end != "status 0" and "No space left on device" not in said:
+            wrong = f"{end}, and does not say why: {said}"
+        findings.add("said so" if end == "status 1" else end, folder, wrong or cup.resumed(folder))
+        if not wrong:
+            shutil.rmtree(folder)
+
+
+KINDS = {"scenes": fuzz_scenes, "meshes": fuzz_meshes, "checkpoints": fuzz_checkpoints, "writes": fuzz_writes, "full": fuzz_full}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("kind", choices=("scenes", "meshes", "checkpoints", "writes"))
+    parser.add_argument("kind", choices=KINDS)
     parser.add_argument("program")
-    parser.add_argument("judge")
+    parser.add_argument("run_many")
     parser.add_argument("scenes", type=pathlib.Path, help="the root of the source tree")
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--seed", type=int, default=1)
@@ -295,8 +404,7 @@ def main():
     shutil.rmtree(arguments.folder, ignore_errors=True)
     arguments.folder.mkdir(parents=True)
     findings = Findings(arguments.folder)
-    {"scenes": fuzz_scenes, "meshes": fuzz_meshes, "checkpoints": fuzz_checkpoints, "writes": fuzz_writes}[arguments.kind](
-        arguments, findings)
+    KINDS[arguments.kind](arguments, findings)
     return findings.report(arguments.kind)
 
 

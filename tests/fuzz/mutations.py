@@ -81,10 +81,108 @@ def structure(chance, text):
     return text[:where] + new + text[where:]
 
 
-def scene(chance, text):
-    """A scene with one to three changes."""
-    for _ in range(chance.choice((1, 1, 1, 2, 3))):
-        text = chance.choice((number, number, number, value, value, value, lines, characters, structure))(chance, text)
+class Vocabulary:
+    """What scenes are made of: every entry with the values that scenes give it, and whole subsections."""
+
+    def __init__(self, texts):
+        self.values, self.blocks = {}, []
+        for text in texts:
+            for name, value in re.findall(r"(?m)^\s*set ([^=\n]*?)\s*=([^\n#]*)", text):
+                self.values.setdefault(name, []).append(value)
+            self.blocks += re.findall(r"(?m)^subsection [^\n]*\n(?:.*\n)*?end$", text)
+        self.names = sorted(self.values)
+
+
+def statement(chance, text, vocabulary):
+    """An entry gets the value that another scene gives it, the value of another entry, or stands where it does not belong."""
+    entries = list(re.finditer(r"(?m)^(\s*set )([^=\n]*?)(\s*=)([^\n#]*)", text))
+    if not entries:
+        return text
+    entry, kind = chance.choice(entries), chance.randrange(5)
+    known = vocabulary.values.get(entry.group(2), [entry.group(4)])
+    any_value = chance.choice(vocabulary.values[chance.choice(vocabulary.names)])
+    if kind < 2:
+        return text[:entry.start(4)] + chance.choice(known) + text[entry.end(4):]
+    if kind == 2:
+        return text[:entry.start(4)] + any_value + text[entry.end(4):]
+    if kind == 3:
+        name = chance.choice(vocabulary.names)
+        new = entry.group(1) + name + " = " + chance.choice(vocabulary.values[name]) + "\n"
+        return text[:entry.start()] + new + text[entry.start():]
+    return text[:entry.start(2)] + chance.choice(vocabulary.names) + text[entry.end(2):]
+
+
+def block(chance, text, vocabulary):
+    """A subsection vanishes, comes twice, comes from another scene, or gets another name."""
+    parts = list(re.finditer(r"(?m)^( *)subsection ([^\n]*)\n(?:.*\n)*?\1end$", text))
+    if not parts:
+        return text
+    part, kind = chance.choice(parts), chance.randrange(4)
+    if kind == 0:
+        return text[:part.start()] + text[part.end():]
+    if kind == 1:
+        return text[:part.end()] + "\n" + part.group() + text[part.end():]
+    if kind == 2:
+        return text[:part.start()] + chance.choice(vocabulary.blocks) + text[part.end():]
+    return text[:part.start(2)] + chance.choice((chance.choice(parts).group(2), "a b", "x" * 201, "\u00e9")) + text[part.end(2):]
+
+
+def listed(chance, text, vocabulary):
+    """Lists, rows of points, tables and names: one of their members vanishes, comes twice, changes places, is empty."""
+    del vocabulary
+    places = list(re.finditer(r"(?m)^\s*set [^=\n]*=([^\n#]*[,;:][^\n#]*)", text))
+    if not places:
+        return text
+    place = chance.choice(places)
+    mark = chance.choice([c for c in ",;:" if c in place.group(1)])
+    members, kind = place.group(1).split(mark), chance.randrange(6)
+    i, k = chance.randrange(len(members)), chance.randrange(len(members))
+    if kind == 0:
+        del members[i]
+    elif kind == 1:
+        members.insert(k, members[i])
+    elif kind == 2:
+        members[i], members[k] = members[k], members[i]
+    elif kind == 3:
+        members[i] = ""
+    elif kind == 4:
+        members[i] = " " + chance.choice(EXTREMES + FUNCTIONS)
+    else:
+        members = members * chance.choice((2, 100, 3000))
+    return text[:place.start(1)] + mark.join(members) + text[place.end(1):]
+
+
+def measured(chance, text, vocabulary):
+    """Numbers get units, percents and products; lengths become multiples of others."""
+    del vocabulary
+    places = list(NUMBER.finditer(text))
+    if not places:
+        return text
+    place = chance.choice(places)
+    old = place.group()
+    new = chance.choice((old + " mm", old + " in", old + "%", old + " %", old + "*thickness", "thickness/" + old, old + "/0",
+                         old + "^" + old, old + "*t", "(" + old + ")", "-" + old, old + "e" + old, old + " " + old, "+" + old,
+                         old + "*(1+1e-15)", "auto", "infinity"))
+    return text[:place.start()] + new + text[place.end():]
+
+
+def included(chance, text, vocabulary):
+    """What other files say comes before, after or in the middle: here as the text of whole scenes."""
+    other = chance.choice(vocabulary.blocks)
+    where = text.find("\n", chance.randrange(len(text) + 1)) + 1
+    return chance.choice((other + "\n" + text, text + "\n" + other + "\n", text[:where] + other + "\n" + text[where:],
+                          text.replace("\n", "\r\n"), text.replace("\n", " \\\n"), text.replace("  set", "\tset")))
+
+
+def scene(chance, text, vocabulary):
+    """A scene with one to four changes: some know the language of scenes, the others are blind."""
+    knowing, blind = (statement, statement, statement, block, listed, measured, included), (number, number, value, value, lines,
+                                                                                           characters, structure)
+    for _ in range(chance.choice((1, 1, 1, 2, 3, 4))):
+        if chance.random() < .6:
+            text = chance.choice(knowing)(chance, text, vocabulary)
+        else:
+            text = chance.choice(blind)(chance, text)
     if chance.random() < .02:
         text = chance.choice(("\ufeff", "\xff\xfe", "\x00")) + text
     return text

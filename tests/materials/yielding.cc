@@ -117,4 +117,49 @@ BOOST_AUTO_TEST_CASE(general_directions_in_plane_stress)
     }
 }
 
+// The first iteration of an increment in which a load goes back: strain and history are those that were committed. Half
+// of the points lie outside of their yield surface by round-off; none may have a plastic tangent.
+BOOST_AUTO_TEST_CASE(at_rest_after_flow)
+{
+  std::mt19937 generator(11);
+  for (const std::string surface : {"mises", "hill"})
+    for (const std::string hardening : {"perfectly plastic", "linear", "swift", "voce"})
+      for (const auto third : {ThirdDirection::strain_given, ThirdDirection::stress_given})
+        BOOST_TEST_CONTEXT(surface << ", " << hardening << ", third direction " << static_cast<int>(third))
+        {
+          const auto material = make_material("elastoplastic", hardening, {"Material/Yield surface/Law=" + surface,
+                                                                            "Material/Yield surface/r-bar=1.6"});
+          const auto traits = material->traits();
+          if (!(third == ThirdDirection::strain_given ? traits.strain_given : traits.stress_given))
+            continue;
+          const double yield = make_hardening(hardening)->evaluate(0.).value / material->young_modulus();
+          unsigned int n_plastic = 0;
+          for (const double size : {3. * yield, .03, .3})
+            for (unsigned int k = 0; k < 50; ++k)
+            {
+              MaterialPoint point(*material), untouched(*material);
+              const Mandel end = random_strain(generator, size);
+              Mandel strain{};
+              std::array<double, 16> elastic{}, tangent{};
+              untouched.update(strain, third, 0., elastic.data());
+              constexpr unsigned int n_increments = 8;
+              for (unsigned int n = 1; n <= n_increments; ++n)
+              {
+                for (unsigned int i = 0; i < 4; ++i)
+                  strain[i] = end[i] * n / n_increments;
+                point.update(strain, third);
+                point.commit();
+              }
+              if (material->equivalent_plastic_strain(point.committed.data()) == 0.)
+                continue;
+              ++n_plastic;
+              point.update(strain, third, 0., tangent.data());
+              const double before = material->equivalent_plastic_strain(point.committed.data());
+              BOOST_TEST(point.equivalent_plastic_strain() == before);
+              BOOST_TEST(tangent == elastic, boost::test_tools::per_element());
+            }
+          BOOST_TEST(n_plastic > 50u);
+        }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

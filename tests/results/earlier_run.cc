@@ -40,6 +40,20 @@ BOOST_AUTO_TEST_CASE(only_what_the_program_has_written_goes)
   BOOST_TEST(remove_earlier_results(folder.file("nowhere")) == 0u);
 }
 
+BOOST_AUTO_TEST_CASE(drafts_of_a_killed_run_go)
+{
+  const TemporaryFolder folder;
+  for (const auto *const name : {"scene.prm.part", "timing.json.part", "checkpoint.bin.part", "profile_0.5.csv.part",
+                                 "blank_0001.vtu.part", "tools_0001_2.vtu.part"})
+    folder.file(name, "half");
+  for (const auto *const name : {"movie.part", "notes.csv.part", "summary.json", "scene.prm.part.old"})
+    folder.file(name, "somebody's");
+  BOOST_TEST(remove_drafts(folder.file("")) == 6u);
+  for (const auto *const name : {"movie.part", "notes.csv.part", "summary.json", "scene.prm.part.old"})
+    BOOST_TEST(std::filesystem::exists(folder.file(name)));
+  BOOST_TEST(remove_drafts(folder.file("nowhere")) == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(how_an_earlier_run_ended)
 {
   const TemporaryFolder folder;

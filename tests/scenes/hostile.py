@@ -125,6 +125,12 @@ expect(0, "is a valid scene", "--check", scene=file)
 check("cannot be a name: it becomes part of columns and of file names", "Steps/Stages=a/b", "Steps/a/b/End time=1")
 check("a formula has at most 10000 characters", "Tools/punch/Motion=t" + "+0" * 6000)
 
+expect(0, "is a valid scene: \\x1b[2J", "--check", "--svg", str(work / "title.svg"), "--set", "Title=\x1b[2J")
+drawing = (work / "title.svg").read_text()
+if "\\x1b[2J" not in drawing or "\x1b" in drawing:
+    failures += 1
+    print("control characters of a title are not escaped in the drawing")
+
 # Titles are bytes; what is said of them is text.
 folder = work / "title"
 done = subprocess.run([program, str(cup), "--quiet", "--output", str(folder), "--set", "Steps/form/End time=.01", "--set",

@@ -47,20 +47,22 @@ namespace deltaform
    * its yield surface as closely as that. At rest it must not flow again, or the last digit decides which points of a
    * blank that is unloaded have a plastic tangent.
    *
-   * The stress is computed from strain less plastic strain, which is stored with a relative error of epsilon/2. Its size
-   * is at most sqrt(3/2) times the equivalent one e, and q has a slope of at most 6 G/sqrt(2) in it (plane stress, both
-   * directions alike, Poisson's ratio 1/2): 2.6 G epsilon e, and as much again where it is turned with the metal. The
-   * solution of the yield condition (2e-15 to 1e-14) and the evaluation of q add 1e-14 q.
+   * The stress is computed from strain less plastic strain, which is stored with a relative error of epsilon/2, and
+   * turned with the metal with another. Its last increment has nine of them (three each of the trial deviator, of its
+   * size, of product and sum); it is taken for a quarter at most. The size of the plastic strain is at most sqrt(3/2)
+   * times the equivalent one e, and q has a slope of at most 6 G/sqrt(2) in it (plane stress, both directions alike,
+   * Poisson's ratio 1/2): together 11 G epsilon e. The solution of the yield condition (2e-15 to 1e-14) and the
+   * evaluation of q add 1e-14 q.
    */
   inline double yield_round_off(const FlowLaw &law, const double *start, const double q)
   {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    return 1e-14 * q + 6. * law.elastic.shear * epsilon * start[FlowHistory::equivalent];
+    return 1e-14 * q + 12. * law.elastic.shear * epsilon * start[FlowHistory::equivalent];
   }
 
 
-  /// Is the yield condition violated by round-off alone? Flow has brought @p q of the trial stress down by @p drop: where
-  /// that is more, the flow stress at the start need not be asked for.
+  /// Is the yield condition violated by round-off alone? Flow has brought @p q of the trial stress down by @p drop:
+  /// where that is more, the flow stress at the start need not be asked for.
   inline bool rests_on_surface(const FlowLaw &law, const double *start, const double q, const double drop)
   {
     const double round_off = yield_round_off(law, start, q);

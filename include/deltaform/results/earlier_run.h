@@ -14,6 +14,9 @@ namespace deltaform
    */
   unsigned int remove_earlier_results(const std::string &folder);
 
+  /// Remove the drafts (*.part of files of this program) of a run that was killed while it wrote. @return how many
+  unsigned int remove_drafts(const std::string &folder);
+
   /// The exit status in summary.json of an earlier run; none if it has not left one, because it was killed or still
   /// runs.
   std::optional<int> earlier_exit_status(const std::string &folder);
