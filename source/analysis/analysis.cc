@@ -1,5 +1,6 @@
 #include <deltaform/analysis/analysis.h>
 #include <deltaform/model/accepted_increment.h>
+#include <deltaform/model/tool_placement.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/interruption.h>
@@ -61,16 +62,10 @@ namespace deltaform
       timer_output_(timers.section("13 output")), functions_(actors), model_(actors, settings.linear_solver, timers),
       newton_(model_, model_.discretization().system(), settings.newton, model_.discretization().numbering().scale,
               model_.discretization().numbering().size, timers),
-      increment_(model_, newton_, settings.steps), conditions_(actors), status_(exit_status::done)
+      increment_(model_, newton_, settings.steps), conditions_(actors), ends_(actors), status_(exit_status::done)
   {
     if (!settings.energies)
       model_.forget_energy();
-  }
-
-
-  void Analysis::add(std::unique_ptr<Observer> observer)
-  {
-    observers_.push_back(std::move(observer));
   }
 
 
@@ -109,18 +104,19 @@ namespace deltaform
     const Timers::Scope timer(timers_, timer_output_);
     const RunOutcome outcome{
       status_, message_, warnings_, state_.n_increments, n_iterations_, std::move(state_at_stop_)};
-    for (const auto &observer : observers_)
-      observer->ended(model_, outcome);
+    observers_.tell([&](Observer &observer) { observer.ended(model_, outcome); });
     return status_;
   }
 
 
   bool Analysis::enter_stage()
   {
-    while (!control_ || control_->finished(time()))
+    while (!control_ || control_->finished(time()) || !ends_.reached().empty())
     {
       if (control_)
       {
+        if (!control_->finished(time()))
+          end_stage_early();
         control_.reset();
         ++state_.stage;
       }
@@ -129,21 +125,21 @@ namespace deltaform
       if (!resumed_)
       {
         // The state at the end of the last stage is saved.
-        if (const std::string wrong = model_.misplaced_tool(stage()); !wrong.empty())
+        if (const std::string wrong = misplaced_tool(actors_, model_.stage(), model_.committed(), stage()); !wrong.empty())
           return stop("before its first increment: " + wrong, exit_status::not_converged);
         for (const auto &tool : model_.begin_stage(stage()))
           warn({does_not_find_the_blank(tool, stage())});
         if (state_.stage == 0)
         {
           const Timers::Scope timer(timers_, timer_output_);
-          for (const auto &observer : observers_)
-            observer->begin(model_, stage());
+          observers_.tell([&](Observer &observer) { observer.begin(model_, stage()); });
         }
         state_.last_length = 0.;
         state_.step.reset();
       }
       control_.emplace(settings_.steps, stage().begin, stage().end, stage().first_increment,
                        stage().smallest_increment, stage().largest_increment, settings_.meet);
+      ends_.enter_stage(stage());
       if (resumed_ && state_.step)
         control_->restore(*state_.step);
       // A run may have been killed between the state of its last increment and its end.
@@ -161,10 +157,10 @@ namespace deltaform
       return false;
     if (state_.n_increments >= settings_.steps.max_increments)
       return stop(enough_in_words(state_.n_increments), exit_status::not_converged, checkpoint());
-    announce();
+    observers_.announce(model_, state_.n_increments + 1);
     for (;;)
     {
-      const double next = control_->next(time());
+      const double next = ends_.shorten(control_->next(time()));
       if (const int signal = static_cast<int>(ranks::max(interruption::signal())); signal != 0)
         return stop("ended by " + interruption::name(signal) + "; the state is saved, and --resume goes on from it",
                     exit_status::by_signal + signal, checkpoint());
@@ -187,20 +183,11 @@ namespace deltaform
   }
 
 
-  void Analysis::announce()
+  void Analysis::end_stage_early()
   {
-    std::vector<Observer *> wanting;
-    for (const auto &observer : observers_)
-    {
-      observer->before(model_, state_.n_increments + 1);
-      if (observer->wants_tangent())
-        wanting.push_back(observer.get());
-    }
-    if (!wanting.empty())
-      model_.before_contact([wanting](const System &system) {
-        for (auto *const observer : wanting)
-          observer->tangent_without_contact(system);
-      });
+    journal_.note("stage '" + stage().name + "' ends at time " + text::rounded(time()) + ": " + ends_.reached());
+    state_.skipped.add(time(), stage().end);
+    actors_.skip(state_.skipped);
   }
 
 
@@ -230,8 +217,7 @@ namespace deltaform
     const double flow_error = settings_.steps.flow_error > 0. ? actors_.blank->flow_error() : 0.;
     state_.last_length = next - time();
     state_.before = model_.committed();
-    for (const auto &observer : observers_)
-      observer->solved(model_, result.q);
+    observers_.tell([&](Observer &observer) { observer.solved(model_, result.q); });
     model_.before_contact({});
     model_.commit(result.q);
     ++state_.n_increments;
@@ -242,6 +228,8 @@ namespace deltaform
     increment.snap_rotation = result.snap_rotation;
     increment.is_last_here = !refined;
     conditions_.observe(increment);
+    ends_.observe(increment);
+    increment.ends_stage |= !ends_.reached().empty();
     const std::string unusable = conditions_.failure(stage());
     state_.step = control_->state();
     notify(increment);
@@ -265,8 +253,7 @@ namespace deltaform
   {
     state_.n_iterations = n_iterations_;
     const Timers::Scope timer(timers_, timer_output_);
-    for (const auto &observer : observers_)
-      observer->accepted(increment);
+    observers_.tell([&](Observer &observer) { observer.accepted(increment); });
   }
 
 

@@ -6,9 +6,6 @@
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/parameters/text.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-
 #include <sstream>
 
 namespace deltaform
@@ -28,6 +25,18 @@ namespace deltaform
                             : "no more") +
                          " (Steps). Start again without --resume.");
     }
+
+    State state_of(const Checkpoint &start)
+    {
+      State state;
+      std::istringstream own(start.state);
+      state.load(own);
+      if (state.n_increments != start.increment || state.stage != start.stage || state.time() != start.time ||
+          state.before.size() != state.model.unknowns.size())
+        throw SceneError("Cannot resume: the saved state contradicts itself, so it is damaged. Start again without "
+                         "--resume.");
+      return state;
+    }
   } // namespace
 
 
@@ -36,6 +45,7 @@ namespace deltaform
     State result = state_;
     result.model = model_.state();
     result.conditions = conditions_.save();
+    result.ends = ends_.save();
     return result;
   }
 
@@ -48,6 +58,8 @@ namespace deltaform
     state_ = state;
     state_.model = ModelState();
     conditions_.load(state.conditions);
+    ends_.load(state.ends);
+    actors_.skip(state_.skipped);
     n_iterations_ = state_.n_iterations;
     resumed_ = true;
     control_.reset();
@@ -56,8 +68,7 @@ namespace deltaform
     message_.clear();
     state_at_stop_.reset();
     const AcceptedIncrement last = accepted(IncrementCost());
-    for (const auto &observer : observers_)
-      observer->moved(last);
+    observers_.tell([&](Observer &observer) { observer.moved(last); });
   }
 
 
@@ -68,35 +79,19 @@ namespace deltaform
     result.increment = state_.n_increments;
     result.time = time();
     result.stage = state_.stage;
-    ByteStream own, others;
+    ByteStream own;
     state().save(own.stream());
     result.state = own.take();
-    {
-      boost::archive::binary_oarchive archive(others.stream());
-      for (const auto &observer : observers_)
-        observer->save(archive);
-    }
-    result.observers = others.take();
+    result.observers = observers_.save();
     return result;
   }
 
 
   void Analysis::resume(const Checkpoint &start)
   {
-    State state;
-    std::istringstream own(start.state);
-    state.load(own);
-    if (state.n_increments != start.increment || state.stage != start.stage || state.time() != start.time ||
-        state.before.size() != state.model.unknowns.size())
-      throw SceneError("Cannot resume: the saved state contradicts itself, so it is damaged. Start again without "
-                       "--resume.");
-    set_state(state);
-    std::istringstream others(start.observers);
-    boost::archive::binary_iarchive archive(others);
-    for (const auto &observer : observers_)
-      observer->load(archive);
+    set_state(state_of(start));
+    observers_.load(start.observers);
     const AcceptedIncrement last = accepted(IncrementCost());
-    for (const auto &observer : observers_)
-      observer->resumed(last);
+    observers_.tell([&](Observer &observer) { observer.resumed(last); });
   }
 } // namespace deltaform

@@ -3,6 +3,7 @@
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 
 namespace deltaform
 {
@@ -12,7 +13,7 @@ namespace deltaform
     void archive_own(Archive &archive, Value &state, StepControl::State &step, bool &has_step)
     {
       archive &state.stage &state.n_increments &state.n_iterations &state.since_refinement &state.before
-        &state.last_length &has_step &step.increment &step.quiet &step.shortened &step.error &state.conditions;
+        &state.last_length &has_step &step.increment &step.quiet &step.shortened &step.error &state.conditions &state.ends &state.skipped;
     }
   } // namespace
 

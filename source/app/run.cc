@@ -22,6 +22,7 @@
 #include <deltaform/results/earlier_run.h>
 #include <deltaform/results/measure.h>
 #include <deltaform/results/observers.h>
+#include <deltaform/scene/earlier_operation.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/scene.h>
 #include <deltaform/solver/linear_method.h>
@@ -135,6 +136,8 @@ namespace deltaform
         analysis.add(std::move(observer));
       if (start)
         resume(analysis, *start, folder, journal);
+      else if (!scene.start_from.empty())
+        analysis.start_from(formed_blank(scene.start_from));
       timers.add(timer_start, timers.total());
       analysis.warn(input_warnings(scene));
       return compute(analysis, journal);

@@ -2,6 +2,7 @@
 #include <deltaform/app/run_in_memory.h>
 #include <deltaform/results/condition_numbers.h>
 #include <deltaform/results/observers.h>
+#include <deltaform/scene/earlier_operation.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/scene.h>
 
@@ -28,6 +29,8 @@ namespace deltaform
       analysis.add(std::move(condition));
     analysis.add(
       make_recorder(record, std::move(columns), *scene.output, keep, [&timers]() { return timers.total(); }));
+    if (!scene.start_from.empty())
+      analysis.start_from(formed_blank(scene.start_from));
     analysis.warn(input_warnings(scene));
     analysis.begin();
     for (bool more = true; more;)

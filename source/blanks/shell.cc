@@ -1,4 +1,5 @@
 #include "shell.h"
+#include "shell_transfer.h"
 
 #include <deltaform/materials/flow_error.h>
 #include <deltaform/parameters/registry.h>
@@ -279,6 +280,31 @@ namespace deltaform
     ShellSurface::each_array(surface_, TakeFrom(state));
     for (unsigned int i = 0; i < material_.size(); ++i)
       material_.strain(i) = state_.strain(i);
+  }
+
+
+  KeyedArrays Shell::formed(const Vector &q) const
+  {
+    KeyedArrays result = Blank::formed(q);
+    ShellTransfer(space_, points_, material_).describe(q, result);
+    return result;
+  }
+
+
+  void Shell::take_formed(const KeyedArrays &formed, Vector &q)
+  {
+    if (has_nodes_of(formed))
+      return Blank::take_formed(formed, q);
+    const ShellTransfer transfer(space_, points_, material_);
+    KeyedArrays own = state();
+    transfer.set_unknowns(formed, q);
+    transfer.set_state(formed, q, own);
+    set_state(own);
+    surface_.update(q);
+    BlankEnergy sum;
+    for (unsigned int place = 0; place < points_.size(); ++place)
+      add_energy(q, place / points_.per_cell(), place, state_.thickness_ratio(place), sum);
+    material_.add_energy(sum.elastic, 0.);
   }
 
 

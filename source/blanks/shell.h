@@ -54,6 +54,8 @@ namespace deltaform
     void forget_energy() override;
     KeyedArrays state() const override;
     void set_state(const KeyedArrays &state) override;
+    KeyedArrays formed(const Vector &q) const override;
+    void take_formed(const KeyedArrays &formed, Vector &q) override;
 
   private:
     /// Thickness of a quadrature point in the trial state (length).

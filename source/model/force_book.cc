@@ -152,6 +152,21 @@ namespace deltaform
   }
 
 
+  void ForceBook::release_inherited(Body &body, const Stage &stage, ModelState &state) const
+  {
+    actors_.blank->begin_increment(stage.end - stage.begin, 0.);
+    Collector inside(state.unknowns.size());
+    if (!body.assemble(state.unknowns, stage.begin, inside).good())
+      return;
+    for (unsigned int i = 0; i < numbering_.n_blank; ++i)
+    {
+      state.released.on_blank[i] = supports_.is_prescribed()[i] ? 0. : inside.residual[i];
+      state.released.any |= state.released.on_blank[i] != 0.;
+    }
+    state.releases_at_once = state.released.any && stage.release_at_once;
+  }
+
+
   double ForceBook::balance_error(const ModelState &state) const
   {
     Tensor1 sum, largest;
@@ -173,8 +188,9 @@ namespace deltaform
         force[component == Component::r ? 0 : 1] = supports_.uncounted_reaction(i, state, counted);
         count(force);
       }
-    // What is left of much larger forces is round-off.
-    const double floor = 1e-3 * state.largest_resultant;
+    // What is left of much larger forces is round-off; so is what there is before any tool has touched.
+    const double floor =
+      std::max(1e-3 * state.largest_resultant, 1e-9 * actors_.blank->stiffness_scale() * actors_.blank->typical_length());
     double error = 0.;
     for (unsigned int d = actors_.blank->axisymmetric() ? 1 : 0; d < 2; ++d)
       if (const double size = std::max(largest[d], floor); size > 0.)

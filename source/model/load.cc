@@ -45,7 +45,7 @@ namespace deltaform
   {
     add(q, size(q, time), target);
     if (follows_way_)
-      LoadWay(*this, q).assemble(value_(time) * (is_mean_ ? unit_force(q.size()) : 1.), target);
+      LoadWay(*this, q).assemble(skipped_.value(value_, time) * (is_mean_ ? unit_force(q.size()) : 1.), target);
     return {};
   }
 } // namespace deltaform

@@ -5,11 +5,7 @@
 namespace deltaform
 {
   Model::Model(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers)
-    : actors_(actors), timers_(timers), timer_clear_(timers.section("2 clear matrix and residual")),
-      timer_body_(timers.section("3-6 blank: strains, material, residual, tangent")),
-      timer_sum_(timers.section("6 sum over processes")),
-      timer_contact_(timers.section("7-9 contact: projection, forces, tangent")),
-      timer_commit_(timers.section("12 commit")), discretization_(actors, linear_solver), body_(*actors.blank),
+    : actors_(actors), timers_(timers), discretization_(actors, linear_solver), body_(*actors.blank), stops_(actors),
       contact_(actors), supports_(actors, discretization_.numbering()),
       book_(actors, discretization_.numbering(), supports_, contact_), terms_{&body_, &contact_}
   {
@@ -37,22 +33,22 @@ namespace deltaform
   Status Model::assemble(const Vector &q, const bool tangent)
   {
     {
-      const Timers::Scope timer(timers_, timer_clear_);
+      const Timers::Scope timer(timers_.all, timers_.clear);
       system().clear(tangent || contact_.factors_due());
     }
     Status status;
     {
-      const Timers::Scope timer(timers_, timer_body_);
+      const Timers::Scope timer(timers_.all, timers_.body);
       status = body_.assemble(q, time_, system());
     }
     if (!status.good())
       return status;
     {
-      const Timers::Scope timer(timers_, timer_sum_);
+      const Timers::Scope timer(timers_.all, timers_.sum);
       system().sum_over_ranks();
     }
 
-    const Timers::Scope timer(timers_, timer_contact_);
+    const Timers::Scope timer(timers_.all, timers_.contact);
     for (Term *const term : terms_)
       term->read_body(q, system(), tangent);
     for (Term *const term : terms_)

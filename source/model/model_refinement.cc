@@ -2,8 +2,30 @@
 #include <deltaform/blanks/refinement.h>
 #include <deltaform/model/model.h>
 
+#include <algorithm>
+
 namespace deltaform
 {
+  namespace
+  {
+    /// Of loads that follow a way; 0 of the others.
+    std::vector<double> load_sizes(const Actors &actors, const Vector &q)
+    {
+      std::vector<double> sizes;
+      for (const auto &load : actors.loads)
+        sizes.push_back(load->follows_way() ? q[load->unknown()] : 0.);
+      return sizes;
+    }
+
+    void set_load_sizes(const Actors &actors, const std::vector<double> &sizes, Vector &q)
+    {
+      for (unsigned int i = 0; i < sizes.size(); ++i)
+        if (actors.loads[i]->follows_way())
+          q[actors.loads[i]->unknown()] = sizes[i];
+    }
+  } // namespace
+
+
   bool Model::mark()
   {
     Adaptive *blank = actors_.blank->adaptive();
@@ -27,20 +49,12 @@ namespace deltaform
   {
     std::vector<Vector> fields{state_.unknowns, state_.hold};
     const std::vector<double> travels = contact_.travels(state_.unknowns);
-    std::vector<double> sizes;
-    for (const auto &load : actors_.loads)
-      sizes.push_back(load->follows_way() ? state_.unknowns[load->unknown()] : 0.);
+    const std::vector<double> sizes = load_sizes(actors_, state_.unknowns);
     actors_.blank->adaptive()->refine(fields);
     renumber();
-    const unsigned int n_blank = actors_.blank->n_dofs();
-    for (unsigned int i = 0; i < n_blank; ++i)
-    {
-      state_.unknowns[i] = fields[0][i];
-      state_.hold[i] = fields[1][i];
-    }
-    for (unsigned int i = 0; i < sizes.size(); ++i)
-      if (actors_.loads[i]->follows_way())
-        state_.unknowns[actors_.loads[i]->unknown()] = sizes[i];
+    std::copy_n(fields[0].begin(), actors_.blank->n_dofs(), state_.unknowns.begin());
+    std::copy_n(fields[1].begin(), actors_.blank->n_dofs(), state_.hold.begin());
+    set_load_sizes(actors_, sizes, state_.unknowns);
     contact_.transfer(travels, state_.unknowns);
     book_.renew_loads(state_);
   }

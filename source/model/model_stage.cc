@@ -1,17 +1,11 @@
 // What happens between the increments: stages begin, states are accepted.
 #include <deltaform/model/model.h>
-#include <deltaform/model/tool_placement.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace deltaform
 {
-  std::string Model::misplaced_tool(const Stage &stage) const
-  {
-    return deltaform::misplaced_tool(actors_, state_, stage);
-  }
-
-
   std::vector<std::string> Model::begin_stage(const Stage &stage)
   {
     state_.released.reset(state_.unknowns.size(), actors_.tools.size(), actors_.supports.size(), actors_.loads.size());
@@ -20,10 +14,20 @@ namespace deltaform
     state_.releases_at_once = state_.released.any && stage.release_at_once;
     enter_stage(stage);
     time_ = state_.time = stage.begin;
-    const double extent = discretization_.numbering().size[0];
-    std::vector<std::string> lost = contact_.begin_stage(stage.begin, extent, state_.unknowns);
+    auto lost = contact_.begin_stage(stage.begin, discretization_.numbering().size[0], state_.unknowns);
     supports_.hold(state_);
+    if (std::exchange(inherits_, false))
+      book_.release_inherited(body_, stage, state_);
     return lost;
+  }
+
+
+  void Model::start_from(const KeyedArrays &formed)
+  {
+    actors_.blank->take_formed(formed, state_.unknowns);
+    const BlankEnergy energy = actors_.blank->energy();
+    state_.work.loads = energy.elastic + energy.plastic - energy.normal; // what the earlier operation has put in
+    inherits_ = true;
   }
 
 
@@ -38,13 +42,14 @@ namespace deltaform
       if (load->acts_in(stage.name))
         terms_.push_back(load.get());
     terms_.push_back(&state_.released);
-    terms_.push_back(&contact_);
+    stops_.enter_stage(stage.name);
+    terms_.insert(terms_.end(), {&stops_, &contact_});
   }
 
 
   void Model::commit(const Vector &q)
   {
-    const Timers::Scope timer(timers_, timer_commit_);
+    const Timers::Scope timer(timers_.all, timers_.commit);
     state_.time = time_;
     book_.accept(q, system(), state_);
     std::for_each(terms_.rbegin(), terms_.rend(), [&](Term *term) { term->accept(q); });

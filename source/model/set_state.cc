@@ -11,6 +11,20 @@ namespace deltaform
       throw SceneError("Cannot resume: the saved state has " + std::to_string(saved.unknowns.size()) +
                        " unknowns, the scene has " + std::to_string(n_here) + ".");
     }
+
+    /// Before anything changes, as far as it can be known.
+    void check(const ModelState &state, const Actors &actors, const std::size_t n_before)
+    {
+      const std::size_t n = state.unknowns.size(), n_tools = actors.tools.size();
+      bool fits = state.tool_forces.size() == n_tools && state.travels.size() == n_tools &&
+                  state.load_resultants.size() == actors.loads.size() &&
+                  state.interfaces.size() == actors.interfaces.size() &&
+                  (actors.blank->adaptive() != nullptr || n == n_before);
+      for (const Vector *const forces : {&state.hold, &state.load_forces, &state.reactions})
+        fits = fits && forces->size() == n;
+      if (!fits)
+        refuse(state, n_before);
+    }
   } // namespace
 
 
@@ -26,17 +40,7 @@ namespace deltaform
   void Model::set_state(const ModelState &state, const Stage &stage)
   {
     const std::size_t n_before = state_.unknowns.size();
-    const std::size_t n = state.unknowns.size(), n_tools = actors_.tools.size();
-    for (const Vector *const forces : {&state.hold, &state.load_forces, &state.reactions})
-      if (forces->size() != n)
-        refuse(state, n_before);
-    if (state.tool_forces.size() != n_tools || state.travels.size() != n_tools ||
-        state.load_resultants.size() != actors_.loads.size())
-      refuse(state, n_before);
-    // Before anything changes, as far as it can be known.
-    if (state.interfaces.size() != actors_.interfaces.size() ||
-        (actors_.blank->adaptive() == nullptr && state.unknowns.size() != n_before))
-      refuse(state, n_before);
+    check(state, actors_, n_before);
     actors_.blank->set_state(state.body);
     if (state.unknowns.size() != n_before)
     {

@@ -85,21 +85,19 @@ namespace deltaform
   }
 
 
-  std::string misplaced_tool(const Actors &actors, const ModelState &state, const Stage &stage)
+  std::string misplaced_tool(const Actors &actors, const std::string &before, const Vector &q, const Stage &next)
   {
-    if (state.stage.empty())
-      return "";
     for (const auto &interface : actors.interfaces)
     {
       const Tool &tool = interface->tool();
-      if (tool.exists_in(state.stage) || !tool.exists_in(stage.name))
+      if ((!before.empty() && tool.exists_in(before)) || !tool.exists_in(next.name))
         continue;
       // The thickness has changed by forming: a tool that leaves room for the initial one overlaps a little.
       const TimeFunction *own = tool.allowed_penetration();
-      const double delta = own ? (*own)(stage.begin) : actors.contact->allowed_penetration(stage.begin);
+      const double delta = own ? (*own)(next.begin) : actors.contact->allowed_penetration(next.begin);
       const double tolerance = std::max(.1 * actors.blank->typical_length(), delta);
-      const double travel = tool.force_driven() ? state.unknowns[interface->travel_dof()] : tool.travel(stage.begin);
-      if (const auto wrong = find_misplacement(*actors.blank, *interface, state.unknowns, travel, tolerance))
+      const double travel = tool.force_driven() ? q[interface->travel_dof()] : tool.travel(next.begin);
+      if (const auto wrong = find_misplacement(*actors.blank, *interface, q, travel, tolerance))
         return wrong->message + " (Tools/" + tool.name() + "/" + wrong->entry + ")";
     }
     return "";

@@ -71,7 +71,8 @@ namespace deltaform
                                         const std::vector<Stage> &stages)
   {
     const double end = stages.back().end;
-    if (travels.empty() && times.empty())
+    at_stage_ends = travels.empty() && times.empty();
+    if (at_stage_ends)
       for (const auto &stage : stages)
         travel_times.push_back(stage.end);
     if (!travels.empty())

@@ -26,7 +26,7 @@ namespace deltaform
         stage_ = increment.stage.name;
         record_.history.push_back(columns_.row(increment));
         summary_.accepted(increment);
-        kept_ = increment.is_last_here && (keep_ == Keep::every_increment || asks_for_tables(output_, time_));
+        kept_ = increment.is_last_here && (keep_ == Keep::every_increment || asks_for_tables(output_, increment));
         if (kept_)
           record_.snapshots.push_back(take_snapshot(increment.model, output_, stage_, time_));
       }

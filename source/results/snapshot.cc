@@ -1,4 +1,4 @@
-#include <deltaform/model/model.h>
+#include <deltaform/model/accepted_increment.h>
 #include <deltaform/results/snapshot.h>
 
 #include <algorithm>
@@ -72,10 +72,12 @@ namespace deltaform
   }
 
 
-  bool asks_for_tables(const OutputSettings &output, const double time)
+  bool asks_for_tables(const OutputSettings &output, const AcceptedIncrement &increment)
   {
+    if (output.at_stage_ends && increment.ends_stage)
+      return true;
     const auto &times = output.travel_times;
-    return std::any_of(times.begin(), times.end(), [time](const double asked) {
+    return std::any_of(times.begin(), times.end(), [time = increment.time](const double asked) {
       return std::abs(time - asked) <= 1e-9 * std::max(1., std::abs(asked));
     });
   }

@@ -31,7 +31,7 @@ namespace deltaform
       {
         time_ = increment.time;
         stage_ = increment.stage.name;
-        if (increment.is_last_here && asks_for_tables(output_, time_))
+        if (increment.is_last_here && asks_for_tables(output_, increment))
           write(increment.model);
       }
 

@@ -1,4 +1,5 @@
 // What is wrong with a scene although every entry by itself is allowed.
+#include <deltaform/analysis/stage_ends.h>
 #include <deltaform/model/function_values.h>
 #include <deltaform/model/reported_columns.h>
 #include <deltaform/model/tool_placement.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 namespace deltaform
 {
@@ -112,8 +114,8 @@ namespace deltaform
     {
       const Tool &tool = *actors.tools[i];
       const Section section = root.sub("Tools").sub(tool.name());
-      // What comes later is checked when it comes: the blank has another shape then (Model::misplaced_tool).
-      if (tool.exists_in(actors.stages.front().name))
+      // What comes later is checked when it comes: the blank has another shape then (misplaced_tool).
+      if (start_from.empty() && tool.exists_in(actors.stages.front().name))
       {
         if (const auto wrong = find_misplacement(*actors.blank, *actors.interfaces[i], zero, tool.travel(0.), 1e-9 * h))
           section.fail(wrong->entry, wrong->message);
@@ -152,9 +154,18 @@ namespace deltaform
     for (const auto &load : actors.loads)
       known(load->stages(), root.sub("Loads").sub(load->name()));
 
+    const StageEnds ends(actors);
     const Stage *before = nullptr;
     for (const auto &stage : actors.stages)
     {
+      try
+      {
+        ends.check(stage);
+      }
+      catch (const std::invalid_argument &error)
+      {
+        root.sub("Steps").sub(stage.name).fail("Ends when", error.what());
+      }
       // Does a function of time change within the stage, or does something end with the stage before?
       bool changes = false;
       const auto varies = [&](const TimeFunction &function) {

@@ -106,6 +106,17 @@ namespace deltaform
     if (force_driven() && section.given("Motion"))
       section.fail("Force", "A tool has either a motion or a force, not both.");
 
+    stop_travel_ = read_optional(section, "Stop travel",
+                                 "Of a tool under a force: a stop in the press takes the force at this travel (length, "
+                                 "may use t and thickness); empty: there is none.",
+                                 constants);
+    stop_gap_ = section.number("Stop gap", 0., Range::not_negative(), "length",
+                               "Of a tool under a force: it comes no nearer to the tools on the other side of the "
+                               "blank. Where the blank has left it, it rests on them.");
+    if (!force_driven() && (stop_travel_ || stop_gap_ > 0.))
+      section.fail(stop_travel_ ? "Stop travel" : "Stop gap",
+                   "Only a tool that is driven by a Force is stopped; a Motion ends where it says.");
+
     auto with_auto = penetration_constants;
     with_auto["auto"] = -1.; // see ContactSettings
     allowed_penetration_ =

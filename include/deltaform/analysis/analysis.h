@@ -2,6 +2,8 @@
 
 #include <deltaform/analysis/conditions.h>
 #include <deltaform/analysis/increment.h>
+#include <deltaform/analysis/observer_list.h>
+#include <deltaform/analysis/stage_ends.h>
 #include <deltaform/analysis/state.h>
 #include <deltaform/analysis/step_control.h>
 #include <deltaform/model/checkpoint.h>
@@ -48,10 +50,20 @@ namespace deltaform
   public:
     Analysis(Actors &actors, const AnalysisSettings &settings, Journal &journal, Timers &timers);
 
-    void add(std::unique_ptr<Observer> observer);
+    void add(std::unique_ptr<Observer> observer)
+    {
+      observers_.add(std::move(observer));
+    }
 
     /// Say what makes the input doubtful; it stands among the warnings of the outcome.
     void warn(const std::vector<std::string> &texts);
+
+    /// Begin with the blank that an earlier operation has left, see Blank::formed(). Belongs before begin().
+    /// @throws SceneError if the blank of the scene cannot be that one
+    void start_from(const KeyedArrays &formed)
+    {
+      model_.start_from(formed);
+    }
 
     /// Go on from a saved state. Belongs before begin(). @throws SceneError if it does not fit the stages of the scene
     void resume(const Checkpoint &start);
@@ -115,8 +127,8 @@ namespace deltaform
 
     bool refinement_marked();
 
-    /// An increment will be tried: who wants to see its tangent?
-    void announce();
+    /// The stage ends before its end time: the time up to there is skipped.
+    void end_stage_early();
 
     void notify(const AcceptedIncrement &increment);
     AcceptedIncrement accepted(const IncrementCost &cost) const;
@@ -137,7 +149,8 @@ namespace deltaform
     Newton newton_;
     Increment increment_;
     Conditions conditions_;
-    std::vector<std::unique_ptr<Observer>> observers_;
+    StageEnds ends_;
+    ObserverList observers_;
 
     State state_; ///< accepted; that of the model is with the model
     unsigned int n_iterations_ = 0; ///< with those since the last accepted increment

@@ -2,6 +2,7 @@
 
 #include <deltaform/analysis/step_control.h>
 #include <deltaform/model/model_state.h>
+#include <deltaform/parameters/skipped_time.h>
 
 #include <iosfwd>
 #include <optional>
@@ -30,6 +31,8 @@ namespace deltaform
     ///@}
 
     std::string conditions; ///< what conditions remember, in bytes that only they understand
+    std::string ends; ///< the same of what may end the stage
+    SkippedTime skipped; ///< by stages that ended before their time
 
     double time() const
     {

@@ -159,5 +159,19 @@ namespace deltaform
     /// @throws SceneError if it is the state of another blank, or of one that was refined less
     virtual void set_state(const KeyedArrays &state) = 0;
     ///@}
+
+    /// @name From one operation to the next
+    ///@{
+    /// What the blank has been formed to at its accepted unknowns @p q: its state, and where it is known.
+    virtual KeyedArrays formed(const Vector &q) const;
+
+    /// Begin with what another blank of the same kind has been formed to; of the unknowns @p q those of the blank are
+    /// set. @throws SceneError if this blank is no part of that one, or cannot have another mesh
+    virtual void take_formed(const KeyedArrays &formed, Vector &q);
+    ///@}
+
+  protected:
+    /// Do formed blanks and this one have the same nodes?
+    bool has_nodes_of(const KeyedArrays &formed) const;
   };
 } // namespace deltaform

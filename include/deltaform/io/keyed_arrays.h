@@ -77,6 +77,12 @@ namespace deltaform
         std::memcpy(values.data(), array.data(), values.size() * sizeof(T));
     }
 
+    /// All of them by their names.
+    const std::map<std::string, std::vector<double>> &all() const
+    {
+      return arrays_;
+    }
+
     bool operator==(const KeyedArrays &other) const
     {
       return arrays_ == other.arrays_;

@@ -21,6 +21,17 @@ namespace deltaform
       return contact && contact->enforcement->uses_penalty();
     }
 
+    /// The run has skipped time: whatever follows a function of time goes on from where it was.
+    void skip(const SkippedTime &skipped)
+    {
+      for (auto &tool : tools)
+        tool->skip(skipped);
+      for (auto &support : supports)
+        support.skipped = skipped;
+      for (auto &load : loads)
+        load->skip(skipped);
+    }
+
     std::unique_ptr<Blank> blank;
     std::vector<std::unique_ptr<Tool>> tools;
     std::unique_ptr<ContactSettings> contact;

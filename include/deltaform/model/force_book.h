@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/model/actors.h>
+#include <deltaform/model/body.h>
 #include <deltaform/model/contact_set.h>
 #include <deltaform/model/support_set.h>
 
@@ -28,6 +29,10 @@ namespace deltaform
 
     /// What ends with the stage of @p state becomes forces that fade out; contact of tools that leave is forgotten.
     void release(const std::string &next_stage, ModelState &state) const;
+
+    /// The first stage begins with a blank that an earlier operation has formed: what would hold it in its shape fades
+    /// out, but for what the supports of this stage hold.
+    void release_inherited(Body &body, const Stage &stage, ModelState &state) const;
 
     /**
      * How far the forces on the blank are from balance: sum of the forces of tools, supports and loads as they are

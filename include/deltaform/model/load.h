@@ -3,6 +3,7 @@
 #include <deltaform/blanks/blank.h>
 #include <deltaform/model/term.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/skipped_time.h>
 #include <deltaform/parameters/time_function.h>
 
 #include <string>
@@ -40,6 +41,12 @@ namespace deltaform
       return value_;
     }
 
+    /// What the run has skipped: the value goes on from where it was.
+    void skip(const SkippedTime &skipped)
+    {
+      skipped_ = skipped;
+    }
+
     /// Is the way prescribed and the size an unknown?
     bool follows_way() const
     {
@@ -65,7 +72,7 @@ namespace deltaform
     /// In the state @p q at @p time: Value, or the unknown.
     double size(const Vector &q, const double time) const
     {
-      return follows_way_ ? q[unknown_] : value_(time);
+      return follows_way_ ? q[unknown_] : skipped_.value(value_, time);
     }
 
     /// In which the load acts; none stands for all.
@@ -96,6 +103,7 @@ namespace deltaform
   private:
     std::string name_;
     TimeFunction value_;
+    SkippedTime skipped_;
     bool follows_way_;
     bool is_mean_; ///< is the way a mean displacement, the work over the unit force?
     std::vector<std::string> stages_;

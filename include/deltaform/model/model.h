@@ -8,8 +8,9 @@
 #include <deltaform/model/force_book.h>
 #include <deltaform/model/increment_problem.h>
 #include <deltaform/model/model_state.h>
+#include <deltaform/model/model_timers.h>
 #include <deltaform/model/support_set.h>
-#include <deltaform/process/timers.h>
+#include <deltaform/model/tool_stops.h>
 
 #include <algorithm>
 #include <functional>
@@ -95,19 +96,17 @@ namespace deltaform
     }
     ///@}
 
-    /// What is wrong with the place of a tool that comes with @p stage, seen from the committed state, in words; empty:
-    /// nothing. Belongs before begin_stage(). Tools of the first stage are the scene's matter.
-    std::string misplaced_tool(const Stage &stage) const;
-
     /// A stage begins: tools, loads and supports that end with the last stage become forces that fade out.
     /// @return names of force-driven tools that do not find the blank along their direction
     std::vector<std::string> begin_stage(const Stage &stage);
 
+    /// Before the first stage: the blank is what an earlier operation has formed. What had held it fades out.
+    void start_from(const KeyedArrays &formed);
+
     /// Forget what was tried since the last commit. @param time of the state that is looked for next
     void discard(double time);
 
-    /// Mark what the blank and contact want to be finer in the committed state. @return is anything marked? Nothing
-    /// while forces of an ended stage fade out: they belong to nodes.
+    /// Mark what blank and contact want to be finer. @return is anything marked? Nothing while released forces fade out
     bool mark();
 
     /// Refine the marked cells; the committed state goes along. Then find equilibrium anew: begin() at the same time.
@@ -116,8 +115,7 @@ namespace deltaform
     /// Accept @p q as the state at the end of the increment.
     void commit(const Vector &q);
 
-    /// Call @p action in every assembly of the tangent, when it holds the blank's and the loads' terms and not yet
-    /// those of contact; empty: no more.
+    /// Call @p action in every assembly of a tangent that holds all terms but those of contact; empty: no more.
     void before_contact(std::function<void(const System &)> action)
     {
       before_contact_ = std::move(action);
@@ -197,6 +195,12 @@ namespace deltaform
       return state_.time;
     }
 
+    /// Of the committed state; empty: none has begun.
+    const std::string &stage() const
+    {
+      return state_.stage;
+    }
+
     /// The committed state, as a value.
     ModelState state() const;
 
@@ -225,10 +229,10 @@ namespace deltaform
     void renumber();
 
     Actors &actors_;
-    Timers &timers_;
-    Timers::Index timer_clear_, timer_body_, timer_sum_, timer_contact_, timer_commit_;
+    ModelTimers timers_;
     Discretization discretization_;
     Body body_;
+    ToolStops stops_;
     ContactSet contact_;
     SupportSet supports_;
     ForceBook book_;
@@ -236,6 +240,7 @@ namespace deltaform
     bool energies_wanted_ = true;
 
     ModelState state_; ///< committed; body and contact points are with the blank and the interfaces
+    bool inherits_ = false; ///< the forces that keep a blank in equilibrium which comes from an earlier operation
     double time_ = 0; ///< at the end of the increment that is tried
     std::function<void(const System &)> before_contact_; ///< mostly empty
   };

@@ -14,6 +14,7 @@ namespace deltaform
     double begin = 0, end = 1;
     double first_increment, smallest_increment, largest_increment;
     bool release_at_once = false; ///< of what ended with the stage before
+    std::string ends_when; ///< conditions that end the stage before its end, see StageEnds
     bool continue_after_necking = false; ///< go on with a warning
   };
 

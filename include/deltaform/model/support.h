@@ -2,6 +2,7 @@
 
 #include <deltaform/blanks/blank.h>
 #include <deltaform/parameters/section.h>
+#include <deltaform/parameters/skipped_time.h>
 
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ namespace deltaform
     /// Value of dofs[i] at a time.
     double at(unsigned int i, double time) const
     {
-      return values.empty() ? value(time) : values[i](time);
+      return skipped.value(values.empty() ? value : values[i], time);
     }
 
     std::string name;
@@ -30,6 +31,7 @@ namespace deltaform
     std::vector<DofIndex> dofs;
     TimeFunction value; ///< of the first unknown
     std::vector<TimeFunction> values; ///< of every unknown, where they depend on its place; else empty
+    SkippedTime skipped; ///< by the run: the value goes on from where it was
     bool hold; ///< keep the value that the unknown has when the stage begins
     std::vector<std::string> stages;
   };

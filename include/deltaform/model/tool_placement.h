@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deltaform/model/actors.h>
-#include <deltaform/model/model_state.h>
 
 #include <optional>
 #include <string>
@@ -24,6 +23,7 @@ namespace deltaform
   std::optional<Misplacement> find_misplacement(const Blank &blank, const ContactInterface &interface, const Vector &q,
                                                 double travel, double tolerance);
 
-  /// The same in words for the tools that come with @p stage, seen from the end of the one before; empty: nothing.
-  std::string misplaced_tool(const Actors &actors, const ModelState &state, const Stage &stage);
+  /// The same in words for the tools that come with the stage @p next, at the end of the one before (empty: none) and
+  /// of the unknowns @p q; empty: nothing.
+  std::string misplaced_tool(const Actors &actors, const std::string &before, const Vector &q, const Stage &next);
 } // namespace deltaform

@@ -21,6 +21,7 @@ namespace deltaform
     unsigned int main_tool = invalid_index; ///< index of the tool whose travel names the files
     std::vector<double> travels; ///< at which tables are written
     std::vector<double> times; ///< further times at which tables are written
+    bool at_stage_ends = false; ///< are tables written at the end of every stage?
     std::vector<double> travel_times; ///< all times of tables, ascending
     std::vector<std::unique_ptr<Measure>> measures; ///< of the finished part
     std::vector<double> frame_times; ///< of the pictures, ascending

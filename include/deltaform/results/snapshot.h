@@ -9,6 +9,7 @@
 
 namespace deltaform
 {
+  class AcceptedIncrement;
   class Model;
 
   /// Columns of numbers and words; the units are dimensions.
@@ -31,6 +32,6 @@ namespace deltaform
 
   Snapshot take_snapshot(const Model &model, const OutputSettings &output, const std::string &stage, double time);
 
-  /// Are tables wanted of the state at @p time?
-  bool asks_for_tables(const OutputSettings &output, double time);
+  /// Are tables wanted of the state at the end of @p increment?
+  bool asks_for_tables(const OutputSettings &output, const AcceptedIncrement &increment);
 } // namespace deltaform

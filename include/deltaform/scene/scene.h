@@ -24,6 +24,7 @@ namespace deltaform
     ParameterTree &tree;
     std::string title, units;
     std::vector<std::string> notes; ///< what the user should know of how the scene was read
+    std::string start_from; ///< folder of the earlier operation; empty: the blank is undeformed
     std::unique_ptr<LinearSolverSettings> linear_solver;
     Actors actors;
 

@@ -2,8 +2,10 @@
 
 #include <deltaform/assembly/side.h>
 #include <deltaform/parameters/section.h>
+#include <deltaform/parameters/skipped_time.h>
 #include <deltaform/tools/shape.h>
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -72,7 +74,7 @@ namespace deltaform
     /// an unknown.
     double travel(const double time) const
     {
-      return force_driven() ? 0. : motion_(time);
+      return force_driven() ? 0. : skipped_.value(motion_, time);
     }
 
     /// First time in [begin, end] at which the motion reaches a travel; NaN if it does not.
@@ -83,6 +85,27 @@ namespace deltaform
 
     /// Force along the direction, pressed against the blank, of a force-driven tool.
     double force(double time) const;
+
+    /// What the run has skipped: motion and force go on from where they were.
+    void skip(const SkippedTime &skipped)
+    {
+      skipped_ = skipped;
+    }
+
+    /// @name Where a force-driven tool is stopped
+    ///@{
+    /// Largest travel; infinite where the tool has no such stop.
+    double stop_travel(const double time) const
+    {
+      return stop_travel_ ? (*stop_travel_)(time) : std::numeric_limits<double>::infinity();
+    }
+
+    /// Least gap to the tools on the other side of the blank (length).
+    double stop_gap() const
+    {
+      return stop_gap_;
+    }
+    ///@}
 
     /// Smallest and largest travel between two times, sampled at equal distances including both ends.
     std::pair<double, double> travel_range(double begin, double end) const;
@@ -123,6 +146,9 @@ namespace deltaform
     double mirror_ = 1; ///< of z from the tool's own frame to the scene's: 1 or -1
     TimeFunction motion_;
     std::optional<TimeFunction> force_;
+    std::optional<TimeFunction> stop_travel_;
+    double stop_gap_ = 0;
+    SkippedTime skipped_;
     std::optional<TimeFunction> allowed_penetration_;
     std::vector<std::string> stages_;
   };

@@ -1,0 +1,102 @@
+// Any outline of lines and arcs, in the scene or from a file.
+#include "../outline_file.h"
+
+#include <deltaform/parameters/registry.h>
+#include <deltaform/tools/shape.h>
+
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace deltaform
+{
+  namespace
+  {
+    class Outline : public Shape
+    {
+    public:
+      explicit Outline(Section &section)
+      {
+        const std::string path =
+          section.text("Path", Default<std::string>("0 0; 1 0; 1.5 -.5 1 -.5 cw; 1.5 -1"),
+                       "Points, separated by semicolons and walked with the blank to the left: 'r z' by a straight "
+                       "line, 'r z center_r center_z cw' (ccw) by an arc about a center. Not used with File.");
+        const std::string file =
+          section.text("File", Default<std::string>(""),
+                       "The same points, one a line, or a DXF file (LINE, ARC, LWPOLYLINE; x is r, y is z), seen from "
+                       "the folder in which the program runs.");
+        const std::string layer = section.text("Layer", Default<std::string>(""), "Of a DXF file; empty: all.");
+        const bool reversed = section.flag("Reversed", false,
+                                           "Walk the outline the other way: the blank must lie to its left.");
+        const double tolerance = section.number("Joint tolerance", 1e-6, Range::positive(), "length",
+                                                "Ends of lines and arcs that are nearer to each other are joined.");
+        across_ = section.choice("Across the axis", "auto", {"auto", "true", "false"},
+                                 "Is an end on r = 0 no edge, so that the outline goes on as its mirror image? auto: "
+                                 "yes if the blank is axisymmetric, no in plane strain.");
+        if (file.empty() && !section.given("Path") && !section.documentation())
+          section.fail("Path", "give the outline as Path or in a File");
+        try
+        {
+          std::istringstream lines(std::regex_replace(path, std::regex(";"), "\n"));
+          corners_ = corners_of(walked(file.empty() ? read_points(lines) : read(file, layer, tolerance), reversed),
+                                tolerance);
+          build_ends(across_ != "false");
+        }
+        catch (const std::invalid_argument &error)
+        {
+          section.fail(file.empty() ? "Path" : "File", (file.empty() ? "" : "'" + file + "': ") + error.what());
+        }
+      }
+
+      void set_plane_strain() override
+      {
+        if (across_ == "auto")
+          build_ends(false);
+      }
+
+      bool in_scene_frame() const override
+      {
+        return true;
+      }
+
+    private:
+      static std::vector<OutlinePiece> read(const std::string &name, const std::string &layer, const double tolerance)
+      {
+        std::ifstream file(name);
+        if (!file)
+          throw std::invalid_argument("the file cannot be read");
+        const auto dot = name.rfind('.');
+        const std::string ending = dot == std::string::npos ? "" : name.substr(dot);
+        return ending == ".dxf" || ending == ".DXF" ? join(read_dxf(file, layer), tolerance) : read_points(file);
+      }
+
+      static std::vector<OutlinePiece> walked(const std::vector<OutlinePiece> &path, const bool reversed)
+      {
+        if (path.empty())
+          throw std::invalid_argument("there are fewer than two points");
+        if (!reversed)
+          return path;
+        std::vector<OutlinePiece> other;
+        for (auto piece = path.rbegin(); piece != path.rend(); ++piece)
+          other.push_back(piece->reversed());
+        return other;
+      }
+
+      void build_ends(const bool across)
+      {
+        const auto end = [&](const Point2 &point) { return across && point[0] == 0. ? End::axis : End::free; };
+        if (corners_.closed)
+          build_closed(corners_.points, corners_.radii);
+        else
+          build(corners_.points, corners_.radii, end(corners_.points.front()), end(corners_.points.back()));
+      }
+
+      OutlineCorners corners_;
+      std::string across_;
+    };
+
+    const Registry<Shape>::Entry
+      entry("outline", "Lines and arcs, also from a file of points or DXF, in the scene's frame", make_as<Outline, Shape>);
+  } // namespace
+} // namespace deltaform
