@@ -158,11 +158,16 @@ namespace deltaform
     Collector inside(state.unknowns.size());
     if (!body.assemble(state.unknowns, stage.begin, inside).good())
       return;
+    double largest = 0.;
     for (unsigned int i = 0; i < numbering_.n_blank; ++i)
     {
       state.released.on_blank[i] = supports_.is_prescribed()[i] ? 0. : inside.residual[i];
-      state.released.any |= state.released.on_blank[i] != 0.;
+      largest = std::max(largest, std::abs(state.released.on_blank[i]) / numbering_.scale[i]);
     }
+    // What is left of a blank that was released is the tolerance of its equilibrium.
+    state.released.any = largest > 1e-5 * actors_.blank->stiffness_scale() * actors_.blank->typical_length();
+    if (!state.released.any)
+      state.released.on_blank = 0.;
     state.releases_at_once = state.released.any && stage.release_at_once;
   }
 
