@@ -125,7 +125,7 @@ namespace deltaform
       if (!resumed_)
       {
         // The state at the end of the last stage is saved.
-        if (const std::string wrong = misplaced_tool(actors_, model_.stage(), model_.committed(), stage()); !wrong.empty())
+        if (const auto wrong = misplaced_tool(actors_, model_.stage(), model_.committed(), stage()); !wrong.empty())
           return stop("before its first increment: " + wrong, exit_status::not_converged);
         for (const auto &tool : model_.begin_stage(stage()))
           warn({does_not_find_the_blank(tool, stage())});

@@ -103,8 +103,8 @@ namespace deltaform
       if (value == nullptr)
         continue;
       Watched &watched = watched_[i];
-      watched.rate =
-        watched.known && increment.time > watched.time ? (*value - watched.value) / (increment.time - watched.time) : 0.;
+      const double length = increment.time - watched.time;
+      watched.rate = watched.known && length > 0. ? (*value - watched.value) / length : 0.;
       watched.time = increment.time;
       watched.value = *value;
       watched.largest = std::max(watched.largest, std::abs(*value));

@@ -194,8 +194,8 @@ namespace deltaform
         count(force);
       }
     // What is left of much larger forces is round-off; so is what there is before any tool has touched.
-    const double floor =
-      std::max(1e-3 * state.largest_resultant, 1e-9 * actors_.blank->stiffness_scale() * actors_.blank->typical_length());
+    const double round_off = 1e-9 * actors_.blank->stiffness_scale() * actors_.blank->typical_length();
+    const double floor = std::max(1e-3 * state.largest_resultant, round_off);
     double error = 0.;
     for (unsigned int d = actors_.blank->axisymmetric() ? 1 : 0; d < 2; ++d)
       if (const double size = std::max(largest[d], floor); size > 0.)

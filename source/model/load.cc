@@ -17,8 +17,8 @@ namespace deltaform
                                     ? "What Value is: the load itself, or the volume that the face has swept since the "
                                       "start (length^3; plane strain: length^2). The load then follows from "
                                       "equilibrium, also past its maximum."
-                                    : "What Value is: the load itself, or the mean displacement (rad for a rotation) of "
-                                      "what is loaded. The load then follows from equilibrium, also past its "
+                                    : "What Value is: the load itself, or the mean displacement (rad for a rotation) "
+                                      "of what is loaded. The load then follows from equilibrium, also past its "
                                       "maximum.") != "load"),
       is_mean_(words.way != "volume"),
       stages_(section.names(

@@ -48,8 +48,8 @@ namespace deltaform
                                          "increment.") == "at once";
       stage.ends_when =
         own.text("Ends when", Default<std::string>(""),
-                 "Conditions, separated by semicolons, of which the first that holds ends the stage before its end time: "
-                 "'punch_force_z > 20e3', 'thinning > .3', 'holder_to_die_gap < 1', 'die_touching < 1', or "
+                 "Conditions, separated by semicolons, of which the first that holds ends the stage before its end "
+                 "time: 'punch_force_z > 20e3', 'thinning > .3', 'holder_to_die_gap < 1', 'die_touching < 1', or "
                  "'punch_force_z falls to .9' of its largest size in the stage.");
       stage.continue_after_necking =
         own.flag("Continue after necking", false, "Go on, with a warning, when the sheet necks; else the run ends.");

@@ -21,8 +21,8 @@ namespace deltaform
       const TimeFunction *const own = tool.allowed_penetration();
       const double delta = own != nullptr ? (*own)(time) : actors_.contact->allowed_penetration(time);
       const double smallest = 1e-3 * actors_.blank->typical_length();
-      const double stiffness =
-        std::max(tool.force(time), 1e-6 * actors_.blank->stiffness_scale() * smallest) / (delta > 0. ? delta : smallest);
+      const double least_force = 1e-6 * actors_.blank->stiffness_scale() * smallest;
+      const double stiffness = std::max(tool.force(time), least_force) / (delta > 0. ? delta : smallest);
       const double force = stiffness * beyond;
       target.add(&dof, 1, target.wants_tangent() ? &stiffness : nullptr, &force);
     }

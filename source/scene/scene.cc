@@ -46,9 +46,9 @@ namespace deltaform
       actors.loads.push_back(LoadRegistry::choose(own, "Kind", "pressure", "What kind of load it is.", *actors.blank));
     }
 
-    for (const auto &name : named(root.sub("Output").sub("Probes"), "Places of the blank that are watched over time, one "
-                                                                    "subsection each."))
-      actors.probes.emplace_back(name, root.sub("Output").sub("Probes").sub(name), *actors.blank);
+    const Section probes = root.sub("Output").sub("Probes");
+    for (const auto &name : named(probes, "Places of the blank that are watched over time, one subsection each."))
+      actors.probes.emplace_back(name, probes.sub(name), *actors.blank);
 
     Section steps_section = root.sub("Steps");
     actors.stages = read_stages(steps_section);

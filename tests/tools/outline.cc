@@ -82,7 +82,8 @@ BOOST_AUTO_TEST_CASE(three_quarters_of_a_circle)
 BOOST_AUTO_TEST_CASE(dxf)
 {
   // Entities in any order and direction, and one of another kind.
-  write("outline_test.dxf", head + line(0., 0., 10., 0.) + "0\nPOINT\n8\n0\n10\n3\n20\n3\n" + line(14., -20., 14., -4.) +
+  const std::string point = "0\nPOINT\n8\n0\n10\n3\n20\n3\n";
+  write("outline_test.dxf", head + line(0., 0., 10., 0.) + point + line(14., -20., 14., -4.) +
                               "0\nARC\n8\n0\n10\n10\n20\n-4\n40\n4\n50\n0\n51\n90\n" + tail);
   check_flat_edge_wall(*make({"tool/File=outline_test.dxf"}));
   const double bulge = -std::tan(pi / 8.);

@@ -10,7 +10,8 @@ namespace deltaform
     explicit ModelTimers(Timers &timers)
       : all(timers), clear(timers.section("2 clear matrix and residual")),
         body(timers.section("3-6 blank: strains, material, residual, tangent")),
-        sum(timers.section("6 sum over processes")), contact(timers.section("7-9 contact: projection, forces, tangent")),
+        sum(timers.section("6 sum over processes")),
+        contact(timers.section("7-9 contact: projection, forces, tangent")),
         commit(timers.section("12 commit"))
     {
     }

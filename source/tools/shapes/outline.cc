@@ -97,6 +97,8 @@ namespace deltaform
     };
 
     const Registry<Shape>::Entry
-      entry("outline", "Lines and arcs, also from a file of points or DXF, in the scene's frame", make_as<Outline, Shape>);
+      entry("outline",
+            "Lines and arcs, also from a file of points or DXF, in the scene's frame",
+            make_as<Outline, Shape>);
   } // namespace
 } // namespace deltaform
