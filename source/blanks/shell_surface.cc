@@ -1,5 +1,6 @@
 #include "shell_surface.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace deltaform
@@ -18,9 +19,9 @@ namespace deltaform
                      {"normal offset", "outer fibre"},
                      "Where a node touches: half a thickness away along the tool's normal, or on the outer "
                      "fibre along the director (the force then has a moment).") == "normal offset"
-        ? ContactPoint::normal_offset
-        : ContactPoint::outer_fibre;
-    if (space.membrane() && contact_point_ == ContactPoint::outer_fibre)
+        ? NodalContact::normal_offset
+        : NodalContact::outer_fibre;
+    if (space.membrane() && contact_point_ == NodalContact::outer_fibre)
       section.fail("Contact point", "a membrane has no director: use 'normal offset'");
 
     // At a kink the contact director is the mean of its neighbours'; angles of one node differ by less than pi.
@@ -51,7 +52,13 @@ namespace deltaform
   }
 
 
-  unsigned int ShellSurface::n_contact_nodes(Side) const
+  unsigned int ShellSurface::n_nodes() const
+  {
+    return space_.n_nodes();
+  }
+
+
+  unsigned int ShellSurface::n_contact_points(Side) const
   {
     return space_.n_nodes();
   }
@@ -79,17 +86,17 @@ namespace deltaform
   }
 
 
-  void ShellSurface::contact_node(const Vector &q,
-                                  const Side side,
-                                  const unsigned int node,
-                                  const ContactThickness thickness,
-                                  ContactNode &result) const
+  void ShellSurface::contact_point(const Vector &q,
+                                   const Side side,
+                                   const unsigned int node,
+                                   const ContactThickness thickness,
+                                   ContactPoint &result) const
   {
     const double h = thickness == ContactThickness::current   ? state_.node_thickness(node)
                      : thickness == ContactThickness::initial ? points_.thickness()
                                                               : 0.;
-    result.node = node;
-    result.dofs = space_.dofs()[node];
+    result.set_node(node);
+    std::copy_n(space_.dofs()[node].begin(), 3, result.dofs.begin());
     result.x = space_.position(q, node);
     result.area = areas_[node];
     result.reference_coordinate = space_.mesh().nodes()[node][0];
@@ -99,7 +106,7 @@ namespace deltaform
     result.recovery = thickness == ContactThickness::current ? state_.node_recovery(node) : 0.;
     result.jacobian[0] = Tensor1({1., 0.});
     result.jacobian[1] = Tensor1({0., 1.});
-    if (contact_point_ == ContactPoint::normal_offset)
+    if (contact_point_ == NodalContact::normal_offset)
     {
       result.n_dofs = 2;
       result.offset = .5 * h;

@@ -13,7 +13,7 @@
 namespace deltaform
 {
   /// Where the contact point of a node lies (doc/theory/contact.md).
-  enum class ContactPoint : unsigned char
+  enum class NodalContact : unsigned char
   {
     normal_offset, ///< the node, half a thickness away from the tool along the tool's normal
     outer_fibre ///< on the face of the blank, half a thickness along the director
@@ -32,14 +32,15 @@ namespace deltaform
                  const ShellState &state);
 
     unsigned int n_contact_dofs() const override;
-    unsigned int n_contact_nodes(Side side) const override;
+    unsigned int n_nodes() const override;
+    unsigned int n_contact_points(Side side) const override;
     double modulus() const override;
     std::vector<double> flow_stress(Side side) const override;
-    void contact_node(const Vector &q,
-                      Side side,
-                      unsigned int node,
-                      ContactThickness thickness,
-                      ContactNode &result) const override;
+    void contact_point(const Vector &q,
+                       Side side,
+                       unsigned int node,
+                       ContactThickness thickness,
+                       ContactPoint &result) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
 
     /// Angle of the director, of a membrane that of the meridian.
@@ -69,7 +70,7 @@ namespace deltaform
     const ShellPoints &points_;
     const MaterialPoints &material_;
     const ShellState &state_;
-    ContactPoint contact_point_;
+    NodalContact contact_point_;
     std::vector<std::array<unsigned int, 3>> edges_;
     std::vector<double> angle_; ///< of the reference tangent at the nodes, averaged at kinks
     std::vector<bool> weightless_; ///< nodes whose tributary area vanishes: no contact

@@ -34,17 +34,24 @@ namespace deltaform
   } // namespace
 
 
-  std::vector<double> contact_pressure(const ContactInterface &contact, const Vector &q)
+  std::vector<double> contact_pressure(const ContactInterface &contact, const Vector &q, const std::size_t n_nodes)
   {
     const auto &points = contact.committed();
-    std::vector<double> result(points.size(), 0.);
-    for (unsigned int i = 0; i < result.size(); ++i)
-      if (points[i].touching)
+    std::vector<double> force(n_nodes, 0.), area(n_nodes, 0.);
+    for (unsigned int i = 0; i < points.size(); ++i)
+    {
+      const ContactPoint point = contact.point(q, i);
+      for (unsigned int a = 0; a < point.n_nodes; ++a)
       {
-        const ContactNode description = contact.node(q, i);
-        result[i] = description.area > 0 ? points[i].force / description.area : 0.;
+        const auto &[node, share] = point.nodes[a];
+        area[node] += share * point.area;
+        if (points[i].touching)
+          force[node] += share * points[i].force;
       }
-    return result;
+    }
+    for (std::size_t i = 0; i < n_nodes; ++i)
+      force[i] = area[i] > 0 ? force[i] / area[i] : 0.;
+    return force;
   }
 
 
@@ -106,8 +113,8 @@ namespace deltaform
       const unsigned int a = edge[0], b = edge[1], m = edge[2];
       if (!points[a].touching && !points[b].touching && (m == invalid_index || !points[m].touching))
         continue;
-      const ContactNode start = contact.node(q, a), end = contact.node(q, b);
-      const ContactNode middle = m == invalid_index ? start : contact.node(q, m);
+      const ContactPoint start = contact.point(q, a), end = contact.point(q, b);
+      const ContactPoint middle = m == invalid_index ? start : contact.point(q, m);
       const double a_face = face(start, points[a]), b_face = face(end, points[b]);
       const double m_face = m == invalid_index ? 0. : face(middle, points[m]);
       const auto gap = [&](const double xi) {

@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(plastic)
 
 BOOST_AUTO_TEST_CASE(in_contact_with_friction)
 {
-  for (const auto &enforcement : Registry<Enforcement>::names())
+  for (const auto &enforcement : Registry<NormalLaw>::names())
     for (const std::string point : {"normal offset", "outer fibre"})
       for_all_shells(
         yielding + Entries{"Blank/Contact point=" + point},

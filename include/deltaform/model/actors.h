@@ -18,7 +18,7 @@ namespace deltaform
     /// Is every penetration measured by the delta that is allowed?
     bool keeps_promise() const
     {
-      return contact && contact->enforcement->uses_penalty();
+      return contact && contact->normal_law->uses_penalty();
     }
 
     std::unique_ptr<Blank> blank;
