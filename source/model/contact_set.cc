@@ -229,7 +229,9 @@ namespace deltaform
         continue;
       const ContactPointState &state = interface->trial()[i];
       const ContactPoint node = interface->point(committed, i);
-      std::string text = "the promise p <= delta cannot be kept: tool '" + interface->tool().name() + "', node " +
+      const bool at_nodes = actors_.blank->surface().points_per_edge() == 0;
+      std::string text = "the promise p <= delta cannot be kept: tool '" + interface->tool().name() +
+                         (at_nodes ? "', node " : "', contact point ") +
                          std::to_string(i) + " (R0 = " + text::format(node.reference_coordinate) + ") penetrates " +
                          text::format(state.penetration()) + ", " + text::format(ratio) + " times the allowed " +
                          text::format(state.delta) + ", with penalty factor " + text::format(state.penalty_factor);

@@ -45,7 +45,7 @@ namespace
 
 BOOST_AUTO_TEST_SUITE(contact_force)
 
-BOOST_AUTO_TEST_CASE(gradient)
+BOOST_AUTO_TEST_CASE(derivative_by_the_place)
 {
   for (const bool sticking : {true, false})
   {
