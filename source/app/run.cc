@@ -196,7 +196,7 @@ namespace deltaform
       list<Registry<RateFactor>>("Material/Rate factor/Law");
       list<Registry<Shape>>("Tools/<name>/Shape");
       list<Registry<FrictionLaw>>("Tools/<name>/Friction law");
-      list<Registry<Enforcement>>("Contact/Enforcement");
+      list<Registry<NormalLaw>>("Contact/Enforcement");
       list<Registry<PenaltyRule>>("Contact/Penalty rule");
       list<Registry<LinearMethod>>("Solver/Linear solver");
       list<LoadRegistry>("Loads/<name>/Kind");

@@ -1,5 +1,8 @@
 #include "shell_surface.h"
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace deltaform
@@ -9,25 +12,24 @@ namespace deltaform
                              const ShellPoints &points,
                              const MaterialPoints &material,
                              const ShellState &state)
-    : space_(space), points_(points), material_(material), state_(state), angle_(space.n_nodes(), 0.),
-      weightless_(space.n_nodes(), false)
+    : space_(space), points_(points), material_(material), state_(state), meridian_(space),
+      angle_(space.n_nodes(), 0.), weightless_(space.n_nodes(), false)
   {
-    contact_point_ =
-      section.choice("Contact point",
-                     "normal offset",
-                     {"normal offset", "outer fibre"},
-                     "Where a node touches: half a thickness away along the tool's normal, or on the outer "
-                     "fibre along the director (the force then has a moment).") == "normal offset"
-        ? ContactPoint::normal_offset
-        : ContactPoint::outer_fibre;
-    if (space.membrane() && contact_point_ == ContactPoint::outer_fibre)
-      section.fail("Contact point", "a membrane has no director: use 'normal offset'");
+    read(section);
 
     // At a kink the contact director is the mean of its neighbours'; angles of one node differ by less than pi.
     std::vector<unsigned int> count(space.n_nodes(), 0);
     for (const auto &cell : space.mesh().cells())
     {
-      edges_.push_back(cell.nodes);
+      if (rule_.empty())
+        edges_.push_back(cell.nodes);
+      else if (space.degree() == 1)
+        edges_.push_back({{cell.nodes[0], cell.nodes[1], invalid_index}});
+      else
+      {
+        edges_.push_back({{cell.nodes[0], cell.nodes[2], invalid_index}});
+        edges_.push_back({{cell.nodes[2], cell.nodes[1], invalid_index}});
+      }
       for (unsigned int a = 0; a <= space.degree(); ++a)
       {
         angle_[cell.nodes[a]] += cell.angle[a];
@@ -45,15 +47,56 @@ namespace deltaform
   }
 
 
+  void ShellSurface::read(Section &section)
+  {
+    contact_point_ =
+      section.choice("Contact point",
+                     "normal offset",
+                     {"normal offset", "outer fibre"},
+                     "Where a node touches: half a thickness away along the tool's normal, or on the outer "
+                     "fibre along the director (the force then has a moment).") == "normal offset"
+        ? NodalContact::normal_offset
+        : NodalContact::outer_fibre;
+    if (space_.membrane() && contact_point_ == NodalContact::outer_fibre)
+      section.fail("Contact point", "a membrane has no director: use 'normal offset'");
+
+    const bool inside = section.choice("Contact points",
+                                       "nodes",
+                                       {"nodes", "gauss"},
+                                       "What touches: the nodes, or points inside the elements on the smooth curve "
+                                       "that nodes and their rotations give.") == "gauss";
+    const int n_points = section.integer("Gauss points",
+                                         2,
+                                         1,
+                                         5,
+                                         "Contact points between two neighbouring nodes ('Contact points = gauss').");
+    if (!inside)
+      return;
+    if (space_.membrane())
+      section.fail("Contact points", "a membrane has no rotations that make its meridian smooth: use 'nodes'");
+    if (contact_point_ == NodalContact::outer_fibre)
+      section.fail("Contact points", "points inside the elements touch at the 'normal offset' only: use 'nodes'");
+    const dealii::QGauss<1> rule(n_points);
+    rule_ = rule.get_points();
+    weights_ = rule.get_weights();
+  }
+
+
   unsigned int ShellSurface::n_contact_dofs() const
   {
     return space_.n_dofs();
   }
 
 
-  unsigned int ShellSurface::n_contact_nodes(Side) const
+  unsigned int ShellSurface::n_nodes() const
   {
     return space_.n_nodes();
+  }
+
+
+  unsigned int ShellSurface::n_contact_points(Side) const
+  {
+    return rule_.empty() ? space_.n_nodes() : meridian_.n_pieces() * rule_.size();
   }
 
 
@@ -69,7 +112,14 @@ namespace deltaform
     std::vector<double> values(points_.size());
     for (unsigned int p = 0; p < values.size(); ++p)
       values[p] = material_.flow_stress(static_cast<std::size_t>(p) * points_.n_layers() + outer);
-    return points_.to_nodes(values);
+    values = points_.to_nodes(values);
+    if (rule_.empty())
+      return values;
+    std::vector<double> result;
+    for (const auto &[a, b, none] : edges_)
+      for (const auto &xi : rule_)
+        result.push_back((1. - xi[0]) * values[a] + xi[0] * values[b]);
+    return result;
   }
 
 
@@ -79,17 +129,70 @@ namespace deltaform
   }
 
 
-  void ShellSurface::contact_node(const Vector &q,
-                                  const Side side,
-                                  const unsigned int node,
-                                  const ContactThickness thickness,
-                                  ContactNode &result) const
+  double ShellSurface::thickness_at(const ContactPoint &point, const ContactThickness thickness) const
+  {
+    if (thickness != ContactThickness::current)
+      return thickness == ContactThickness::initial ? points_.thickness() : 0.;
+    double h = 0.;
+    for (unsigned int a = 0; a < point.n_nodes; ++a)
+      h += point.nodes[a].share * state_.node_thickness(point.nodes[a].node);
+    return h;
+  }
+
+
+  unsigned int ShellSurface::points_per_edge() const
+  {
+    return rule_.size();
+  }
+
+
+  void ShellSurface::contact_place(const Vector &q,
+                                   Side,
+                                   const unsigned int edge,
+                                   const double xi,
+                                   const ContactThickness thickness,
+                                   ContactPoint &result) const
+  {
+    meridian_.describe(q, edge, xi, result);
+    result.offset = .5 * thickness_at(result, thickness);
+    result.thickness = thickness_at(result, ContactThickness::current);
+    result.recovery = 0.;
+    if (thickness == ContactThickness::current)
+      for (unsigned int a = 0; a < result.n_nodes; ++a)
+        result.recovery += result.nodes[a].share * state_.node_recovery(result.nodes[a].node);
+    result.area = result.compliance = 0.;
+  }
+
+
+  void ShellSurface::contact_point(const Vector &q,
+                                   const Side side,
+                                   const unsigned int point,
+                                   const ContactThickness thickness,
+                                   ContactPoint &result) const
+  {
+    if (rule_.empty())
+    {
+      nodal_point(q, side, point, thickness, result);
+      return;
+    }
+    const unsigned int n = rule_.size();
+    contact_place(q, side, point / n, rule_[point % n][0], thickness, result);
+    result.area = point_areas_[point];
+    result.compliance = result.offset / (modulus() * result.area);
+  }
+
+
+  void ShellSurface::nodal_point(const Vector &q,
+                                 const Side side,
+                                 const unsigned int node,
+                                 const ContactThickness thickness,
+                                 ContactPoint &result) const
   {
     const double h = thickness == ContactThickness::current   ? state_.node_thickness(node)
                      : thickness == ContactThickness::initial ? points_.thickness()
                                                               : 0.;
-    result.node = node;
-    result.dofs = space_.dofs()[node];
+    result.set_node(node);
+    std::copy_n(space_.dofs()[node].begin(), 3, result.dofs.begin());
     result.x = space_.position(q, node);
     result.area = areas_[node];
     result.reference_coordinate = space_.mesh().nodes()[node][0];
@@ -99,7 +202,7 @@ namespace deltaform
     result.recovery = thickness == ContactThickness::current ? state_.node_recovery(node) : 0.;
     result.jacobian[0] = Tensor1({1., 0.});
     result.jacobian[1] = Tensor1({0., 1.});
-    if (contact_point_ == ContactPoint::normal_offset)
+    if (contact_point_ == NodalContact::normal_offset)
     {
       result.n_dofs = 2;
       result.offset = .5 * h;
@@ -136,5 +239,12 @@ namespace deltaform
   void ShellSurface::update(const Vector &q)
   {
     areas_ = areas_at(q);
+    if (rule_.empty())
+      return;
+    meridian_.update(q);
+    point_areas_.clear();
+    for (unsigned int i = 0; i < meridian_.n_pieces(); ++i)
+      for (unsigned int g = 0; g < rule_.size(); ++g)
+        point_areas_.push_back(weights_[g] * meridian_.area(q, i, rule_[g][0]));
   }
 } // namespace deltaform

@@ -101,20 +101,21 @@ namespace deltaform
   }
 
 
-  void SolidFace::contact_node(const Vector &q, const unsigned int node, ContactNode &result) const
+  void SolidFace::contact_point(const Vector &q, const unsigned int node, ContactPoint &result) const
   {
     const unsigned int own = nodes_[node];
     const auto &dofs = space_.dofs()[own];
-    result.node = own;
+    result.set_node(own);
     result.n_dofs = 2;
-    result.dofs = {{dofs[0], dofs[1], 0}};
+    result.dofs[0] = dofs[0];
+    result.dofs[1] = dofs[1];
     result.x = space_.position(q, own);
     result.offset = 0.;
     result.area = area_[node];
     result.reference_coordinate = space_.nodes()[own][0];
     result.arc_coordinate = arc_[node];
-    result.jacobian = {{Tensor1({1., 0.}), Tensor1({0., 1.}), Tensor1()}};
-    result.second = {};
+    result.jacobian[0] = Tensor1({1., 0.});
+    result.jacobian[1] = Tensor1({0., 1.});
   }
 
 

@@ -23,7 +23,7 @@ namespace deltaform
     /// String the edges of @p parts of the boundary together.
     void set_up(const SolidBoundary &boundary, const std::vector<std::string> &parts);
 
-    /// Nodes without area in the undeformed body (degree 2: on the axis) have none ever, so that contact has no pair
+    /// Nodes without area in the undeformed body (degree 2: on the axis) have none ever, so that contact has no point
     /// there. @p length: a typical one of edges. Areas are those of the undeformed body afterwards.
     void set_up_areas(double length);
 
@@ -58,7 +58,7 @@ namespace deltaform
     }
 
     /// See ContactSurface; all but the thickness.
-    void contact_node(const Vector &q, unsigned int node, ContactNode &result) const;
+    void contact_point(const Vector &q, unsigned int node, ContactPoint &result) const;
 
     /// Distance of a point from the chords of the edges; infinite if there are none.
     double distance(const Vector &q, const Point2 &x) const;

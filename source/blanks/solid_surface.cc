@@ -84,7 +84,13 @@ namespace deltaform
   }
 
 
-  unsigned int SolidSurface::n_contact_nodes(const Side side) const
+  unsigned int SolidSurface::n_nodes() const
+  {
+    return body_.space().nodes().size();
+  }
+
+
+  unsigned int SolidSurface::n_contact_points(const Side side) const
   {
     return faces_[static_cast<unsigned int>(side)].nodes().size();
   }
@@ -109,13 +115,13 @@ namespace deltaform
   }
 
 
-  void SolidSurface::contact_node(const Vector &q,
-                                  const Side side,
-                                  const unsigned int node,
-                                  ContactThickness,
-                                  ContactNode &result) const
+  void SolidSurface::contact_point(const Vector &q,
+                                   const Side side,
+                                   const unsigned int node,
+                                   ContactThickness,
+                                   ContactPoint &result) const
   {
-    faces_[static_cast<unsigned int>(side)].contact_node(q, node, result);
+    faces_[static_cast<unsigned int>(side)].contact_point(q, node, result);
     result.thickness = shortest_edge_;
   }
 

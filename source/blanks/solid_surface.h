@@ -31,14 +31,15 @@ namespace deltaform
     void update(const Vector &q);
 
     unsigned int n_contact_dofs() const override;
-    unsigned int n_contact_nodes(Side side) const override;
+    unsigned int n_nodes() const override;
+    unsigned int n_contact_points(Side side) const override;
     double modulus() const override;
     std::vector<double> flow_stress(Side side) const override;
-    void contact_node(const Vector &q,
-                      Side side,
-                      unsigned int node,
-                      ContactThickness thickness,
-                      ContactNode &result) const override;
+    void contact_point(const Vector &q,
+                       Side side,
+                       unsigned int node,
+                       ContactThickness thickness,
+                       ContactPoint &result) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
 
     const SolidFace &face(const unsigned int side) const

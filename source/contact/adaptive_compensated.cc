@@ -23,9 +23,9 @@ namespace deltaform
       }
     };
 
-    const Registry<Enforcement>::Entry
+    const Registry<NormalLaw>::Entry
       entry("adaptive compensated",
             "augmented Lagrangian that starts shifted by delta: near zero penetration from the start",
-            &make_as<AdaptiveCompensated, Enforcement>);
+            &make_as<AdaptiveCompensated, NormalLaw>);
   } // namespace
 } // namespace deltaform

@@ -7,8 +7,8 @@ namespace deltaform
 {
   namespace
   {
-    const Registry<Enforcement>::Entry entry("augmented Lagrangian",
-                                             "lambda = s + eps p, s := lambda until the gaps vanish (Uzawa)",
-                                             &make_as<AugmentedLagrangian, Enforcement>);
+    const Registry<NormalLaw>::Entry entry("augmented Lagrangian",
+                                           "lambda = s + eps p, s := lambda until the gaps vanish (Uzawa)",
+                                           &make_as<AugmentedLagrangian, NormalLaw>);
   } // namespace
 } // namespace deltaform

@@ -2,12 +2,13 @@
 // What the augmented forms share: lambda = s - eps gap while positive; after each converged solve s := lambda (Uzawa;
 // Hestenes 1969, Powell 1969; for contact Simo, Laursen, Comput. Struct. 42 (1992) 97), until the gaps of the loaded
 // points vanish: exact contact at a factor that stays soft.
-#include <deltaform/contact/enforcement.h>
+#include "spring_law.h"
+
 #include <deltaform/parameters/section.h>
 
 namespace deltaform
 {
-  class AugmentedLagrangian : public Enforcement
+  class AugmentedLagrangian : public SpringLaw
   {
   public:
     explicit AugmentedLagrangian(Section &section)
@@ -20,22 +21,14 @@ namespace deltaform
     {
     }
 
+    using SpringLaw::respond;
     NormalResponse respond(const ContactPointState &state, const double gap, const double multiplier) const override
     {
-      const double effective = effective_gap(state, gap);
+      // The distance from the gap at which the force is zero.
+      const double effective = state.shift > 0 ? gap - state.shift / state.penalty_factor : gap;
       if (multiplier > 0 ? multiplier < weight(state) * effective : effective > 0)
         return {};
-      return {true, state.shift - state.penalty_factor * gap, -state.penalty_factor, false};
-    }
-
-    bool has_multiplier() const override
-    {
-      return false;
-    }
-
-    bool uses_penalty() const override
-    {
-      return true;
+      return spring(state, gap);
     }
 
     double augmentation_tolerance() const override

@@ -85,7 +85,7 @@ namespace deltaform
       const double radius = radius_along(contact, edges[e]);
       if (radius < std::numeric_limits<double>::infinity())
         longest[e] = std::min(longest[e],
-                              share * radius * contact.node(undeformed, a).x.distance(contact.node(undeformed, b).x) /
+                              share * radius * contact.point(undeformed, a).x.distance(contact.point(undeformed, b).x) /
                                 points[a].position.distance(points[b].position));
     }
   }

@@ -1,253 +1,199 @@
-// The loop over the contact points: their forces, and what they add to residual and tangent.
-#include "slip_transfer.h"
+#include "contact_transfer.h"
+#include "interface_energy.h"
 
 #include <deltaform/contact/contact_interface.h>
-#include <deltaform/geometry/curvature.h>
+#include <deltaform/contact/contact_measures.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace deltaform
 {
   namespace
   {
-    std::unique_ptr<InterfaceFriction> make_friction(Section &tool_section)
+    std::unique_ptr<InterfaceFriction> make_friction(Section &tool_section, const ContactProjector &projector)
     {
       auto law = make_friction_law(tool_section);
-      return law ? std::make_unique<InterfaceFriction>(std::move(law)) : nullptr;
+      return law ? std::make_unique<InterfaceFriction>(std::move(law), projector) : nullptr;
     }
   } // namespace
 
 
   ContactInterface::ContactInterface(const ContactSurface &surface,
-                                     Tool &tool,
+                                     const Tool &tool,
                                      const ContactSettings &settings,
                                      Section tool_section)
-    : tool_(tool), settings_(settings), projector_(surface, tool, tool_section),
-      friction_(make_friction(tool_section)), factors_(settings, friction_.get(), surface.modulus())
+    : settings_(settings), projector_(surface, tool, tool_section), friction_(make_friction(tool_section, projector_)),
+      factors_(settings, projector_, friction_.get()),
+      iteration_(*settings.normal_law, projector_, factors_, friction_.get())
   {
     resize();
   }
 
 
-  void ContactInterface::set_dofs(const DofIndex travel, const DofIndex first_multiplier)
+  void ContactInterface::start_multipliers(Vector &q) const
   {
-    travel_dof_ = travel;
-    first_multiplier_ = first_multiplier;
+    normal_law().start(committed_.points, multiplier_dof(0), q);
+  }
+
+
+  void ContactInterface::begin_stage(const Vector &q, const double time)
+  {
+    committed_.time = trial_.time = time;
+    committed_.step = 0.;
+    const Tensor1 way = shift(q);
+    for (unsigned int i = 0; i < committed_.points.size(); ++i)
+    {
+      const ContactPoint description = point(q, i);
+      committed_.points[i].position = description.x - way;
+      committed_.points[i].thickness = description.thickness;
+    }
+    projector_.forget_distances();
+  }
+
+
+  void ContactInterface::begin_increment(const double time)
+  {
+    iteration_.begin_increment();
+    trial_ = committed_;
+    trial_.time = time;
+    factors_.begin_increment(time, committed_);
+    if (friction_)
+      friction_->begin_increment();
+    const TimeFunction *own = tool().allowed_penetration();
+    const double asked = own ? (*own)(time) : settings_.allowed_penetration(time);
+    const double delta = asked < 0 ? -asked * automatic_delta(*this) : asked;
+    for (auto &state : trial_.points)
+    {
+      state.delta = delta;
+      state.multiplier = state.touching ? state.force : 0.;
+    }
   }
 
 
   void ContactInterface::assemble(const Vector &q, AssemblyTarget &target)
   {
-    tool_force_ = Tensor1();
-    status_changed_ = false;
-    const Tensor1 shift = travel(q) * tool_.direction();
-    if (tool_.force_driven())
-    {
-      const double residual = -tool_.force(trial_.time), zero = 0.;
-      target.add(&travel_dof_, 1, target.wants_tangent() ? &zero : nullptr, &residual);
-    }
-    ContactNode node;
+    const double load = tool().force_driven() ? tool().force(trial_.time) : 0.;
+    iteration_.assemble(q, shift(q), load, committed_.points, trial_.points, target);
+  }
+
+
+  bool ContactInterface::consistent(const double allowed_tension) const
+  {
+    return std::all_of(trial_.points.begin(), trial_.points.end(), [&](const ContactPointState &state) {
+      return normal_law().is_solution(state, allowed_tension, !factors_.softened());
+    });
+  }
+
+
+  const double *ContactInterface::set_shifts(const double *next)
+  {
+    for (auto &state : trial_.points)
+      state.shift = *next++;
+    return next;
+  }
+
+
+  void ContactInterface::commit(const Vector &q)
+  {
+    IncrementWork work(trial_.energy, settings_.stores_energy());
     for (unsigned int i = 0; i < trial_.points.size(); ++i)
     {
-      projector_.describe(q, i, node);
       ContactPointState &state = trial_.points[i];
-      state.position = node.x - shift;
-      state.area = node.area;
-      state.thickness = node.thickness;
-      if (passed_over(i, node))
-        leave(i, node, q, target);
-      else
-        meet(i, node, q, target);
-    }
-  }
-
-
-  bool ContactInterface::passed_over(const unsigned int i, const ContactNode &node) const
-  {
-    const ContactPointState &state = trial_.points[i];
-    return !(node.area > 0) ||
-           (!settings_.enforcement->has_multiplier() && !(state.multiplier > 0) && !(state.shift > 0) &&
-            projector_.certainly_clear(i, state.position, node.offset));
-  }
-
-
-  void ContactInterface::leave(const unsigned int i, const ContactNode &node, const Vector &q, AssemblyTarget &target)
-  {
-    ContactPointState &state = trial_.points[i];
-    status_changed_ |= state.touching;
-    state.touching = false;
-    state.force = state.tangential_force = 0.;
-    state.gap = projector_.last_distance(i) - node.offset;
-    if (!settings_.enforcement->has_multiplier())
-      return;
-    // A node without area has no contact, but its multiplier needs an equation: lambda = 0.
-    const DofIndex dof = first_multiplier_ + i;
-    const double residual = q[dof], one = 1.;
-    target.add(&dof, 1, target.wants_tangent() ? &one : nullptr, &residual);
-  }
-
-
-  double ContactInterface::gap(const Projection &projection, const ContactNode &node, ContactPointState &state) const
-  {
-    // A blank that just rests on a tool touches it, whatever the last digit says.
-    const double size =
-      state.position.norm() + node.offset + (projection.turning != 0 ? 1 / std::abs(projection.turning) : 0.);
-    state.noise = 8 * std::numeric_limits<double>::epsilon() * size;
-    const double gap = projection.distance - node.offset;
-    return gap > 0 && gap < 2 * state.noise ? 0. : gap;
-  }
-
-
-  void ContactInterface::meet(const unsigned int i, const ContactNode &node, const Vector &q, AssemblyTarget &target)
-  {
-    ContactPointState &state = trial_.points[i];
-    const bool own_unknown = settings_.enforcement->has_multiplier();
-    const Projection projection = projector_.project(i, state.position);
-    state.gap = gap(projection, node, state);
-    state.arc_length = projection.arc_length;
-    if ((state.gap <= 0 || own_unknown || state.multiplier > 0) && !(state.stiffness > 0))
-      touch(i, node, projection);
-    if (own_unknown)
-      state.multiplier = q[first_multiplier_ + i];
-
-    const NormalResponse normal = normal_response(i, state.gap, node.compliance);
-    FrictionResponse friction;
-    if (friction_ && normal.touching)
-    {
       const ContactPointState &before = committed_.points[i];
-      const double start = before.touching ? before.arc_length : state.slip_start;
-      const double slip = offset_slip(tool_.shape(), start, projection.arc_length, node.offset);
-      friction = friction_->respond(i, before, state, slip, normal.force);
+      // The trial states are those of the last assembly.
+      Assert(state.position.distance(point(q, i).x - shift(q)) <= 1e-12 * (1. + state.position.norm()),
+             dealii::ExcInternalError());
+      state.previous_force = before.touching ? before.force : 0.;
+      if (!state.touching)
+        state.penalty_factor = state.tangential_factor = state.stiffness = state.shift = state.last_penetration = 0.;
+      if (!state.touching && !(before.touching && counts_energy_))
+        continue;
+      double slip = 0.;
+      if (friction_)
+        slip = friction_->slip_of_increment(
+          i, before, state, state.touching ? iteration_.touching_point(i).offset : point(q, i).offset);
+      if (friction_ && state.touching && !state.sticking)
+        state.slip += std::abs(slip);
+      if (counts_energy_)
+        work.add(before, state, slip);
     }
-    status_changed_ |= state.touching != normal.touching;
-    state.touching = normal.touching;
-    state.force = normal.force;
-    state.tangential_force = friction.force;
-    state.sticking = friction.sticking;
-    if (normal.touching)
+    trial_.step = trial_.time - committed_.time;
+    if (counts_energy_)
     {
-      state.compliance = node.compliance;
-      work_[i].node = node;
-      work_[i].normal = projection.normal;
+      work.finish();
+      trial_.energy.stored = stored_energy(trial_.points, settings_.stores_energy());
     }
-    if (normal.touching || own_unknown)
-      add_point(i, node, projection, normal, friction, target);
+    committed_ = trial_;
   }
 
 
-  void ContactInterface::touch(const unsigned int i, const ContactNode &node, const Projection &projection)
+  void ContactInterface::refresh(const Vector &q)
   {
-    factors_.touch(i, node, projection, committed_.points, trial_.points);
-    if (friction_ && !committed_.points[i].touching)
-      trial_.points[i].slip_start = projector_.look(i, committed_.points[i].position).arc_length;
-  }
-
-
-  NormalResponse ContactInterface::normal_response(const unsigned int i, const double gap, const double compliance)
-  {
-    ContactPointState &state = trial_.points[i];
-    const bool own_unknown = settings_.enforcement->has_multiplier();
-    const double share = state.spring_share(compliance);
-    const double left = share * (gap + compliance * state.shift);
-    NormalResponse normal = respond(i, own_unknown ? gap : left);
-    normal.derivative *= share;
-    if (own_unknown)
-      normal.compliance = compliance;
-    if (normal.touching)
-      state.gap = own_unknown ? gap + compliance * normal.force : left;
-    const double soft = factors_.share(committed_.points[i]);
-    if (soft < 1)
-    {
-      normal.force *= own_unknown ? 1. : soft;
-      normal.derivative *= soft;
-      normal.compliance += own_unknown ? 1. / (soft * state.stiffness) : 0.;
-    }
-    return normal;
-  }
-
-
-  void ContactInterface::add_point(const unsigned int i,
-                                   const ContactNode &node,
-                                   const Projection &projection,
-                                   const NormalResponse &normal,
-                                   const FrictionResponse &friction,
-                                   AssemblyTarget &target)
-  {
-    constexpr std::size_t most = ContactNode::max_dofs + 2;
-    std::array<DofIndex, most> dofs;
-    std::array<Tensor1, most> jacobian;
-    std::array<double, most> residual;
-    std::array<double, most * most> matrix;
-    unsigned int n = 0;
-
-    // What moves the point relative to the tool: the node's unknowns, and the tool itself backwards.
-    for (; n < node.n_dofs; ++n)
-    {
-      dofs[n] = node.dofs[n];
-      jacobian[n] = node.jacobian[n];
-    }
-    if (tool_.force_driven())
-    {
-      dofs[n] = travel_dof_;
-      jacobian[n++] = -tool_.direction();
-    }
-    const unsigned int n_motion = n;
-    const bool own_unknown = settings_.enforcement->has_multiplier();
-    if (own_unknown)
-      dofs[n++] = first_multiplier_ + i;
-
-    const auto &N = projection.normal, &tau = projection.tangent;
-    const SlipTransfer slip = friction_ ? slip_transfer(tool_.shape(), node.offset, projection) : SlipTransfer();
-    const double s = slip.share;
-    const Tensor1 force = normal.force * N - friction.force * s * tau;
-    if (normal.touching)
-      tool_force_ -= force;
-
-    ContactPointState &state = trial_.points[i];
-    for (unsigned int k = 0; k < n_motion; ++k)
-      residual[k] = -(force * jacobian[k]);
-    std::copy_n(residual.begin(), node.n_dofs, state.residual.begin());
-    const double lambda = state.multiplier;
-    if (own_unknown)
-      residual[n_motion] = normal.tied ? -state.gap - (normal.compliance - node.compliance) * lambda : lambda;
-
-    if (!target.wants_tangent())
-    {
-      target.add(dofs.data(), n, nullptr, residual.data());
+    if (!counts_energy_)
       return;
+    // The thickness has changed at fixed positions; the forces stay those of the accepted equilibrium.
+    const Tensor1 way = shift(q);
+    for (unsigned int i = 0; i < committed_.points.size(); ++i)
+    {
+      const ContactPointState &state = committed_.points[i];
+      if (!state.touching)
+        continue;
+      const ContactPoint description = point(q, i);
+      const double gap = projector_.look(i, description.x - way).distance - face(description, state);
+      // The force works on the face that moves towards the tool.
+      committed_.energy.thickness += state.force * (state.gap - gap);
     }
+  }
 
-    // dF/dx: the normal turns with the tool's curvature, the friction force follows normal force and slip.
-    const double turning = projection.turning, t = friction.force;
-    const double pressing = normal.touching ? std::max(lambda, 0.) : 0.;
-    Tensor2 dF;
-    for (unsigned int a = 0; a < 2; ++a)
-      for (unsigned int b = 0; b < 2; ++b)
-        dF[a][b] =
-          normal.derivative * N[a] * N[b] + pressing * turning * tau[a] * tau[b] -
-          s * tau[a] * (friction.slip_rate * slip.slip_rate * tau[b] + friction.force_rate * normal.derivative * N[b]) -
-          t * tau[a] * (slip.along_normal * N[b] + slip.along_tangent * tau[b]) + t * s * turning * N[a] * tau[b];
-    matrix.fill(0.);
-    for (unsigned int k = 0; k < n_motion; ++k)
+
+  void ContactInterface::resize()
+  {
+    committed_.points.assign(n_points(), ContactPointState());
+    trial_.points = committed_.points;
+    iteration_.resize(n_points());
+    projector_.reset();
+  }
+
+
+  void ContactInterface::transfer(const Vector &q, const std::vector<std::array<unsigned int, 2>> &parents)
+  {
+    const double time = trial_.time;
+    committed_.points = transferred_points(committed_.points, parents, shift(q), q, projector_);
+    iteration_.resize(n_points());
+    if (counts_energy_)
     {
-      for (unsigned int l = 0; l < n_motion; ++l)
-        matrix[k * n + l] = -(jacobian[k] * (dF * jacobian[l]));
-      if (k < node.n_dofs)
-        matrix[k * n + k] -= force * node.second[k];
+      const double stored = committed_.energy.stored;
+      committed_.energy.stored = stored_energy(committed_.points, settings_.stores_energy());
+      committed_.energy.epsilon += committed_.energy.stored - stored;
     }
-    if (own_unknown)
+    trial_ = committed_;
+    trial_.time = time;
+  }
+
+
+  void ContactInterface::release(const Vector &q, AssemblyTarget &target)
+  {
+    for (unsigned int i = 0; i < committed_.points.size(); ++i)
     {
-      const unsigned int m = n_motion;
-      const Tensor1 dforce = N - friction.force_rate * s * tau;
-      matrix[m * n + m] = normal.tied ? -normal.compliance : 1.;
-      if (normal.tied)
-        for (unsigned int k = 0; k < n_motion; ++k)
-        {
-          matrix[k * n + m] = -(dforce * jacobian[k]);
-          matrix[m * n + k] = -(N * jacobian[k]);
-        }
+      ContactPointState &state = committed_.points[i];
+      if (state.touching)
+      {
+        const ContactPoint description = point(q, i);
+        target.add(description.dofs.data(), description.n_dofs, nullptr, state.residual.data());
+      }
+      state.release();
     }
-    target.add(dofs.data(), n, matrix.data(), residual.data());
+    trial_.points = committed_.points;
+    // The springs leave with the tool, and what they hold.
+    committed_.energy.epsilon -= committed_.energy.stored;
+    committed_.energy.stored = 0.;
+  }
+
+
+  void ContactInterface::forget_energy()
+  {
+    counts_energy_ = false;
+    committed_.energy = trial_.energy = ContactEnergy();
   }
 } // namespace deltaform

@@ -31,20 +31,67 @@ namespace deltaform
         return 0.;
       return d_a - a.distance + slope * (u - u_a) - (std::hypot(h, u) - rho_a);
     }
+
+
+    /// Where contact points lie inside the edges: the deepest place of all edges that touch, by search.
+    double penetration_between_points(const ContactInterface &contact, const Vector &q)
+    {
+      const Tensor1 shift = contact.travel(q) * contact.tool().direction();
+      const auto &points = contact.committed();
+      const ContactProjector &projector = contact.projector();
+      const unsigned int n = projector.surface().points_per_edge();
+      double deepest = 0.;
+      for (unsigned int e = 0; e < projector.edges().size(); ++e)
+      {
+        const auto *const own = &points[e * n];
+        if (std::none_of(own, own + n, [](const ContactPointState &state) { return state.touching; }))
+          continue;
+        // How far the face is compressed: known at the points, taken for linear between them.
+        const auto squeeze = [&](const double xi) {
+          const double s = std::clamp(xi * n - .5, 0., n - 1.);
+          const unsigned int k = std::min(static_cast<unsigned int>(s), n - 1), l = std::min(k + 1, n - 1);
+          const auto at = [&](const unsigned int g) { return own[g].touching ? own[g].compliance * own[g].force : 0.; };
+          return at(k) + (s - k) * (at(l) - at(k));
+        };
+        const auto gap = [&](const double xi) {
+          const ContactPoint place = projector.place(q, e, xi);
+          return projector.look(e * n, place.x - shift).distance - place.offset + squeeze(xi);
+        };
+        const unsigned int n_samples = 2 * n + 2;
+        double best = 0., least = std::numeric_limits<double>::infinity();
+        for (unsigned int k = 0; k <= n_samples; ++k)
+          if (const double xi = k / static_cast<double>(n_samples), here = gap(xi); here < least)
+          {
+            best = xi;
+            least = here;
+          }
+        const double low = std::max(0., best - 1. / n_samples), high = std::min(1., best + 1. / n_samples);
+        least = std::min(least, boost::math::tools::brent_find_minima(gap, low, high, 12).second);
+        deepest = std::max(deepest, -least);
+      }
+      return deepest;
+    }
   } // namespace
 
 
-  std::vector<double> contact_pressure(const ContactInterface &contact, const Vector &q)
+  std::vector<double> contact_pressure(const ContactInterface &contact, const Vector &q, const std::size_t n_nodes)
   {
     const auto &points = contact.committed();
-    std::vector<double> result(points.size(), 0.);
-    for (unsigned int i = 0; i < result.size(); ++i)
-      if (points[i].touching)
+    std::vector<double> force(n_nodes, 0.), area(n_nodes, 0.);
+    for (unsigned int i = 0; i < points.size(); ++i)
+    {
+      const ContactPoint point = contact.point(q, i);
+      for (unsigned int a = 0; a < point.n_nodes; ++a)
       {
-        const ContactNode description = contact.node(q, i);
-        result[i] = description.area > 0 ? points[i].force / description.area : 0.;
+        const auto &[node, share] = point.nodes[a];
+        area[node] += share * point.area;
+        if (points[i].touching)
+          force[node] += share * points[i].force;
       }
-    return result;
+    }
+    for (std::size_t i = 0; i < n_nodes; ++i)
+      force[i] = area[i] > 0 ? force[i] / area[i] : 0.;
+    return force;
   }
 
 
@@ -78,15 +125,21 @@ namespace deltaform
       concerned[closest] = true;
     }
     double error = 0.;
-    for (const auto &edge : contact.projector().edges())
+    const unsigned int per_edge = contact.projector().surface().points_per_edge(), n_points = points.size();
+    for (unsigned int e = 0; e < contact.projector().edges().size(); ++e)
     {
-      const unsigned int a = edge[0], b = edge[1], m = edge[2];
+      // Points inside the edges: from one to the next of the same kind, as far as an edge reaches. That smooth curve is
+      // taken for as good as a quadratic one.
+      const auto [a, b, m] =
+        per_edge == 0 ? contact.projector().edges()[e]
+                      : std::array<unsigned int, 3>{
+                          {e * per_edge, std::min((e + 1) * per_edge, n_points - 1), invalid_index}};
       if (!concerned[a] && !concerned[b] && (m == invalid_index || !concerned[m]))
         continue;
       const double square = (points[b].position - points[a].position).norm_square();
       const double ka = project(a).turning, kb = project(b).turning, k = std::max(std::abs(ka), std::abs(kb));
       error = std::max(error,
-                       square * (edge[2] == invalid_index
+                       square * (m == invalid_index && per_edge == 0
                                    ? k / 8.
                                    : std::abs(ka - kb) / (72. * std::sqrt(3.)) + square * k * k * k / 512.));
     }
@@ -96,6 +149,8 @@ namespace deltaform
 
   double penetration_between_nodes(const ContactInterface &contact, const Vector &q)
   {
+    if (contact.projector().surface().points_per_edge() > 0)
+      return penetration_between_points(contact, q);
     const Tensor1 shift = contact.travel(q) * contact.tool().direction();
     const auto &points = contact.committed();
     double deepest = 0.;
@@ -106,8 +161,8 @@ namespace deltaform
       const unsigned int a = edge[0], b = edge[1], m = edge[2];
       if (!points[a].touching && !points[b].touching && (m == invalid_index || !points[m].touching))
         continue;
-      const ContactNode start = contact.node(q, a), end = contact.node(q, b);
-      const ContactNode middle = m == invalid_index ? start : contact.node(q, m);
+      const ContactPoint start = contact.point(q, a), end = contact.point(q, b);
+      const ContactPoint middle = m == invalid_index ? start : contact.point(q, m);
       const double a_face = face(start, points[a]), b_face = face(end, points[b]);
       const double m_face = m == invalid_index ? 0. : face(middle, points[m]);
       const auto gap = [&](const double xi) {

@@ -28,13 +28,28 @@ namespace deltaform
   }
 
 
-  void ContactProjector::describe(const Vector &q, const unsigned int i, ContactNode &node) const
+  void ContactProjector::describe(const Vector &q, const unsigned int i, ContactPoint &point) const
   {
-    surface_.contact_node(q, tool_.side(), i, thickness_, node);
+    surface_.contact_point(q, tool_.side(), i, thickness_, point);
+    release_face(point);
+  }
+
+
+  void ContactProjector::release_face(ContactPoint &point) const
+  {
     if (gives_way_)
-      node.offset += node.recovery;
+      point.offset += point.recovery;
     else
-      node.compliance = 0.;
+      point.compliance = 0.;
+  }
+
+
+  ContactPoint ContactProjector::place(const Vector &q, const unsigned int edge, const double xi) const
+  {
+    ContactPoint result;
+    surface_.contact_place(q, tool_.side(), edge, xi, thickness_, result);
+    release_face(result);
+    return result;
   }
 
 
@@ -54,7 +69,7 @@ namespace deltaform
     std::pair<unsigned int, double> result(invalid_index, std::numeric_limits<double>::infinity());
     for (unsigned int i = 0; i < last_.size(); ++i)
     {
-      const ContactNode description = node(q, i);
+      const ContactPoint description = point(q, i);
       if (!(description.area > 0))
         continue;
       const double gap = tool_.project(description.x, travel).distance - description.offset;
@@ -83,6 +98,6 @@ namespace deltaform
 
   void ContactProjector::reset()
   {
-    last_.assign(n_nodes(), Last());
+    last_.assign(n_points(), Last());
   }
 } // namespace deltaform

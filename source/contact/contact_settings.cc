@@ -16,7 +16,7 @@ namespace deltaform
 
 
   ContactSettings::ContactSettings(Section &section, const std::map<std::string, double> &constants)
-    : enforcement(Registry<Enforcement>::choose(section, "Enforcement", "penalty", "How gap >= 0 is imposed.")),
+    : normal_law(Registry<NormalLaw>::choose(section, "Enforcement", "penalty", "How gap >= 0 is imposed.")),
       rule(Registry<PenaltyRule>::choose(section, "Penalty rule", "adaptive", "Where the penalty factors come from.")),
       allowed_penetration(section.function("Allowed penetration",
                                            Default<std::string>("1e-3*thickness"),

@@ -1,15 +1,10 @@
-// A blank with other nodes, or a tool that leaves: what becomes of the contact points.
-#include "interface_energy.h"
-
-#include <deltaform/contact/contact_interface.h>
-
-#include <array>
+#include "contact_transfer.h"
 
 namespace deltaform
 {
   namespace
   {
-    /// What a new node between two old ones that touch takes over: what belongs to an area is interpolated per area,
+    /// What a new point between two old ones that touch takes over: what belongs to an area is interpolated per area,
     /// the rest as it is. Forces and factors are those of @p area.
     ContactPointState between(const ContactPointState &a, const ContactPointState &b, const double area)
     {
@@ -43,32 +38,13 @@ namespace deltaform
   } // namespace
 
 
-  void ContactInterface::resize()
+  std::vector<ContactPointState> transferred_points(const std::vector<ContactPointState> &old,
+                                                    std::vector<std::array<unsigned int, 2>> parents,
+                                                    const Tensor1 &shift,
+                                                    const Vector &q,
+                                                    ContactProjector &projector)
   {
-    committed_.points.assign(n_nodes(), ContactPointState());
-    trial_.points = committed_.points;
-    work_.assign(n_nodes(), Work());
-    projector_.reset();
-  }
-
-
-  void ContactInterface::start_multipliers(Vector &q) const
-  {
-    if (settings_.enforcement->has_multiplier())
-      for (unsigned int i = 0; i < committed_.points.size(); ++i)
-        q[first_multiplier_ + i] = committed_.points[i].touching ? committed_.points[i].force : 0.;
-  }
-
-
-  void ContactInterface::transfer(const Vector &q, const std::vector<std::array<unsigned int, 2>> &parent_nodes)
-  {
-    const std::vector<ContactPointState> old = committed_.points;
-    std::vector<ContactPointState> &points = committed_.points;
-    points.assign(n_nodes(), ContactPointState());
-    work_.assign(n_nodes(), Work());
-
-    // A node without area (axis) has nothing to leave: its neighbour stands for it.
-    std::vector<std::array<unsigned int, 2>> parents(parent_nodes);
+    // A point without area (axis) has nothing to leave: its neighbour stands for it.
     std::vector<unsigned int> first;
     for (auto &[a, b] : parents)
     {
@@ -78,13 +54,13 @@ namespace deltaform
         b = a;
       first.push_back(a);
     }
-    projector_.renumber(first);
+    projector.renumber(first);
 
-    const Tensor1 shift = travel(q) * tool_.direction();
+    std::vector<ContactPointState> points(projector.n_points());
     for (unsigned int i = 0; i < parents.size(); ++i)
     {
       const auto [a, b] = parents[i];
-      const ContactNode description = node(q, i);
+      const ContactPoint description = projector.point(q, i);
       ContactPointState &state = points[i];
       if (old[a].touching && old[b].touching && description.area > 0)
         state = between(old[a], old[b], description.area);
@@ -93,35 +69,8 @@ namespace deltaform
       state.thickness = description.thickness;
       state.compliance = description.compliance;
       if (state.touching)
-        state.arc_length = projector_.look(i, state.position).arc_length;
+        state.arc_length = projector.look(i, state.position).arc_length;
     }
-    if (counts_energy_)
-    {
-      const double stored = committed_.energy.stored;
-      committed_.energy.stored = stored_energy(points, settings_.stores_energy());
-      committed_.energy.epsilon += committed_.energy.stored - stored;
-    }
-    const double time = trial_.time;
-    trial_ = committed_;
-    trial_.time = time;
-  }
-
-
-  void ContactInterface::release(const Vector &q, AssemblyTarget &target)
-  {
-    for (unsigned int i = 0; i < committed_.points.size(); ++i)
-    {
-      ContactPointState &state = committed_.points[i];
-      if (state.touching)
-      {
-        const ContactNode description = node(q, i);
-        target.add(description.dofs.data(), description.n_dofs, nullptr, state.residual.data());
-      }
-      state.release();
-    }
-    trial_.points = committed_.points;
-    // The springs leave with the tool, and what they hold.
-    committed_.energy.epsilon -= committed_.energy.stored;
-    committed_.energy.stored = 0.;
+    return points;
   }
 } // namespace deltaform

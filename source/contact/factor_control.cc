@@ -6,8 +6,10 @@
 
 namespace deltaform
 {
-  FactorControl::FactorControl(const ContactSettings &settings, const InterfaceFriction *friction, const double modulus)
-    : settings_(settings), friction_(friction), modulus_(modulus)
+  FactorControl::FactorControl(const ContactSettings &settings,
+                               const ContactProjector &projector,
+                               const InterfaceFriction *friction)
+    : settings_(settings), projector_(projector), friction_(friction)
   {
   }
 
@@ -32,18 +34,69 @@ namespace deltaform
   }
 
 
-  void FactorControl::read_block(const unsigned int i, const ContactNode &node, const StiffnessView &stiffness)
+  void FactorControl::read_stiffness(const Vector &q, const StiffnessView &stiffness, Points &trial)
   {
-    stiffness.block(node.dofs.data(), node.n_dofs, blocks_[i].data());
+    ContactPoint point;
+    for (unsigned int i = 0; i < trial.size(); ++i)
+    {
+      projector_.describe(q, i, point);
+      stiffness.block(point.dofs.data(), point.n_dofs, blocks_[i].data());
+      // Touching points set their stiffness anew when factors are predicted; the others at their first touch.
+      trial[i].stiffness = 0.;
+    }
   }
 
 
-  double FactorControl::nodal_stiffness(const unsigned int i, const ContactNode &node, const Tensor1 &direction) const
+  void FactorControl::add_mismatch(const Vector &q, const Tensor1 &shift, const Points &trial, Vector &direction) const
+  {
+    for (unsigned int i = 0; i < trial.size(); ++i)
+    {
+      const ContactPointState &state = trial[i];
+      if (!state.touching)
+        continue;
+      const ContactPoint point = projector_.point(q, i);
+      const Projection projection = projector_.look(i, point.x - shift);
+      // C points into the tool
+      for (unsigned int k = 0; k < point.n_dofs; ++k)
+        direction[point.dofs[k]] -= (point.jacobian[k] * projection.normal) * (state.penetration() - state.delta);
+    }
+  }
+
+
+  void FactorControl::predict(const Vector &q,
+                              const Tensor1 &shift,
+                              const Vector *coupling,
+                              const Points &committed,
+                              Points &trial) const
+  {
+    for (unsigned int i = 0; i < trial.size(); ++i)
+    {
+      ContactPointState &state = trial[i];
+      if (!state.touching)
+      {
+        if (!committed[i].touching)
+          state.penalty_factor = state.tangential_factor = 0.;
+        continue;
+      }
+      const ContactPoint point = projector_.point(q, i);
+      const Projection projection = projector_.look(i, point.x - shift);
+      state.area = point.area;
+      state.thickness = point.thickness;
+      double product = 0.;
+      if (coupling)
+        for (unsigned int k = 0; k < point.n_dofs; ++k)
+          product -= (point.jacobian[k] * projection.normal) * (*coupling)[point.dofs[k]];
+      predict(i, point, projection, product, committed, trial);
+    }
+  }
+
+
+  double FactorControl::point_stiffness(const unsigned int i, const ContactPoint &point, const Tensor1 &direction) const
   {
     double sum = 0.;
-    for (unsigned int k = 0; k < node.n_dofs; ++k)
-      for (unsigned int l = 0; l < node.n_dofs; ++l)
-        sum += (node.jacobian[k] * direction) * blocks_[i][k * node.n_dofs + l] * (node.jacobian[l] * direction);
+    for (unsigned int k = 0; k < point.n_dofs; ++k)
+      for (unsigned int l = 0; l < point.n_dofs; ++l)
+        sum += (point.jacobian[k] * direction) * blocks_[i][k * point.n_dofs + l] * (point.jacobian[l] * direction);
     return std::max(sum, std::numeric_limits<double>::min());
   }
 
@@ -60,7 +113,7 @@ namespace deltaform
     result.coupling = coupling;
     result.area = state.area;
     result.thickness = state.thickness;
-    result.modulus = modulus_;
+    result.modulus = projector_.surface().modulus();
     result.delta = state.delta;
     result.neighbour = median_;
     for (const unsigned int j : {i - 1, i + 1}) // i - 1 wraps around to a number that is too large
@@ -91,32 +144,32 @@ namespace deltaform
 
 
   void FactorControl::touch(const unsigned int i,
-                            const ContactNode &node,
+                            const ContactPoint &point,
                             const Projection &projection,
                             const Points &committed,
                             Points &trial) const
   {
     ContactPointState &state = trial[i];
-    state.stiffness = nodal_stiffness(i, node, projection.normal);
-    if (settings_.enforcement->uses_penalty() && state.penalty_factor == 0)
+    state.stiffness = point_stiffness(i, point, projection.normal);
+    if (settings_.normal_law->uses_penalty() && state.penalty_factor == 0)
       state.penalty_factor = settings_.rule->predict(input(i, trial, 0.));
     if (friction_)
       state.tangential_factor =
         std::max(state.tangential_factor,
-                 tangential_factor(i, committed[i], state, nodal_stiffness(i, node, projection.tangent)));
+                 tangential_factor(i, committed[i], state, point_stiffness(i, point, projection.tangent)));
   }
 
 
   void FactorControl::predict(const unsigned int i,
-                              const ContactNode &node,
+                              const ContactPoint &point,
                               const Projection &projection,
                               const double coupling,
                               const Points &committed,
                               Points &trial) const
   {
     ContactPointState &state = trial[i];
-    state.stiffness = nodal_stiffness(i, node, projection.normal);
-    if (settings_.enforcement->uses_penalty())
+    state.stiffness = point_stiffness(i, point, projection.normal);
+    if (settings_.normal_law->uses_penalty())
     {
       PenaltyInput what = input(i, trial, coupling);
       what.force += expected_growth(committed[i]);
@@ -124,9 +177,9 @@ namespace deltaform
     }
     if (friction_)
       state.tangential_factor =
-        tangential_factor(i, committed[i], state, nodal_stiffness(i, node, projection.tangent));
+        tangential_factor(i, committed[i], state, point_stiffness(i, point, projection.tangent));
     state.last_penetration = state.penetration();
-    state.shift = settings_.enforcement->start_shift(state);
+    state.shift = settings_.normal_law->start_shift(state);
   }
 
 
@@ -149,7 +202,7 @@ namespace deltaform
       softening_ = softening_ < .05 ? 10. * softening_ : 1.;
       return 1;
     }
-    if (!settings_.enforcement->uses_penalty())
+    if (!settings_.normal_law->uses_penalty())
       return 0;
     unsigned int changed = 0;
     for (unsigned int i = 0; i < trial.size(); ++i)

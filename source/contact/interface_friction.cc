@@ -1,13 +1,23 @@
+#include "slip_transfer.h"
+
 #include <deltaform/contact/interface_friction.h>
+#include <deltaform/geometry/curvature.h>
 
 #include <algorithm>
 
 namespace deltaform
 {
-  void InterfaceFriction::begin_increment(const ContactSurface &surface, const Side side)
+  void InterfaceFriction::begin_increment()
   {
     if (law_->needs_flow_stress())
-      flow_stress_ = surface.flow_stress(side);
+      flow_stress_ = projector_.surface().flow_stress(projector_.tool().side());
+  }
+
+
+  void InterfaceFriction::start_slip(const unsigned int i, const ContactPointState &before, ContactPointState &now) const
+  {
+    if (!before.touching)
+      now.slip_start = projector_.look(i, before.position).arc_length;
   }
 
 
@@ -30,14 +40,34 @@ namespace deltaform
   FrictionResponse InterfaceFriction::respond(const unsigned int i,
                                               const ContactPointState &before,
                                               const ContactPointState &now,
-                                              const double slip_increment,
+                                              const Projection &foot,
+                                              const double offset,
                                               const double normal_force) const
   {
     // The limit belongs to the estimate of lambda; what the iterate's force differs from it enters linearly.
     FrictionInput what = input(i, before, now, std::max(now.multiplier, 0.));
-    what.slip_increment = slip_increment;
+    what.slip_increment = offset_slip(projector_.tool().shape(), start(before, now), foot.arc_length, offset);
     FrictionResponse result = law_->update(what);
     result.force += result.force_rate * (normal_force - what.normal_force);
     return result;
+  }
+
+
+  SlipTransfer InterfaceFriction::transfer(const Projection &foot, const double offset) const
+  {
+    return slip_transfer(projector_.tool().shape(), offset, foot);
+  }
+
+
+  double InterfaceFriction::slip_of_increment(const unsigned int i,
+                                              const ContactPointState &before,
+                                              const ContactPointState &now,
+                                              const double offset) const
+  {
+    if (now.touching)
+      return offset_slip(projector_.tool().shape(), start(before, now), now.arc_length, offset);
+    // What has let go may be anywhere, also beyond the end of the tool: along the tangent where it was held last.
+    const Projection last = projector_.look(i, before.position);
+    return transfer(last, offset).share * ((now.position - before.position) * last.tangent);
   }
 } // namespace deltaform

@@ -1,17 +1,11 @@
 #pragma once
 
+#include <deltaform/contact/contact_force.h>
 #include <deltaform/geometry/curvature.h>
 #include <deltaform/tools/shape.h>
 
 namespace deltaform
 {
-  /// Share of the friction force that a node receives, with its gradient, and d(slip)/d(displacement along the
-  /// tangent): the same but for the penetration.
-  struct SlipTransfer
-  {
-    double share = 0., along_normal = 0., along_tangent = 0., slip_rate = 0.;
-  };
-
   /**
    * 1/(1 + k distance) with the mean curvature k of the tool over the thickness. With the curvature at the foot point
    * the force would jump where a line meets an arc, and a node that comes to rest there would have no equilibrium.

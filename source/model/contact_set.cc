@@ -157,7 +157,7 @@ namespace deltaform
       for (auto *interface : active_)
         interface->read_stiffness(q, body);
     Vector coupling;
-    if (actors_.contact->enforcement->uses_penalty() && actors_.contact->rule->needs_coupling())
+    if (actors_.contact->normal_law->uses_penalty() && actors_.contact->rule->needs_coupling())
     {
       Vector mismatch(q.size());
       coupling.reinit(q.size());
@@ -212,7 +212,7 @@ namespace deltaform
     unsigned int changed = 0;
     for (auto *interface : active_)
       changed += interface->correct_factors();
-    if (actors_.contact && actors_.contact->enforcement->augmentation_tolerance() > 0)
+    if (actors_.contact && actors_.contact->normal_law->augmentation_tolerance() > 0)
       changed += augmentation_.update(active_);
     return changed;
   }
@@ -220,7 +220,7 @@ namespace deltaform
 
   std::string ContactSet::broken_promise(const Vector &committed) const
   {
-    if (!actors_.contact || !actors_.contact->enforcement->uses_penalty() || !actors_.contact->rule->promises())
+    if (!actors_.contact || !actors_.contact->normal_law->uses_penalty() || !actors_.contact->rule->promises())
       return "";
     for (const auto *interface : active_)
     {
@@ -228,14 +228,16 @@ namespace deltaform
       if (i == invalid_index)
         continue;
       const ContactPointState &state = interface->trial()[i];
-      const ContactNode node = interface->node(committed, i);
-      std::string text = "the promise p <= delta cannot be kept: tool '" + interface->tool().name() + "', node " +
+      const ContactPoint node = interface->point(committed, i);
+      const bool at_nodes = actors_.blank->surface().points_per_edge() == 0;
+      std::string text = "the promise p <= delta cannot be kept: tool '" + interface->tool().name() +
+                         (at_nodes ? "', node " : "', contact point ") +
                          std::to_string(i) + " (R0 = " + text::format(node.reference_coordinate) + ") penetrates " +
                          text::format(state.penetration()) + ", " + text::format(ratio) + " times the allowed " +
                          text::format(state.delta) + ", with penalty factor " + text::format(state.penalty_factor);
       for (const auto *other : active_)
-        if (other->tool().side() != interface->tool().side() && i < other->n_nodes() && other->trial()[i].touching &&
-            other->node(committed, i).node == node.node)
+        if (other->tool().side() != interface->tool().side() && i < other->n_points() && other->trial()[i].touching &&
+            other->point(committed, i).nodes[0].node == node.nodes[0].node)
           text += ". The node is clamped between '" + interface->tool().name() + "' and '" + other->tool().name() +
                   "': its thickness is " + text::format(node.thickness) + ", the gap leaves " +
                   text::format(node.thickness + state.gap + other->trial()[i].gap) +
@@ -268,7 +270,7 @@ namespace deltaform
     for (auto *interface : active_)
     {
       interface->refresh(q);
-      const auto own = contact_pressure(*interface, q);
+      const auto own = contact_pressure(*interface, q, actors_.blank->surface().n_nodes());
       auto &side = pressure[static_cast<unsigned int>(interface->tool().side())];
       if (side.empty())
         side = own;
@@ -281,7 +283,7 @@ namespace deltaform
       for (const Side side : {Side::bottom, Side::top})
       {
         auto &own = pressure[static_cast<unsigned int>(side)];
-        own.resize(actors_.blank->surface().n_contact_nodes(side), 0.);
+        own.resize(actors_.blank->surface().n_nodes(), 0.);
         actors_.blank->set_contact_pressure(side, own);
       }
   }
@@ -315,7 +317,7 @@ namespace deltaform
     account.min_epsilon = std::numeric_limits<double>::infinity();
     for (const auto *interface : active_)
     {
-      for (unsigned int i = 0; i < interface->n_nodes(); ++i)
+      for (unsigned int i = 0; i < interface->n_points(); ++i)
       {
         const ContactPointState &state = interface->committed()[i];
         if (!state.touching)
@@ -366,7 +368,7 @@ namespace deltaform
     if (cycling_)
       return 0;
     // Penalty springs need the line search, most of all on fine meshes; exact constraints are best left alone.
-    return actors_.contact && actors_.contact->enforcement->has_multiplier() ? 1000 : 2;
+    return actors_.contact && actors_.contact->normal_law->has_multiplier() ? 1000 : 2;
   }
 
 

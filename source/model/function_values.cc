@@ -122,7 +122,7 @@ namespace deltaform
       return wrong("must be positive at all times; it is " + text::format(delta) + at(time));
     // A coordinate is rounded by half an ulp.
     const double smallest = .5e6 * std::numeric_limits<double>::epsilon() * size_;
-    if (actors_.contact->rule->promises() && actors_.contact->enforcement->uses_penalty() && delta < smallest)
+    if (actors_.contact->rule->promises() && actors_.contact->normal_law->uses_penalty() && delta < smallest)
       return wrong(text::format(delta) + at(time) + " cannot be told from round-off: at coordinates of size " +
                    text::format(size_) + " the noise of the contact forces exceeds 1e-6 of them below " +
                    text::format(smallest) +

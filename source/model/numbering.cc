@@ -9,12 +9,12 @@ namespace deltaform
     : n_blank(actors.blank->n_dofs()), n_sparse(n_blank)
   {
     const Blank &blank = *actors.blank;
-    const bool multipliers = actors.contact && actors.contact->enforcement->has_multiplier();
+    const bool multipliers = actors.contact && actors.contact->normal_law->has_multiplier();
     std::vector<DofIndex> first_multiplier;
     for (const auto &interface : actors.interfaces)
     {
       first_multiplier.push_back(n_sparse);
-      n_sparse += multipliers ? interface->n_nodes() : 0;
+      n_sparse += multipliers ? interface->n_points() : 0;
     }
     pattern = std::make_unique<dealii::DynamicSparsityPattern>(n_sparse, n_sparse);
     blank.add_couplings(*pattern);
@@ -29,9 +29,9 @@ namespace deltaform
       n_border += interface.tool().force_driven();
       if (multipliers)
         couple_multipliers(interface);
-      for (unsigned int i = 0; i < interface.n_nodes(); ++i)
+      for (unsigned int i = 0; i < interface.n_points(); ++i)
       {
-        const ContactNode node = interface.node(zero, i);
+        const ContactPoint node = interface.point(zero, i);
         contact_unknowns.insert(contact_unknowns.end(), node.dofs.begin(), node.dofs.begin() + node.n_dofs);
         if (multipliers)
           contact_unknowns.push_back(interface.multiplier_dof(i));
@@ -67,9 +67,9 @@ namespace deltaform
   void Numbering::couple_multipliers(const ContactInterface &interface)
   {
     const Vector zero(n_blank);
-    for (unsigned int i = 0; i < interface.n_nodes(); ++i)
+    for (unsigned int i = 0; i < interface.n_points(); ++i)
     {
-      const ContactNode node = interface.node(zero, i);
+      const ContactPoint node = interface.point(zero, i);
       const DofIndex multiplier = interface.multiplier_dof(i);
       for (unsigned int k = 0; k < node.n_dofs; ++k)
       {

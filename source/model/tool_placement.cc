@@ -79,7 +79,7 @@ namespace deltaform
       return std::nullopt;
     return Misplacement{"Position z",
                         name + " overlaps the blank: node " + std::to_string(node) + " at " +
-                          place(interface.node(q, node).x) + " lies " + text::rounded(-gap) +
+                          place(interface.point(q, node).x) + " lies " + text::rounded(-gap) +
                           " inside. Move the tool back by that (Position, or Motion at this time), or let it start "
                           "clear of the blank and approach by Motion"};
   }

@@ -29,17 +29,22 @@ namespace deltaform
                                      {"contact_status", "0 free 1 slip 2 stick", true, 1, none}};
       for (const auto *interface : model.interfaces())
       {
-        const auto pressure = contact_pressure(*interface, model.committed());
-        for (unsigned int i = 0; i < interface->n_nodes(); ++i)
+        const auto pressure = contact_pressure(*interface, model.committed(), n_nodes);
+        std::transform(pressure.begin(), pressure.end(), fields[2].values.begin(), fields[2].values.begin(),
+                       [](const double a, const double b) { return std::max(a, b); });
+        for (unsigned int i = 0; i < interface->n_points(); ++i)
         {
           const ContactPointState &state = interface->committed()[i];
           if (!state.touching)
             continue;
-          const unsigned int k = interface->node(model.committed(), i).node;
-          fields[0].values[k] = std::max(fields[0].values[k], state.penalty_factor);
-          fields[1].values[k] = std::max(fields[1].values[k], state.penetration() / state.delta);
-          fields[2].values[k] = std::max(fields[2].values[k], pressure[i]);
-          fields[3].values[k] = std::max(fields[3].values[k], state.sticking ? 2. : 1.);
+          const ContactPoint point = interface->point(model.committed(), i);
+          for (unsigned int a = 0; a < point.n_nodes; ++a)
+          {
+            const unsigned int k = point.nodes[a].node;
+            fields[0].values[k] = std::max(fields[0].values[k], state.penalty_factor);
+            fields[1].values[k] = std::max(fields[1].values[k], state.penetration() / state.delta);
+            fields[3].values[k] = std::max(fields[3].values[k], state.sticking ? 2. : 1.);
+          }
         }
       }
       return fields;

@@ -23,12 +23,12 @@ namespace deltaform
                        {"status", "1"},
                        {"S0", "length"}};
       for (const auto *interface : model.interfaces())
-        for (unsigned int i = 0; i < interface->n_nodes(); ++i)
+        for (unsigned int i = 0; i < interface->n_points(); ++i)
         {
           const ContactPointState &state = interface->committed()[i];
           if (!state.touching)
             continue;
-          const ContactNode node = interface->node(model.committed(), i);
+          const ContactPoint node = interface->point(model.committed(), i);
           table.rows.push_back({interface->tool().name(),
                                 node.reference_coordinate,
                                 state.penetration(),

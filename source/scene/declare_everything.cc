@@ -38,7 +38,7 @@ namespace deltaform
     declare_each<BackStress>(material.sub("Backstress"), "Law");
     declare_each<RateFactor>(material.sub("Rate factor"), "Law");
     declare_each<Softening>(material.sub("Heat"), "Softening");
-    declare_each<Enforcement>(contact, "Enforcement");
+    declare_each<NormalLaw>(contact, "Enforcement");
     declare_each<PenaltyRule>(contact, "Penalty rule");
     declare_each<Shape>(root.sub("Tools").sub("<name>"), "Shape");
     declare_each<FrictionLaw>(root.sub("Tools").sub("<name>"), "Friction law");

@@ -114,9 +114,9 @@ namespace deltaform
       const Tool &tool = interface.tool();
       const double way = tool.force_driven() ? 0. : tool.travel(time);
       const double nearest = interface.projector().closest(zero, way).second;
-      for (unsigned int i = 0; i < interface.n_nodes(); ++i)
+      for (unsigned int i = 0; i < interface.n_points(); ++i)
       {
-        const ContactNode node = interface.node(zero, i);
+        const ContactPoint node = interface.point(zero, i);
         const Projection projection = tool.project(node.x, way);
         if (node.area > 0 && projection.distance - node.offset <= nearest + 1e-6 * node.thickness)
           conditions.touch(node.x, projection.normal, travel, tool.direction());

@@ -43,7 +43,7 @@ namespace deltaform
 
   void Scene::check_linear_solver(Section root) const
   {
-    if (linear_solver->iterative() && actors.contact && actors.contact->enforcement->has_multiplier())
+    if (linear_solver->iterative() && actors.contact && actors.contact->normal_law->has_multiplier())
       root.sub("Solver").fail("Linear solver",
                               "'" + linear_solver->name +
                                 "' cannot solve with the multipliers of this enforcement: take klu or mumps");

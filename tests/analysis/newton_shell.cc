@@ -61,10 +61,10 @@ BOOST_AUTO_TEST_CASE(plastic)
 
 BOOST_AUTO_TEST_CASE(in_contact_with_friction)
 {
-  for (const auto &enforcement : Registry<Enforcement>::names())
-    for (const std::string point : {"normal offset", "outer fibre"})
+  for (const auto &enforcement : Registry<NormalLaw>::names())
+    for (const std::string point : {"point=normal offset", "point=outer fibre", "points=gauss"})
       for_all_shells(
-        yielding + Entries{"Blank/Contact point=" + point},
+        yielding + Entries{"Blank/Contact " + point},
         [&](const Entries &entries) {
           BOOST_TEST_CONTEXT(enforcement << ", " << point)
           {

@@ -36,10 +36,10 @@ namespace deltaform
         blank->add_couplings(pattern);
         for (unsigned int i = 0; i < n - n_border; ++i)
           pattern.add(i, i);
-        if (fixture && fixture->settings.enforcement->has_multiplier())
-          for (unsigned int i = 0; i < fixture->contact.n_nodes(); ++i)
+        if (fixture && fixture->settings.normal_law->has_multiplier())
+          for (unsigned int i = 0; i < fixture->contact.n_points(); ++i)
           {
-            const ContactNode node = fixture->contact.node(Vector(n), i);
+            const ContactPoint node = fixture->contact.point(Vector(n), i);
             for (unsigned int k = 0; k < node.n_dofs; ++k)
             {
               pattern.add(node.dofs[k], blank->n_dofs() + i);

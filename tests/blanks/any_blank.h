@@ -56,14 +56,14 @@ namespace deltaform
         for (const std::string degree : {"1", "2"})
           for (const std::string symmetry : {"axisymmetric", "plane strain"})
             for (const std::string membrane : {"false", "true"})
-              for (const std::string point : {"normal offset", "outer fibre"})
+              for (const std::string point : {"point=normal offset", "point=outer fibre", "points=gauss"})
               {
                 Entries entries = base;
                 entries.insert(entries.end(),
                                {"Blank/Degree=" + degree,
                                 "Blank/Symmetry=" + symmetry,
                                 "Blank/Membrane=" + membrane,
-                                "Blank/Contact point=" + point});
+                                "Blank/Contact " + point});
                 std::unique_ptr<Blank> blank;
                 try
                 {

@@ -39,7 +39,7 @@ namespace
   void press(Blank &blank, const double top, const double bottom)
   {
     for (const auto &[side, pressure] : {std::pair(Side::top, top), std::pair(Side::bottom, bottom)})
-      blank.set_contact_pressure(side, std::vector<double>(blank.surface().n_contact_nodes(side), pressure));
+      blank.set_contact_pressure(side, std::vector<double>(blank.surface().n_nodes(), pressure));
   }
 
   /// Turn the state @p q about the origin by @p angle and move it by @p shift.
@@ -269,50 +269,53 @@ BOOST_AUTO_TEST_CASE(carried_flow_turns_with_the_blank)
                    });
 }
 
-BOOST_AUTO_TEST_CASE(derivatives_of_contact_nodes)
+BOOST_AUTO_TEST_CASE(derivatives_of_contact_points)
 {
   std::mt19937 generator(6);
-  for_all_blanks(
-    curved(plastic),
-    [&](Blank &blank, const Entries &) {
-      const Vector q = random_state(blank, generator, .02);
-      residual(blank, q);
-      blank.commit(q);
-      for (const Side side : {Side::bottom, Side::top})
-        for (const auto thickness : {ContactThickness::current, ContactThickness::initial, ContactThickness::none})
-          for (unsigned int i = 0; i < blank.surface().n_contact_nodes(side); ++i)
+  for_all_blanks(curved(plastic), [&](Blank &blank, const Entries &) {
+    const Vector q = random_state(blank, generator, .02);
+    residual(blank, q);
+    blank.commit(q);
+    for (const Side side : {Side::bottom, Side::top})
+      for (const auto thickness : {ContactThickness::current, ContactThickness::initial, ContactThickness::none})
+        for (unsigned int i = 0; i < blank.surface().n_contact_points(side); ++i)
+        {
+          const auto at = [&](const Vector &state) {
+            ContactPoint node;
+            blank.surface().contact_point(state, side, i, thickness, node);
+            return node;
+          };
+          const ContactPoint node = at(q);
+          if (node.n_nodes == 1)
+            BOOST_TEST((blank.positions(q)[node.nodes[0].node] - node.x).norm() <= node.thickness);
+          double shares = 0.;
+          for (unsigned int a = 0; a < node.n_nodes; ++a)
+            shares += node.nodes[a].share;
+          BOOST_TEST(std::abs(shares - 1.) < 1e-14);
+          BOOST_TEST(node.n_dofs <= ContactPoint::max_dofs);
+          BOOST_TEST(node.offset >= 0.);
+          BOOST_TEST(node.thickness > 0.);
+          BOOST_TEST(node.area >= 0.);
+          constexpr double h = 1e-4;
+          for (unsigned int j = 0; j < q.size(); ++j)
           {
-            const auto at = [&](const Vector &state) {
-              ContactNode node;
-              blank.surface().contact_node(state, side, i, thickness, node);
-              return node;
-            };
-            const ContactNode node = at(q);
-            BOOST_TEST((blank.positions(q)[node.node] - node.x).norm() <= node.thickness);
-            BOOST_TEST(node.n_dofs <= ContactNode::max_dofs);
-            BOOST_TEST(node.offset >= 0.);
-            BOOST_TEST(node.thickness > 0.);
-            BOOST_TEST(node.area >= 0.);
-            constexpr double h = 1e-4;
-            for (unsigned int j = 0; j < q.size(); ++j)
-            {
-              Vector plus = q, minus = q;
-              plus[j] += h;
-              minus[j] -= h;
-              const ContactNode a = at(minus), b = at(plus);
-              Tensor1 first, second;
-              for (unsigned int k = 0; k < node.n_dofs; ++k)
-                if (node.dofs[k] == j)
-                {
-                  first = node.jacobian[k];
-                  second = node.second[k];
-                }
-              BOOST_TEST(((b.x - a.x) / (2. * h) - first).norm() < 1e-9);
-              BOOST_TEST((((b.x - node.x) - (node.x - a.x)) / (h * h) - second).norm() < 1e-6);
-              BOOST_TEST(a.offset == b.offset);
-            }
+            Vector plus = q, minus = q;
+            plus[j] += h;
+            minus[j] -= h;
+            const ContactPoint a = at(minus), b = at(plus);
+            Tensor1 first, second;
+            for (unsigned int k = 0; k < node.n_dofs; ++k)
+              if (node.dofs[k] == j)
+              {
+                first = node.jacobian[k];
+                second = node.second[k];
+              }
+            BOOST_TEST(((b.x - a.x) / (2. * h) - first).norm() < 1e-9);
+            BOOST_TEST((((b.x - node.x) - (node.x - a.x)) / (h * h) - second).norm() < 1e-6);
+            BOOST_TEST(a.offset == b.offset);
           }
-    });
+        }
+  });
 }
 
 BOOST_AUTO_TEST_CASE(faces_lie_half_a_thickness_off)
@@ -323,10 +326,10 @@ BOOST_AUTO_TEST_CASE(faces_lie_half_a_thickness_off)
                    const Vector zero(blank.n_dofs());
                    double area = 0.;
                    for (const Side side : {Side::bottom, Side::top})
-                     for (unsigned int i = 0; i < blank.surface().n_contact_nodes(side); ++i)
+                     for (unsigned int i = 0; i < blank.surface().n_contact_points(side); ++i)
                      {
-                       ContactNode node;
-                       blank.surface().contact_node(zero, side, i, ContactThickness::current, node);
+                       ContactPoint node;
+                       blank.surface().contact_point(zero, side, i, ContactThickness::current, node);
                        const double up = side == Side::top ? 1. : -1.;
                        BOOST_TEST(std::abs(node.x[1] + up * node.offset - .1 - up * .005) < 1e-15);
                        area += node.area;
@@ -336,7 +339,7 @@ BOOST_AUTO_TEST_CASE(faces_lie_half_a_thickness_off)
                    for (const Side side : {Side::bottom, Side::top})
                      for (const auto &edge : blank.surface().contact_edges(side))
                        for (const unsigned int end : {0, 1})
-                         BOOST_TEST(edge[end] < blank.surface().n_contact_nodes(side));
+                         BOOST_TEST(edge[end] < blank.surface().n_contact_points(side));
                  });
 }
 

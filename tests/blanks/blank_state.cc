@@ -51,10 +51,10 @@ namespace
     for (const auto &field : blank.fields().draw(q, {}).fields)
       result.insert(result.end(), field.values.begin(), field.values.end());
     for (const Side side : {Side::bottom, Side::top})
-      for (unsigned int i = 0; i < blank.surface().n_contact_nodes(side); ++i)
+      for (unsigned int i = 0; i < blank.surface().n_contact_points(side); ++i)
       {
-        ContactNode node;
-        blank.surface().contact_node(q, side, i, ContactThickness::current, node);
+        ContactPoint node;
+        blank.surface().contact_point(q, side, i, ContactThickness::current, node);
         result.insert(result.end(), {node.x[0], node.x[1], node.offset, node.area, node.thickness});
       }
     return result;
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(restart_goes_on_where_it_stopped)
   for_all_blanks(curved(plastic),
                  [&](Blank &blank, const Entries &entries) {
                    const Vector q = random_state(blank, generator, .02);
-                   const unsigned int n_nodes = blank.surface().n_contact_nodes(Side::top);
+                   const unsigned int n_nodes = blank.surface().n_nodes();
                    blank.set_contact_pressure(Side::top, std::vector<double>(n_nodes, .7));
                    reach(blank, q);
                    for (const auto &name : Registry<Blank>::names())

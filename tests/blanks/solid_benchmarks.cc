@@ -203,8 +203,8 @@ BOOST_AUTO_TEST_CASE(mesh_from_a_file)
                                    "Blank/Contact top="});
     const auto names = blank->boundary().parts();
     BOOST_TEST((std::set<std::string>(names.begin(), names.end()) == std::set<std::string>{"die side", "rim", "rest"}));
-    BOOST_TEST(blank->surface().n_contact_nodes(Side::bottom) == (degree == "1" ? 4u : 7u));
-    BOOST_TEST(blank->surface().n_contact_nodes(Side::top) == 0u);
+    BOOST_TEST(blank->surface().n_contact_points(Side::bottom) == (degree == "1" ? 4u : 7u));
+    BOOST_TEST(blank->surface().n_contact_points(Side::top) == 0u);
     BOOST_TEST(pressure_load(*blank, "rim", 1.).sum() == -6. * dealii::numbers::PI,
                boost::test_tools::tolerance(1e-13));
     BOOST_TEST(blank->initial_thickness() == 1.);

@@ -305,11 +305,11 @@ BOOST_AUTO_TEST_CASE(stress_of_distorted_cells_stays)
 BOOST_AUTO_TEST_CASE(new_contact_nodes_know_their_neighbours)
 {
   const auto blank = make_blank("solid", distorted("2", "small", elastic));
-  const auto old = blank->surface().n_contact_nodes(Side::top);
+  const auto old = blank->surface().n_contact_points(Side::top);
   refine_one_edge(*blank, Vector(blank->n_dofs()), 1);
   const auto &parents = blank->adaptive()->parent_nodes(Side::top);
   BOOST_TEST(parents.size() == old + 2);
-  BOOST_TEST(parents.size() == blank->surface().n_contact_nodes(Side::top));
+  BOOST_TEST(parents.size() == blank->surface().n_contact_points(Side::top));
   unsigned int n_new = 0, next = 0;
   for (const auto &[a, b] : parents)
     if (a == b)
@@ -322,7 +322,7 @@ BOOST_AUTO_TEST_CASE(new_contact_nodes_know_their_neighbours)
     }
   BOOST_TEST(n_new == 2u);
   BOOST_TEST(next == old);
-  BOOST_TEST(blank->adaptive()->parent_nodes(Side::bottom).size() == blank->surface().n_contact_nodes(Side::bottom));
+  BOOST_TEST(blank->adaptive()->parent_nodes(Side::bottom).size() == blank->surface().n_contact_points(Side::bottom));
 }
 
 BOOST_AUTO_TEST_CASE(a_refined_state_is_saved_and_loaded)

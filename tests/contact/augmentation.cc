@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(the_shifted_start_continues_uzawa)
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_pair_that_is_pulled_off_is_free)
+BOOST_AUTO_TEST_CASE(a_point_that_is_pulled_off_is_free)
 {
   PressedNode node("adaptive compensated", 5);
   node.begin(.1);

@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(augmentation_leaves_the_compression)
   CompliantContact fixture(surface, constant + Entries{"Enforcement=augmented Lagrangian"});
   fixture.settle(sunk(fixture, .1));
   const double force = .1 / give;
-  fixture.contact.shift(&force);
+  fixture.contact.set_shifts(&force);
   fixture.settle(sunk(fixture, .1));
   BOOST_TEST(std::abs(fixture.contact.trial()[0].force - force) < 1e-13);
   BOOST_TEST(std::abs(fixture.contact.trial()[0].gap) < 1e-15);

@@ -32,7 +32,7 @@ namespace
   Vector place(const InterfaceFixture &fixture, const double x, const double z)
   {
     Vector q(fixture.n);
-    for (unsigned int i = 0; i < fixture.contact.n_nodes(); ++i)
+    for (unsigned int i = 0; i < fixture.contact.n_points(); ++i)
     {
       q[2 * i] = x;
       q[2 * i + 1] = z;
@@ -490,7 +490,7 @@ BOOST_AUTO_TEST_CASE(the_deepest_point_of_an_edge_over_an_arc)
           }
 }
 
-BOOST_AUTO_TEST_CASE(results_of_a_pair)
+BOOST_AUTO_TEST_CASE(results_of_an_interface)
 {
   // Two nodes on a circle and the chord between them, which cuts it by the sagitta.
   FakeSurface surface(2);
@@ -506,20 +506,20 @@ BOOST_AUTO_TEST_CASE(results_of_a_pair)
   fixture.settle(q);
   fixture.contact.commit(q);
   BOOST_TEST(std::abs(penetration_between_nodes(fixture.contact, q) - (1. - (1. - p) * std::cos(a))) < 1e-9);
-  for (const double pressure : contact_pressure(fixture.contact, q))
+  for (const double pressure : contact_pressure(fixture.contact, q, 2))
     BOOST_TEST(std::abs(pressure - 50. * p / 4.) < 1e-13);
   DenseTarget released(fixture.n, false);
   fixture.contact.release(q, released);
   BOOST_TEST(fixture.contact.n_touching() == 0u);
   BOOST_TEST(fixture.contact.energy().stored == 0.);
-  for (const double pressure : contact_pressure(fixture.contact, q))
+  for (const double pressure : contact_pressure(fixture.contact, q, 2))
     BOOST_TEST(pressure == 0.);
 }
 
 BOOST_AUTO_TEST_CASE(a_tool_leaves_with_the_forces_of_the_last_equilibrium)
 {
   // Whatever the law would say after the thickness was updated, for every rule and enforcement.
-  for (const auto &enforcement : Registry<Enforcement>::names())
+  for (const auto &enforcement : Registry<NormalLaw>::names())
     for (const auto &rule : Registry<PenaltyRule>::names())
       BOOST_TEST_CONTEXT(enforcement << ", " << rule)
       {
@@ -580,7 +580,7 @@ BOOST_AUTO_TEST_CASE(a_blank_that_rests_on_a_tool_touches_it)
       }
 }
 
-BOOST_AUTO_TEST_CASE(nodes_without_area_have_no_pair)
+BOOST_AUTO_TEST_CASE(nodes_without_area_have_no_contact)
 {
   FakeSurface surface = row(1);
   surface.area = 0.;

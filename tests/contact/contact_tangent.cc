@@ -112,7 +112,7 @@ namespace
     {
       const auto &[foot, normal, number] = place;
       const Tensor1 tangent({normal[1], -normal[0]});
-      const bool own_unknown = fixture.settings.enforcement->has_multiplier();
+      const bool own_unknown = fixture.settings.normal_law->has_multiplier();
       const unsigned int first = i * surface.dofs_per_node();
       // The contact point lies off the tool by the offset: x = X + u (+ arm d). Nodes differ in penetration.
       const double p = number % 3 == 2 && own_unknown ? -.01 : 4e-3 + 1e-3 * (number % 5);
@@ -140,12 +140,12 @@ namespace
       const Tensor1 shift = fixture.contact.travel(state) * fixture.tool.direction();
       const Shape &shape = fixture.tool.shape();
       std::vector<Branch> result;
-      for (unsigned int i = 0; i < fixture.contact.n_nodes(); ++i)
+      for (unsigned int i = 0; i < fixture.contact.n_points(); ++i)
       {
-        const ContactPointState &pair = fixture.contact.trial()[i];
-        const auto foot = fixture.tool.project(fixture.contact.node(state, i).x - shift, 0.);
-        result.emplace_back(pair.touching,
-                            pair.sticking,
+        const ContactPointState &point = fixture.contact.trial()[i];
+        const auto foot = fixture.tool.project(fixture.contact.point(state, i).x - shift, 0.);
+        result.emplace_back(point.touching,
+                            point.sticking,
                             foot.segment,
                             surface.offset > 0. ? curvature_change(shape, foot.arc_length, surface.offset) : 0.);
       }
@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_SUITE(contact_tangent)
 
 BOOST_AUTO_TEST_CASE(moved_tools)
 {
-  for (const auto &enforcement : Registry<Enforcement>::names())
+  for (const auto &enforcement : Registry<NormalLaw>::names())
     BOOST_TEST_CONTEXT("enforcement '" << enforcement << "'")
   for (const double arm : {0., .05})
     for (const double slip : {5e-4, .03})
@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(laws_of_friction)
 
 BOOST_AUTO_TEST_CASE(force_driven_tools)
 {
-  for (const auto &enforcement : Registry<Enforcement>::names())
+  for (const auto &enforcement : Registry<NormalLaw>::names())
     BOOST_TEST_CONTEXT("enforcement '" << enforcement << "'")
   for (const double slip : {5e-4, .03})
     for_all_shapes({.05, slip, "Force=3", enforcement, true});
@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(force_driven_tools)
 
 BOOST_AUTO_TEST_CASE(first_touches_in_continuation)
 {
-  for (const auto &enforcement : Registry<Enforcement>::names())
+  for (const auto &enforcement : Registry<NormalLaw>::names())
     BOOST_TEST_CONTEXT("enforcement '" << enforcement << "'")
     {
       FakeSurface surface(3, 0., offset);
@@ -297,8 +297,8 @@ BOOST_AUTO_TEST_CASE(frictionless_forces_have_a_potential)
   const auto potential = [&](const Vector &state) {
     fixture.assemble(state);
     double sum = 0.;
-    for (const auto &pair : fixture.contact.trial())
-      sum += .5 * pair.penalty_factor * pair.gap * pair.gap;
+    for (const auto &point : fixture.contact.trial())
+      sum += .5 * point.penalty_factor * point.gap * point.gap;
     return sum;
   };
   constexpr double h = 1e-5;

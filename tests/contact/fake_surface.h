@@ -33,7 +33,12 @@ namespace deltaform
         return X.size() * dofs_per_node();
       }
 
-      unsigned int n_contact_nodes(Side) const override
+      unsigned int n_nodes() const override
+      {
+        return X.size();
+      }
+
+      unsigned int n_contact_points(Side) const override
       {
         return X.size();
       }
@@ -48,14 +53,14 @@ namespace deltaform
         return std::vector<double>(X.size(), yield);
       }
 
-      void contact_node(const Vector &q,
-                        const Side side,
-                        const unsigned int i,
-                        ContactThickness,
-                        ContactNode &node) const override
+      void contact_point(const Vector &q,
+                         const Side side,
+                         const unsigned int i,
+                         ContactThickness,
+                         ContactPoint &node) const override
       {
-        node = ContactNode();
-        node.node = i;
+        node = ContactPoint();
+        node.set_node(i);
         node.n_dofs = dofs_per_node();
         node.area = i == axis_node ? 0. : area;
         node.offset = offset;
@@ -97,8 +102,8 @@ namespace deltaform
           contact(surface, tool, settings, tree.root().sub("Tools").sub("tool")), n_blank(surface.n_contact_dofs()),
           n(n_blank)
       {
-        const bool own_unknowns = settings.enforcement->has_multiplier();
-        n += own_unknowns ? contact.n_nodes() : 0;
+        const bool own_unknowns = settings.normal_law->has_multiplier();
+        n += own_unknowns ? contact.n_points() : 0;
         contact.set_dofs(n, n_blank);
         n += tool.force_driven();
       }

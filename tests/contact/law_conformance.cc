@@ -1,8 +1,8 @@
 // What every registered enforcement, penalty rule and friction law has to fulfil, whatever it is called.
 #include "../materials/material_point.h"
 
-#include <deltaform/contact/enforcement.h>
 #include <deltaform/contact/friction_law.h>
+#include <deltaform/contact/normal_law.h>
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/registry.h>
 
@@ -56,7 +56,7 @@ namespace
     }
   };
 
-  ContactPointState random_pair(Random &random)
+  ContactPointState random_point(Random &random)
   {
     ContactPointState state;
     state.stiffness = random.positive(1., 1e6);
@@ -99,13 +99,13 @@ BOOST_AUTO_TEST_SUITE(law_conformance)
 
 BOOST_AUTO_TEST_CASE(enforcement_complementarity)
 {
-  for_all<Enforcement>(
+  for_all<NormalLaw>(
     {},
-    [](const Enforcement &enforcement) {
+    [](const NormalLaw &enforcement) {
       Random random;
       for (unsigned int k = 0; k < 1000; ++k)
       {
-        const ContactPointState state = random_pair(random);
+        const ContactPointState state = random_point(random);
         const double g = random.positive(1e-9, 1e-1);
         // Apart, and no force: no contact, whatever the distance.
         const NormalResponse apart = enforcement.respond(state, g, 0.);
@@ -115,8 +115,8 @@ BOOST_AUTO_TEST_CASE(enforcement_complementarity)
         BOOST_TEST(enforcement.respond(state, 0., 0.).touching);
         // A reaction keeps the contact although a step has opened the gap a little; in the end the gap wins.
         const double lambda = random.positive(1e-3, 1e3) * state.stiffness;
-        BOOST_TEST(enforcement.respond(state, .99 * lambda / Enforcement::weight(state), lambda).touching);
-        BOOST_TEST(!enforcement.respond(state, 1.01 * lambda / Enforcement::weight(state), lambda).touching);
+        BOOST_TEST(enforcement.respond(state, .99 * lambda / NormalLaw::weight(state), lambda).touching);
+        BOOST_TEST(!enforcement.respond(state, 1.01 * lambda / NormalLaw::weight(state), lambda).touching);
         BOOST_TEST(enforcement.respond(state, -g, lambda).touching);
         // No compliance but in the continuation, and only unknowns of their own are tied.
         const NormalResponse inside = enforcement.respond(state, -g, lambda);
@@ -131,22 +131,22 @@ BOOST_AUTO_TEST_CASE(enforcement_complementarity)
 
 BOOST_AUTO_TEST_CASE(enforcement_derivative)
 {
-  for_all<Enforcement>({},
-                       [](const Enforcement &enforcement) {
-                         Random random;
-                         for (unsigned int k = 0; k < 1000; ++k)
-                         {
-                           const ContactPointState state = random_pair(random);
-                           const double gap = random.uniform(-1e-2, 1e-2), h = 1e-7;
-                           const double lambda = random.uniform(-1., 1.) * state.stiffness;
-                           const auto at = [&](const double g) { return enforcement.respond(state, g, lambda); };
-                           BOOST_TEST(at(gap).derivative <= 0.);
-                           if (at(gap - h).touching == at(gap + h).touching)
-                             BOOST_TEST(std::abs((at(gap + h).force - at(gap - h).force) / (2. * h) -
-                                                 at(gap).derivative) <= 1e-6 * state.penalty_factor);
-                           BOOST_TEST((at(gap).touching || at(gap).force == 0.));
-                         }
-                       });
+  for_all<NormalLaw>({},
+                     [](const NormalLaw &enforcement) {
+                       Random random;
+                       for (unsigned int k = 0; k < 1000; ++k)
+                       {
+                         const ContactPointState state = random_point(random);
+                         const double gap = random.uniform(-1e-2, 1e-2), h = 1e-7;
+                         const double lambda = random.uniform(-1., 1.) * state.stiffness;
+                         const auto at = [&](const double g) { return enforcement.respond(state, g, lambda); };
+                         BOOST_TEST(at(gap).derivative <= 0.);
+                         if (at(gap - h).touching == at(gap + h).touching)
+                           BOOST_TEST(std::abs((at(gap + h).force - at(gap - h).force) / (2. * h) -
+                                               at(gap).derivative) <= 1e-6 * state.penalty_factor);
+                         BOOST_TEST((at(gap).touching || at(gap).force == 0.));
+                       }
+                     });
 }
 
 BOOST_AUTO_TEST_CASE(penalty_factors_are_positive_and_finite)

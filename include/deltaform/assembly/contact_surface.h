@@ -1,14 +1,16 @@
 #pragma once
 
-#include <deltaform/assembly/contact_node.h>
+#include <deltaform/assembly/contact_point.h>
 #include <deltaform/assembly/side.h>
+
+#include <deal.II/base/exceptions.h>
 
 #include <array>
 #include <vector>
 
 namespace deltaform
 {
-  /// The faces of a blank as contact sees them: nodes, and edges between the nodes.
+  /// The faces of a blank as contact sees them: points, and edges between nodes.
   class ContactSurface
   {
   public:
@@ -17,24 +19,44 @@ namespace deltaform
     /// Number of unknowns that positions may depend on.
     virtual unsigned int n_contact_dofs() const = 0;
 
-    virtual unsigned int n_contact_nodes(Side side) const = 0;
+    /// Of the blank.
+    virtual unsigned int n_nodes() const = 0;
+
+    virtual unsigned int n_contact_points(Side side) const = 0;
 
     /// Young's modulus of the body behind the surface (stress).
     virtual double modulus() const = 0;
 
-    /// Accepted flow stress of the material at every node of one side (stress); infinite where it is elastic. To be
+    /// Accepted flow stress of the material at every contact point of one side (stress); infinite where it is elastic. To be
     /// asked by all processes together.
     virtual std::vector<double> flow_stress(Side side) const = 0;
 
-    /// Describe node @p node of one side at @p q.
-    virtual void contact_node(const Vector &q,
-                              Side side,
-                              unsigned int node,
-                              ContactThickness thickness,
-                              ContactNode &result) const = 0;
+    /// Describe contact point @p point of one side at @p q.
+    virtual void contact_point(const Vector &q,
+                               Side side,
+                               unsigned int point,
+                               ContactThickness thickness,
+                               ContactPoint &result) const = 0;
 
-    /// Nodes of each edge along the side: its ends, then a middle node (invalid_index: none). Between them the contact
-    /// point is interpolated by Lagrange polynomials.
+    /// Nodes of each edge along the side: its ends, then a middle node (invalid_index: none). Where the nodes are the
+    /// contact points, the face between them is interpolated by Lagrange polynomials.
     virtual const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const = 0;
+
+    /// Points inside an edge: those of edge e have the numbers e n to e n + n - 1. 0: the nodes are the contact points.
+    virtual unsigned int points_per_edge() const
+    {
+      return 0;
+    }
+
+    /// Where contact points lie inside the edges: describe any place of an edge, @p xi from 0 to 1. Its area is 0.
+    virtual void contact_place(const Vector & /*q*/,
+                               Side /*side*/,
+                               unsigned int /*edge*/,
+                               double /*xi*/,
+                               ContactThickness /*thickness*/,
+                               ContactPoint & /*result*/) const
+    {
+      Assert(false, dealii::ExcPureFunctionCalled());
+    }
   };
 } // namespace deltaform

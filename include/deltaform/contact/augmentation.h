@@ -32,8 +32,18 @@ namespace deltaform
   private:
     using Values = std::vector<double>;
 
+    /// Append the shifts of the points of an interface, and the forces that Uzawa's iteration makes of them. @return
+    /// whether all gaps are small enough, with the law's tolerance times @p relaxation (at most delta)
+    static bool collect(const ContactInterface &interface, double relaxation, Values &shifts, Values &forces);
+
     /// The earlier rounds belong to another problem.
     void forget();
+
+    /// Remember what has changed since the last round.
+    void look_back(const Values &shift, const Values &change);
+
+    /// What the acceleration takes off the next shifts, after look_back().
+    Values correction(const Values &change) const;
 
     unsigned int depth_, patience_, rounds_ = 0;
     Values last_shift_, last_change_;

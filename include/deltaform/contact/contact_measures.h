@@ -6,17 +6,18 @@
 
 namespace deltaform
 {
-  /// Contact pressure of every node: accepted force over the tributary area at @p q (stress).
-  std::vector<double> contact_pressure(const ContactInterface &contact, const Vector &q);
+  /// Contact pressure of the @p n_nodes nodes of the blank: of the points that a node carries the accepted forces over
+  /// the tributary areas at @p q (stress). At other nodes 0.
+  std::vector<double> contact_pressure(const ContactInterface &contact, const Vector &q, std::size_t n_nodes);
 
-  /// Largest penetration of the accepted contact anywhere along the edges, not only at the nodes (length).
+  /// Largest penetration of the accepted contact anywhere along the edges, not only at the contact points (length).
   double penetration_between_nodes(const ContactInterface &contact, const Vector &q);
 
   /// Estimate of the discretisation error in the contact surface, as an allowed penetration (doc/theory/contact.md).
   double automatic_delta(const ContactInterface &contact);
 
   /// How far the face of the blank is from the contact point, with the thickness compressed by its force (length).
-  inline double face(const ContactNode &node, const ContactPointState &state)
+  inline double face(const ContactPoint &node, const ContactPointState &state)
   {
     return node.offset - (state.touching ? node.compliance * state.force : 0.);
   }

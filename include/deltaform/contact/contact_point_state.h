@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/assembly/contact_node.h>
+#include <deltaform/assembly/contact_point.h>
 #include <deltaform/assembly/types.h>
 
 #include <array>
@@ -21,7 +21,7 @@ namespace deltaform
     double last_penetration = 0; ///< p when the rule was asked the last time
     double delta = 0; ///< allowed penetration
     double stiffness = 0; ///< K_nn of the blank when the penalty factor was set
-    double compliance = 0; ///< through the thickness, of a touching point (ContactNode::compliance)
+    double compliance = 0; ///< through the thickness, of a touching point (ContactPoint::compliance)
     double arc_length = 0; ///< of the foot point
     double tangential_force = 0; ///< along growing arc length of the tool, on the tool
     double tangential_factor = 0; ///< eps_t (force/length)
@@ -30,7 +30,7 @@ namespace deltaform
     double area = 0, thickness = 0; ///< tributary area and thickness of the blank there
     double noise = 0; ///< round-off of the gap, which is a difference of large numbers
     Point2 position; ///< of the contact point relative to the tool
-    std::array<double, ContactNode::max_dofs> residual{}; ///< what the point adds to the rows of its node's unknowns
+    std::array<double, ContactPoint::max_dofs> residual{}; ///< what the point adds to the rows of its node's unknowns
 
     double penetration() const
     {

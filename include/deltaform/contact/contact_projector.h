@@ -13,9 +13,9 @@
 namespace deltaform
 {
   /**
-   * Where the contact points of one side of the blank are over a tool: the nodes as this tool meets them, and their
-   * projections on its profile. The last projection of every node is remembered: it starts the next search, and tells
-   * which nodes are certainly clear of the tool, as a distance changes at most as fast as the point moves.
+   * Where the contact points of one side of the blank are over a tool: the points as this tool meets them, and their
+   * projections on its profile. The last projection of every point is remembered: it starts the next search, and tells
+   * which are certainly clear of the tool, as a distance changes at most as fast as the point moves.
    */
   class ContactProjector
   {
@@ -33,9 +33,9 @@ namespace deltaform
       return tool_;
     }
 
-    unsigned int n_nodes() const
+    unsigned int n_points() const
     {
-      return surface_.n_contact_nodes(tool_.side());
+      return surface_.n_contact_points(tool_.side());
     }
 
     const std::vector<std::array<unsigned int, 3>> &edges() const
@@ -43,26 +43,29 @@ namespace deltaform
       return surface_.contact_edges(tool_.side());
     }
 
-    /// The node as this tool meets it: the thickness that gives way at once is not yet taken off.
-    void describe(const Vector &q, unsigned int i, ContactNode &node) const;
+    /// Point @p i as this tool meets it: the thickness that gives way at once is not yet taken off.
+    void describe(const Vector &q, unsigned int i, ContactPoint &point) const;
 
-    ContactNode node(const Vector &q, const unsigned int i) const
+    /// A place of an edge, where contact points lie inside the edges, in the same way.
+    ContactPoint place(const Vector &q, unsigned int edge, double xi) const;
+
+    ContactPoint point(const Vector &q, const unsigned int i) const
     {
-      ContactNode result;
+      ContactPoint result;
       describe(q, i, result);
       return result;
     }
 
-    /// Project node @p i at @p x relative to the tool, and remember it.
+    /// Project point @p i at @p x relative to the tool, and remember it.
     Projection project(unsigned int i, const Point2 &x);
 
-    /// Project a point near node @p i, and remember nothing.
+    /// Project a place near point @p i, and remember nothing.
     Projection look(const unsigned int i, const Point2 &x) const
     {
       return tool_.project(x, 0., last_[i].segment);
     }
 
-    /// Is node @p i at @p x certainly more than @p offset away?
+    /// Is point @p i at @p x certainly more than @p offset away?
     bool certainly_clear(const unsigned int i, const Point2 &x, const double offset) const
     {
       const double clearance = last_[i].distance - offset;
@@ -75,13 +78,13 @@ namespace deltaform
       return last_[i].distance;
     }
 
-    /// Node with the smallest gap at @p q when the tool has travelled @p travel, and that gap.
+    /// Point with the smallest gap at @p q when the tool has travelled @p travel, and that gap.
     std::pair<unsigned int, double> closest(const Vector &q, double travel) const;
 
-    /// Distances are no longer known: the tool has moved otherwise, or the nodes have.
+    /// Distances are no longer known: the tool has moved otherwise, or the points have.
     void forget_distances();
 
-    /// The nodes are others: each starts from the segment of the old node that @p parents names; none: from nothing.
+    /// The points are others: each starts from the segment of the old one that @p parents names; none: from nothing.
     void renumber(const std::vector<unsigned int> &parents);
     void reset();
 
@@ -95,6 +98,9 @@ namespace deltaform
     }
 
   private:
+    /// The half thickness on the tool's side as it is without contact, and whether it gives way.
+    void release_face(ContactPoint &point) const;
+
     struct Last
     {
       Point2 place; ///< relative to the tool

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/contact/enforcement.h>
+#include <deltaform/contact/normal_law.h>
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/section.h>
 #include <deltaform/parameters/time_function.h>
@@ -19,10 +19,10 @@ namespace deltaform
     /// Are contact points springs that keep their penetration? Augmented ones end without, like exact constraints.
     bool stores_energy() const
     {
-      return enforcement->augmentation_tolerance() == 0;
+      return normal_law->augmentation_tolerance() == 0;
     }
 
-    std::unique_ptr<Enforcement> enforcement;
+    std::unique_ptr<NormalLaw> normal_law;
     std::unique_ptr<PenaltyRule> rule;
     TimeFunction allowed_penetration;
     TimeFunction allowed_slip;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <deltaform/assembly/stiffness_view.h>
+#include <deltaform/contact/contact_projector.h>
 #include <deltaform/contact/contact_settings.h>
 #include <deltaform/contact/interface_friction.h>
 #include <deltaform/contact/interface_state.h>
-#include <deltaform/tools/shape.h>
 
 #include <array>
 #include <utility>
@@ -24,33 +24,36 @@ namespace deltaform
     using Points = std::vector<ContactPointState>;
 
     /// @param friction null: none
-    FactorControl(const ContactSettings &settings, const InterfaceFriction *friction, double modulus);
+    FactorControl(const ContactSettings &settings, const ContactProjector &projector, const InterfaceFriction *friction);
 
     /// The increment that ends at @p time starts from @p committed, whose last step says how fast forces grow.
     void begin_increment(double time, const InterfaceState &committed);
 
-    /// Store the block of the blank's stiffness that belongs to node @p i.
-    void read_block(unsigned int i, const ContactNode &node, const StiffnessView &stiffness);
+    /// Store the blocks of the blank's stiffness that belong to the points; contact has not yet been added to @p
+    /// stiffness.
+    void read_stiffness(const Vector &q, const StiffnessView &stiffness, Points &trial);
+
+    /// Add C (p - delta) of the touching points, for the rule's coupling. @p shift: way of the tool
+    void add_mismatch(const Vector &q, const Tensor1 &shift, const Points &trial, Vector &direction) const;
+
+    /// Give every touching point its factor and shift. @param coupling K C (p - delta), or null if no rule needs it
+    void predict(const Vector &q,
+                 const Tensor1 &shift,
+                 const Vector *coupling,
+                 const Points &committed,
+                 Points &trial) const;
 
     /// First touch of point @p i within this increment.
     void touch(unsigned int i,
-               const ContactNode &node,
+               const ContactPoint &point,
                const Projection &projection,
                const Points &committed,
                Points &trial) const;
 
-    /// Factors and shift of the touching point @p i. @param coupling [C^T K C (p - delta)]_i, or 0
-    void predict(unsigned int i,
-                 const ContactNode &node,
-                 const Projection &projection,
-                 double coupling,
-                 const Points &committed,
-                 Points &trial) const;
-
     /// After a converged solve. @return how many points have other factors than before
     unsigned int correct(Points &trial);
 
-    /// Continuation: first touches begin with this share of their factor (active set: of their nodal stiffness) and
+    /// Continuation: first touches begin with this share of their factor (active set: of their own stiffness) and
     /// are stiffened to the full after each converged solve.
     void soften(const double share)
     {
@@ -75,8 +78,16 @@ namespace deltaform
     static std::pair<unsigned int, double> broken_promise(const Points &points);
 
   private:
-    /// K_nn (or K_tt) = (J^T n)^T K (J^T n) with the nodal block of the blank's tangent.
-    double nodal_stiffness(unsigned int i, const ContactNode &node, const Tensor1 &direction) const;
+    /// Of one touching point. @param coupling [C^T K C (p - delta)]_i, or 0
+    void predict(unsigned int i,
+                 const ContactPoint &point,
+                 const Projection &projection,
+                 double coupling,
+                 const Points &committed,
+                 Points &trial) const;
+
+    /// K_nn (or K_tt) = (J^T n)^T K (J^T n) with the block of the blank's tangent.
+    double point_stiffness(unsigned int i, const ContactPoint &point, const Tensor1 &direction) const;
 
     PenaltyInput input(unsigned int i, const Points &points, double coupling) const;
 
@@ -93,9 +104,10 @@ namespace deltaform
     bool correct_tangential(ContactPointState &state) const;
 
     const ContactSettings &settings_;
+    const ContactProjector &projector_;
     const InterfaceFriction *friction_;
-    double modulus_;
-    std::vector<std::array<double, 9>> blocks_; ///< of the blank's tangent at the start of the increment
+    /// Of the blank's tangent at the start of the increment, as many rows as the point has unknowns.
+    std::vector<std::array<double, ContactPoint::max_dofs * ContactPoint::max_dofs>> blocks_;
     double median_ = 0; ///< of the accepted factors
     double step_ = 0, last_step_ = 0; ///< lengths of this increment and the last one; 0: there is none
     double softening_ = 1; ///< share of the factor of first touches

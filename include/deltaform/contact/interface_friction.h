@@ -1,7 +1,8 @@
 #pragma once
 
-#include <deltaform/assembly/contact_surface.h>
+#include <deltaform/contact/contact_force.h>
 #include <deltaform/contact/contact_point_state.h>
+#include <deltaform/contact/contact_projector.h>
 #include <deltaform/contact/friction_law.h>
 
 #include <memory>
@@ -10,12 +11,12 @@
 
 namespace deltaform
 {
-  /// The law of friction of an interface, and what it has to know of the blank.
+  /// The law of friction of an interface, the slip of its points, and what it has to know of the blank.
   class InterfaceFriction
   {
   public:
-    explicit InterfaceFriction(std::unique_ptr<FrictionLaw> law)
-      : law_(std::move(law))
+    InterfaceFriction(std::unique_ptr<FrictionLaw> law, const ContactProjector &projector)
+      : law_(std::move(law)), projector_(projector)
     {
     }
 
@@ -24,7 +25,7 @@ namespace deltaform
       return *law_;
     }
 
-    void begin_increment(const ContactSurface &surface, Side side);
+    void begin_increment();
 
     /// Largest |t| of point @p i at the normal force @p normal_force.
     double limit(unsigned int i,
@@ -35,12 +36,27 @@ namespace deltaform
       return law_->limit(input(i, before, now, normal_force)).value;
     }
 
-    /// Force of point @p i after a slip since the accepted state @p before, at the normal force @p normal_force.
+    /// First touch of point @p i within an increment: its slip starts where it was when the increment began.
+    void start_slip(unsigned int i, const ContactPointState &before, ContactPointState &now) const;
+
+    /// Force of point @p i, whose face is @p offset away from its place, with its foot point @p foot, at the normal
+    /// force @p normal_force.
     FrictionResponse respond(unsigned int i,
                              const ContactPointState &before,
                              const ContactPointState &now,
-                             double slip_increment,
+                             const Projection &foot,
+                             double offset,
                              double normal_force) const;
+
+    /// What the point receives of that force.
+    SlipTransfer transfer(const Projection &foot, double offset) const;
+
+    /// Slip in this increment of a point that touches or did at its start, over the whole increment: a length along the
+    /// tool.
+    double slip_of_increment(unsigned int i,
+                             const ContactPointState &before,
+                             const ContactPointState &now,
+                             double offset) const;
 
   private:
     FrictionInput input(unsigned int i,
@@ -48,7 +64,14 @@ namespace deltaform
                         const ContactPointState &now,
                         double normal_force) const;
 
+    /// Arc length of the foot point where the slip of this increment starts.
+    static double start(const ContactPointState &before, const ContactPointState &now)
+    {
+      return before.touching ? before.arc_length : now.slip_start;
+    }
+
     std::unique_ptr<FrictionLaw> law_;
+    const ContactProjector &projector_;
     std::vector<double> flow_stress_; ///< accepted, of the blank's surface; empty if the law does not ask
   };
 } // namespace deltaform

@@ -4,6 +4,8 @@
 #include <deltaform/contact/contact_point_state.h>
 #include <deltaform/io/archive.h>
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace deltaform
@@ -22,6 +24,22 @@ namespace deltaform
       for (const auto &point : points)
         count += point.touching;
       return count;
+    }
+
+    /// How far a tool can go before it touches; 0 if it touches.
+    double free_travel() const
+    {
+      double closest = std::numeric_limits<double>::infinity();
+      for (const auto &point : points)
+      {
+        if (point.touching)
+          return 0.;
+        // A node on the axis has no area and no contact. Half of delta beyond the gap: only a penetration makes
+        // contact.
+        if (point.area > 0)
+          closest = std::min(closest, std::max(point.gap, 0.) + .5 * point.delta);
+      }
+      return closest;
     }
 
     template <class Archive>

@@ -18,7 +18,7 @@ namespace deltaform
     /// Is every penetration measured by the delta that is allowed?
     bool keeps_promise() const
     {
-      return contact && contact->enforcement->uses_penalty();
+      return contact && contact->normal_law->uses_penalty();
     }
 
     /// The run has skipped time: whatever follows a function of time goes on from where it was.

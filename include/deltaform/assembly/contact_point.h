@@ -15,16 +15,25 @@ namespace deltaform
   };
 
   /**
-   * What contact knows of a node on one side of the blank: a point whose position depends on at most three unknowns.
-   * Shells and solids look the same.
+   * What contact knows of a point on one side of the blank: its place is a sparse row over unknowns. A node, which its
+   * own unknowns move alone, is the special case. Shells and solids look the same.
    */
-  struct ContactNode
+  struct ContactPoint
   {
-    static constexpr unsigned int max_dofs = 3;
+    static constexpr unsigned int max_dofs = 6; ///< two nodes of a shell, or three of a solid's edge
+    static constexpr unsigned int max_nodes = 3;
 
-    unsigned int node = invalid_index; ///< number of the node within the blank
+    /// A node that carries the point, and its share of what acts there.
+    struct Carrier
+    {
+      unsigned int node = invalid_index; ///< number within the blank
+      double share = 0; ///< the shares of a point sum up to 1
+    };
+
+    unsigned int n_nodes = 0;
+    std::array<Carrier, max_nodes> nodes{};
     unsigned int n_dofs = 0;
-    std::array<DofIndex, max_dofs> dofs{};
+    std::array<DofIndex, max_dofs> dofs{}; ///< the displacements of the node with the largest share come first
     Point2 x; ///< current position of the contact point
     std::array<Tensor1, max_dofs> jacobian{}; ///< dx/dq_k
     std::array<Tensor1, max_dofs> second{}; ///< d2x/dq_k2 (mixed derivatives vanish); zero but for rotations
@@ -37,5 +46,12 @@ namespace deltaform
     double reference_coordinate = 0; ///< R0, for output and messages
     double thickness = 0; ///< current one, for output and messages
     double arc_coordinate = 0; ///< S0, arc length along the undeformed blank from its start, for output
+
+    /// A point that is a node.
+    void set_node(const unsigned int node)
+    {
+      n_nodes = 1;
+      nodes[0] = {node, 1.};
+    }
   };
 } // namespace deltaform

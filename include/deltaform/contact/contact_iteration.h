@@ -1,0 +1,143 @@
+#pragma once
+
+#include <deltaform/assembly/assembly_target.h>
+#include <deltaform/contact/contact_projector.h>
+#include <deltaform/contact/factor_control.h>
+#include <deltaform/contact/interface_friction.h>
+#include <deltaform/contact/normal_law.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * The iterations of an increment as an interface sees them: forces and status of its points at the present unknowns,
+   * what they add to residual and tangent, and what a Newton step makes of the estimates of lambda. States come from
+   * the interface; what is kept here is forgotten when the next increment begins.
+   */
+  class ContactIteration
+  {
+  public:
+    using Points = std::vector<ContactPointState>;
+
+    /// Displacement unknowns of the node next to a touching point and the tool's normal there.
+    struct Frame
+    {
+      DofIndex r, z;
+      Tensor1 normal;
+    };
+
+    /// @param friction null: none
+    ContactIteration(const NormalLaw &law,
+                     ContactProjector &projector,
+                     const FactorControl &factors,
+                     const InterfaceFriction *friction);
+
+    void resize(const unsigned int n_points)
+    {
+      work_.assign(n_points, Work());
+    }
+
+    /// Numbers of the unknowns: the travel of a force-driven tool, and the first of the law, one per point.
+    void set_dofs(DofIndex travel, DofIndex first_multiplier);
+
+    DofIndex travel_dof() const
+    {
+      return travel_dof_;
+    }
+
+    DofIndex multiplier_dof(const unsigned int i) const
+    {
+      return first_multiplier_ + i;
+    }
+
+    void begin_increment()
+    {
+      at_start_ = true;
+      slack_ = 0.;
+    }
+
+    /// Residual and tangent of all points at @p q. @p shift: way of the tool. @p tool_load: force of a force-driven one
+    void assemble(const Vector &q,
+                  const Tensor1 &shift,
+                  double tool_load,
+                  const Points &committed,
+                  Points &trial,
+                  AssemblyTarget &target);
+
+    /// See ContactInterface.
+    ///@{
+    void prepare_step(const Vector &d, const Points &committed, const Points &trial);
+    void advance(double factor, Points &trial) const;
+
+    void allow_slack(const double force)
+    {
+      slack_ = std::max(slack_, force);
+    }
+
+    bool status_changed() const
+    {
+      return status_changed_;
+    }
+
+    const Tensor1 &tool_force() const
+    {
+      return tool_force_;
+    }
+
+    std::vector<Frame> frames(const Points &trial) const;
+    ///@}
+
+    /// A touching point, as it was assembled last.
+    const ContactPoint &touching_point(const unsigned int i) const
+    {
+      return work_[i].point;
+    }
+
+  private:
+    /// What is computed of a point in an iteration and forgotten.
+    struct Work
+    {
+      ContactPoint point; ///< a touching one, at the last assembly
+      Tensor1 normal; ///< the same
+      double base_multiplier = 0, step_multiplier = 0; ///< estimates of lambda along a Newton step
+    };
+
+    /// A point that has no contact, whatever its force was.
+    void leave(unsigned int i, const ContactPoint &point, const Vector &q, ContactPointState &state, AssemblyTarget &to);
+
+    /// A point that may have contact.
+    void meet(unsigned int i,
+              const ContactPoint &point,
+              const Vector &q,
+              const Points &committed,
+              Points &trial,
+              AssemblyTarget &target);
+
+    /// Gap of a projected point, with its round-off.
+    static double gap(const Projection &projection, const ContactPoint &point, ContactPointState &state);
+
+    /// Add the forces of a point.
+    void add(unsigned int i,
+             const ContactPoint &point,
+             const Projection &projection,
+             const NormalResponse &normal,
+             const FrictionResponse &friction,
+             ContactPointState &state,
+             AssemblyTarget &target);
+
+    const NormalLaw &law_;
+    ContactProjector &projector_;
+    const FactorControl &factors_;
+    const InterfaceFriction *friction_;
+    DofIndex travel_dof_ = dealii::numbers::invalid_dof_index;
+    DofIndex first_multiplier_ = dealii::numbers::invalid_dof_index;
+
+    std::vector<Work> work_;
+    bool status_changed_ = false;
+    bool at_start_ = false; ///< no step has been made in this increment: only the last one knows who touches
+    double slack_ = 0; ///< see ContactInterface::allow_slack()
+    Tensor1 tool_force_;
+  };
+} // namespace deltaform

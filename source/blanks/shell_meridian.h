@@ -1,0 +1,63 @@
+#pragma once
+
+#include "shell_space.h"
+
+#include <deltaform/assembly/contact_point.h>
+
+#include <array>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * The meridian of a shell as a smooth curve: between neighbouring nodes a cubic Hermite polynomial whose tangents are
+   * those of the undeformed meridian, turned by the nodal rotations. The tangents' length is that of the accepted
+   * state, so that places depend on every rotation by itself. doc/theory/contact.md, "Points inside the elements".
+   */
+  class ShellMeridian
+  {
+  public:
+    explicit ShellMeridian(const ShellSpace &space);
+
+    /// Between two neighbouring nodes: an element of degree 1, half of one of degree 2.
+    unsigned int n_pieces() const
+    {
+      return pieces_.size();
+    }
+
+    /// Describe the place @p xi (0 to 1) of a piece at @p q: row of unknowns, nodes that carry it, coordinates.
+    void describe(const Vector &q, unsigned int piece, double xi, ContactPoint &result) const;
+
+    /// Area per unit of xi at a place of a piece at @p q: of the full circumference, or per unit width.
+    double area(const Vector &q, unsigned int piece, double xi) const;
+
+    /// An increment was accepted.
+    void update(const Vector &q);
+
+    std::vector<double> &tangent_lengths()
+    {
+      return length_;
+    }
+    const std::vector<double> &tangent_lengths() const
+    {
+      return length_;
+    }
+
+  private:
+    struct Piece
+    {
+      std::array<unsigned int, 2> nodes;
+      std::array<double, 2> angle; ///< of the undeformed tangent at its ends
+    };
+
+    /// Angle of the tangent at an end of a piece.
+    double angle(const Vector &q, const Piece &piece, const unsigned int end) const
+    {
+      return piece.angle[end] + space_.rotation(q, piece.nodes[end]);
+    }
+
+    const ShellSpace &space_;
+    std::vector<Piece> pieces_;
+    std::vector<double> length_; ///< of the tangents of a piece
+  };
+} // namespace deltaform

@@ -1,0 +1,188 @@
+#include <deltaform/contact/contact_force.h>
+#include <deltaform/contact/contact_iteration.h>
+#include <deltaform/contact/point_rows.h>
+
+#include <cmath>
+#include <limits>
+
+namespace deltaform
+{
+  ContactIteration::ContactIteration(const NormalLaw &law,
+                                     ContactProjector &projector,
+                                     const FactorControl &factors,
+                                     const InterfaceFriction *friction)
+    : law_(law), projector_(projector), factors_(factors), friction_(friction)
+  {
+  }
+
+
+  void ContactIteration::set_dofs(const DofIndex travel, const DofIndex first_multiplier)
+  {
+    travel_dof_ = travel;
+    first_multiplier_ = first_multiplier;
+  }
+
+
+  void ContactIteration::assemble(const Vector &q,
+                                  const Tensor1 &shift,
+                                  const double tool_load,
+                                  const Points &committed,
+                                  Points &trial,
+                                  AssemblyTarget &target)
+  {
+    tool_force_ = Tensor1();
+    status_changed_ = false;
+    if (projector_.tool().force_driven())
+    {
+      const double residual = -tool_load, zero = 0.;
+      target.add(&travel_dof_, 1, target.wants_tangent() ? &zero : nullptr, &residual);
+    }
+    ContactPoint point;
+    for (unsigned int i = 0; i < trial.size(); ++i)
+    {
+      projector_.describe(q, i, point);
+      ContactPointState &state = trial[i];
+      state.position = point.x - shift;
+      state.area = point.area;
+      state.thickness = point.thickness;
+      if (!(point.area > 0) ||
+          (law_.is_free_when_clear(state) && projector_.certainly_clear(i, state.position, point.offset)))
+        leave(i, point, q, state, target);
+      else
+        meet(i, point, q, committed, trial, target);
+    }
+  }
+
+
+  void ContactIteration::leave(const unsigned int i,
+                               const ContactPoint &point,
+                               const Vector &q,
+                               ContactPointState &state,
+                               AssemblyTarget &to)
+  {
+    status_changed_ |= state.touching;
+    state.touching = false;
+    state.force = state.tangential_force = 0.;
+    state.gap = projector_.last_distance(i) - point.offset;
+    law_.close(q, first_multiplier_ + i, to);
+  }
+
+
+  double ContactIteration::gap(const Projection &projection, const ContactPoint &point, ContactPointState &state)
+  {
+    // A blank that just rests on a tool touches it, whatever the last digit says.
+    const double size =
+      state.position.norm() + point.offset + (projection.turning != 0 ? 1 / std::abs(projection.turning) : 0.);
+    state.noise = 8 * std::numeric_limits<double>::epsilon() * size;
+    const double gap = projection.distance - point.offset;
+    return gap > 0 && gap < 2 * state.noise ? 0. : gap;
+  }
+
+
+  void ContactIteration::meet(const unsigned int i,
+                              const ContactPoint &point,
+                              const Vector &q,
+                              const Points &committed,
+                              Points &trial,
+                              AssemblyTarget &target)
+  {
+    ContactPointState &state = trial[i];
+    const ContactPointState &before = committed[i];
+    const Projection projection = projector_.project(i, state.position);
+    state.gap = gap(projection, point, state);
+    state.arc_length = projection.arc_length;
+    if (law_.is_concerned(state) && !(state.stiffness > 0))
+    {
+      factors_.touch(i, point, projection, committed, trial);
+      if (friction_)
+        friction_->start_slip(i, before, state);
+    }
+    law_.read_unknown(q, first_multiplier_ + i, state);
+
+    const NormalResponse normal = law_.respond(
+      state, {state.gap, point.compliance, factors_.share(before), slack_, at_start_ && before.touching});
+    state.gap = normal.gap;
+    FrictionResponse friction;
+    if (friction_ && normal.touching)
+      friction = friction_->respond(i, before, state, projection, point.offset, normal.force);
+    status_changed_ |= state.touching != normal.touching;
+    state.touching = normal.touching;
+    state.force = normal.force;
+    state.tangential_force = friction.force;
+    state.sticking = friction.sticking;
+    if (normal.touching)
+    {
+      state.compliance = point.compliance;
+      work_[i].point = point;
+      work_[i].normal = projection.normal;
+    }
+    if (law_.acts(normal))
+      add(i, point, projection, normal, friction, state, target);
+  }
+
+
+  void ContactIteration::add(const unsigned int i,
+                             const ContactPoint &point,
+                             const Projection &projection,
+                             const NormalResponse &normal,
+                             const FrictionResponse &friction,
+                             ContactPointState &state,
+                             AssemblyTarget &target)
+  {
+    const Tool &tool = projector_.tool();
+    const ContactForce force(projection, friction_ ? friction_->transfer(projection, point.offset) : SlipTransfer(),
+                             normal, friction);
+    if (normal.touching)
+      tool_force_ -= force.value();
+    PointRows rows(point);
+    if (tool.force_driven())
+      rows.add_travel(travel_dof_, tool.direction());
+    law_.join(rows, first_multiplier_ + i);
+    rows.add_force(force.value());
+    rows.copy_residual(state.residual);
+    if (target.wants_tangent())
+      rows.add_gradient(force.value(), force.gradient(normal.touching ? std::max(state.multiplier, 0.) : 0.));
+    law_.add_equation(normal, state, point.compliance, force, rows);
+    rows.add_to(target, target.wants_tangent());
+  }
+
+
+  void ContactIteration::prepare_step(const Vector &d, const Points &committed, const Points &trial)
+  {
+    at_start_ = false;
+    const Tool &tool = projector_.tool();
+    const Tensor1 tool_step = tool.force_driven() ? d[travel_dof_] * tool.direction() : Tensor1();
+    for (unsigned int i = 0; i < trial.size(); ++i)
+    {
+      const ContactPointState &state = trial[i];
+      Work &work = work_[i];
+      double opening = 0.;
+      if (state.touching)
+      {
+        Tensor1 dx = -tool_step;
+        for (unsigned int k = 0; k < work.point.n_dofs; ++k)
+          dx += d[work.point.dofs[k]] * work.point.jacobian[k];
+        opening = work.normal * dx;
+      }
+      work.base_multiplier = state.multiplier;
+      work.step_multiplier = law_.estimate(state, opening, factors_.share(committed[i])) - state.multiplier;
+    }
+  }
+
+
+  void ContactIteration::advance(const double factor, Points &trial) const
+  {
+    for (unsigned int i = 0; i < trial.size(); ++i)
+      trial[i].multiplier = work_[i].base_multiplier + factor * work_[i].step_multiplier;
+  }
+
+
+  std::vector<ContactIteration::Frame> ContactIteration::frames(const Points &trial) const
+  {
+    std::vector<Frame> result;
+    for (unsigned int i = 0; i < trial.size(); ++i)
+      if (trial[i].touching)
+        result.push_back({work_[i].point.dofs[0], work_[i].point.dofs[1], work_[i].normal});
+    return result;
+  }
+} // namespace deltaform

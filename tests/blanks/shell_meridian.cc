@@ -1,0 +1,164 @@
+// The meridian of a shell as contact sees it when its points lie inside the elements.
+#include "any_blank.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+using namespace deltaform;
+using namespace deltaform::testing;
+
+namespace
+{
+  constexpr double pi = dealii::numbers::PI;
+
+  std::unique_ptr<Blank> strip(const unsigned int n_elements, const unsigned int n_points, const Entries &more = {})
+  {
+    Entries entries{"Blank/Points=0 0; 1 0",
+                    "Blank/Thickness=.01",
+                    "Blank/Symmetry=plane strain",
+                    "Blank/Elements=" + std::to_string(n_elements),
+                    "Blank/Contact points=gauss",
+                    "Blank/Gauss points=" + std::to_string(n_points),
+                    "Material/Young's modulus=2e3"};
+    entries.insert(entries.end(), more.begin(), more.end());
+    return make_blank("shell", entries);
+  }
+
+  ContactPoint point(const Blank &blank, const Vector &q, const unsigned int i)
+  {
+    ContactPoint result;
+    blank.surface().contact_point(q, Side::top, i, ContactThickness::current, result);
+    return result;
+  }
+
+  /// A strip from 0 to 1 bent to an arc of the angle @p total with its length kept.
+  Vector bent(const Blank &blank, const double total)
+  {
+    const Vector zero(blank.n_dofs());
+    Vector q = zero;
+    const auto places = blank.positions(zero);
+    for (unsigned int i = 0; i < blank.surface().n_contact_points(Side::top); ++i)
+    {
+      const ContactPoint carried = point(blank, zero, i);
+      for (unsigned int a = 0; a < carried.n_nodes; ++a)
+      {
+        const double s = places[carried.nodes[a].node][0], R = 1. / total;
+        q[carried.dofs[3 * a]] = R * std::sin(s / R) - s;
+        q[carried.dofs[3 * a + 1]] = -R * (1. - std::cos(s / R));
+        q[carried.dofs[3 * a + 2]] = -s / R;
+      }
+    }
+    return q;
+  }
+
+  /// Rows of all points, to the vertical direction, by displacement and rotation: in units of the square root of the
+  /// area (multipliers) and of the L2 norm of the face (displacements).
+  double inf_sup(const unsigned int n_elements, const unsigned int n_points)
+  {
+    const auto blank = strip(n_elements, n_points);
+    const unsigned int n = blank->surface().n_contact_points(Side::top), n_dofs = blank->n_dofs();
+    const auto fine = strip(n_elements, 5);
+    const auto rows = [&](const Blank &of) {
+      const unsigned int count = of.surface().n_contact_points(Side::top);
+      Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, n_dofs);
+      for (unsigned int i = 0; i < count; ++i)
+      {
+        const ContactPoint p = point(of, Vector(n_dofs), i);
+        for (unsigned int k = 0; k < p.n_dofs; ++k)
+          result(i, p.dofs[k]) += p.jacobian[k][1] * std::sqrt(p.area);
+      }
+      return result;
+    };
+    // M = C^T C with five points is the exact mass of the cubic face; only unknowns that move it count.
+    const Eigen::MatrixXd C = rows(*blank), F = rows(*fine);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> mass(F.transpose() * F);
+    std::vector<unsigned int> moving;
+    for (unsigned int k = 0; k < n_dofs; ++k)
+      if (mass.eigenvalues()[k] > 1e-12 * mass.eigenvalues()[n_dofs - 1])
+        moving.push_back(k);
+    Eigen::MatrixXd B(n, moving.size());
+    for (unsigned int k = 0; k < moving.size(); ++k)
+      B.col(k) = C * mass.eigenvectors().col(moving[k]) / std::sqrt(mass.eigenvalues()[moving[k]]);
+    if (n > moving.size())
+      return 0.;
+    return B.jacobiSvd().singularValues()[n - 1];
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(shell_meridian)
+
+BOOST_AUTO_TEST_CASE(an_arc_is_an_arc)
+{
+  // The sixth order of the angle of an element, where a chord has the second.
+  for (const unsigned int degree : {1, 2})
+  {
+    std::array<double, 2> error{};
+    for (const unsigned int k : {0, 1})
+    {
+      const auto blank = strip(k == 0 ? 4 : 8, 3, {"Blank/Degree=" + std::to_string(degree)});
+      const double total = 2.;
+      const Vector q = bent(*blank, total);
+      Vector residual(blank->n_dofs());
+      blank->commit(q);
+      double area = 0.;
+      for (unsigned int i = 0; i < blank->surface().n_contact_points(Side::top); ++i)
+      {
+        const ContactPoint p = point(*blank, q, i);
+        error[k] = std::max(error[k], std::abs(p.x.distance(Point2(0., -1. / total)) - 1. / total));
+        area += p.area;
+      }
+      BOOST_TEST(std::abs(area - 1.) < 1e-5);
+    }
+    BOOST_TEST(error[0] < 2e-6);
+    BOOST_TEST(error[1] < error[0] / 40.);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(areas_of_a_curved_blank)
+{
+  // A quarter of a hemisphere as meridian: the tangents of the undeformed blank count, not its chords.
+  for (const std::string degree : {"1", "2"})
+  {
+    const auto blank = make_blank(
+      "shell", {"Blank/Points=0 1; 1 1; 1 0",
+                "Blank/Fillet radii=0, .999999, 0",
+                "Blank/Thickness=.01",
+                "Blank/Elements=12",
+                "Blank/Degree=" + degree,
+                "Blank/Contact points=gauss",
+                "Material/Young's modulus=2e3"});
+    double area = 0.;
+    for (unsigned int i = 0; i < blank->surface().n_contact_points(Side::top); ++i)
+      area += point(*blank, Vector(blank->n_dofs()), i).area;
+    BOOST_TEST(std::abs(area - 2. * pi) < 1e-4);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(two_points_hold_the_face_and_no_more)
+{
+  // Two points per element: as many as the face has freedoms, whatever the mesh. Three are redundant.
+  BOOST_TEST(inf_sup(5, 2) > .3);
+  BOOST_TEST(inf_sup(40, 2) > .3);
+  BOOST_TEST(inf_sup(40, 1) > .3);
+  BOOST_TEST(inf_sup(40, 3) < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_smooth_meridian_is_refused)
+{
+  for (const std::string entry : {"Blank/Membrane=true", "Blank/Contact point=outer fibre"})
+  {
+    std::string message;
+    try
+    {
+      strip(4, 2, {entry});
+    }
+    catch (const SceneError &error)
+    {
+      message = error.what();
+    }
+    BOOST_TEST(message.find("Contact points") != std::string::npos, message);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
