@@ -117,12 +117,13 @@ namespace deltaform
 
   bool Analysis::enter_stage()
   {
-    while (!control_ || control_->finished(time()))
+    while (!control_ || stage_is_over())
     {
       if (control_)
       {
         control_.reset();
         ++state_.stage;
+        stage_end_.clear();
       }
       if (state_.stage >= actors_.stages.size())
         return false;
@@ -148,10 +149,19 @@ namespace deltaform
         control_->restore(*state_.step);
       // A run may have been killed between the state of its last increment and its end.
       if (std::exchange(resumed_, false))
+      {
+        stage_end_ = conditions_.stage_end(stage());
         if (const std::string unusable = conditions_.failure(stage()); !unusable.empty())
           return stop(unusable, exit_status::not_converged, checkpoint());
+      }
     }
     return true;
+  }
+
+
+  bool Analysis::stage_is_over() const
+  {
+    return control_ && (control_->finished(time()) || !stage_end_.empty());
   }
 
 
@@ -243,6 +253,12 @@ namespace deltaform
     increment.is_last_here = !refined;
     conditions_.observe(increment);
     const std::string unusable = conditions_.failure(stage());
+    stage_end_ = conditions_.stage_end(stage());
+    if (!stage_end_.empty())
+    {
+      journal_.note("stage '" + stage().name + "' ends at time " + text::rounded(time()) + ": " + stage_end_);
+      increment.ends_stage = true;
+    }
     state_.step = control_->state();
     notify(increment);
     if (refined && !refine())
@@ -255,7 +271,7 @@ namespace deltaform
   AcceptedIncrement Analysis::accepted(const IncrementCost &cost) const
   {
     AcceptedIncrement result(model_, stage(), time(), state_.n_increments, cost);
-    result.ends_stage = control_ && control_->finished(time());
+    result.ends_stage = stage_is_over();
     result.checkpoint = [this]() { return checkpoint(); };
     return result;
   }

@@ -97,6 +97,9 @@ namespace deltaform
     /// Begin the stages whose turn it is. @return false if there is none left
     bool enter_stage();
 
+    /// By its time or by a condition.
+    bool stage_is_over() const;
+
     const Stage &stage() const
     {
       return actors_.stages[state_.stage];
@@ -143,6 +146,7 @@ namespace deltaform
     unsigned int n_iterations_ = 0; ///< with those since the last accepted increment
     bool resumed_ = false; ///< in the middle of the current stage
     std::optional<StepControl> control_; ///< of the current stage
+    std::string stage_end_; ///< why the current stage is over before its time; empty if it is not
     IncrementCost cost_; ///< of the attempts at the next increment so far
 
     int status_;
