@@ -4,6 +4,7 @@
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/parameters/text.h>
+#include <deltaform/scene/scene.h>
 
 #include <fmt/format.h>
 
@@ -70,6 +71,18 @@ namespace deltaform
     private:
       double least_ = -.1, most_ = .1, highest_ = .1;
     };
+
+    /// What --set says, with the forming limit among the criteria.
+    std::vector<std::string> with_forming_limit(const CommandLine &command)
+    {
+      const auto tree = ParameterTree::read(command.scene, command.sets);
+      auto criteria = text::split(tree.stated({"Limits"}, "Criteria"), ',');
+      if (std::find(criteria.begin(), criteria.end(), "forming limit") == criteria.end())
+        criteria.emplace_back("forming limit");
+      auto sets = command.sets;
+      sets.push_back("Limits/Criteria=" + text::join(criteria, ", "));
+      return sets;
+    }
   } // namespace
 
 
@@ -94,7 +107,8 @@ namespace deltaform
 
   int write_forming_limit(const CommandLine &command)
   {
-    auto tree = ParameterTree::read(command.scene, command.sets);
+    auto tree = ParameterTree::read(command.scene, with_forming_limit(command));
+    const Scene scene(tree); // which checks all of it, and knows what a metal's name stands for
     Section root = tree.root(), material = root.sub("Material");
     const auto law = Registry<Material>::choose(material, "Model", "elastoplastic", "Stress-strain law.");
     const auto limit = read_forming_limit(root, *law);
