@@ -229,6 +229,7 @@ namespace deltaform
     increment.is_last_here = !refined;
     conditions_.observe(increment);
     ends_.observe(increment);
+    ends_.end(conditions_.stage_end(stage()));
     increment.ends_stage |= !ends_.reached().empty();
     const std::string unusable = conditions_.failure(stage());
     state_.step = control_->state();

@@ -30,6 +30,15 @@ namespace deltaform
   }
 
 
+  std::string Conditions::stage_end(const Stage &stage) const
+  {
+    for (const auto &condition : all_)
+      if (std::string end = condition->stage_end(stage); !end.empty())
+        return end;
+    return "";
+  }
+
+
   std::string Conditions::likely_cause() const
   {
     for (const auto &condition : all_)

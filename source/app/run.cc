@@ -1,15 +1,18 @@
 // One function per command of the command line.
 #include <deltaform/analysis/analysis.h>
 #include <deltaform/app/explain.h>
+#include <deltaform/app/forming_limit_diagram.h>
 #include <deltaform/app/new_scene.h>
 #include <deltaform/app/run.h>
 #include <deltaform/app/scene_svg.h>
 #include <deltaform/app/sweep.h>
 #include <deltaform/io/atomic_file.h>
 #include <deltaform/materials/back_stress.h>
+#include <deltaform/materials/forming_limit.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/material_table.h>
+#include <deltaform/materials/point_field.h>
 #include <deltaform/materials/rate_factor.h>
 #include <deltaform/materials/yield_surface.h>
 #include <deltaform/model/damaged_state.h>
@@ -194,6 +197,8 @@ namespace deltaform
       list<Registry<YieldSurface>>("Material/Yield surface/Law");
       list<Registry<BackStress>>("Material/Backstress/Law");
       list<Registry<RateFactor>>("Material/Rate factor/Law");
+      list<PointFields>("Limits/Criteria");
+      list<FormingLimits>("Limits/forming limit/Curve");
       list<Registry<Shape>>("Tools/<name>/Shape");
       list<Registry<FrictionLaw>>("Tools/<name>/Friction law");
       list<Registry<NormalLaw>>("Contact/Enforcement");
@@ -234,6 +239,8 @@ namespace deltaform
       return run_scene(command);
     case CommandLine::Command::check:
       return check_scene(command);
+    case CommandLine::Command::forming_limit:
+      return write_forming_limit(command);
     case CommandLine::Command::list:
       return list_everything();
     case CommandLine::Command::print_parameters:

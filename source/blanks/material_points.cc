@@ -14,6 +14,8 @@ namespace deltaform
     auto section = blank.root().sub("Material");
     law_ = Registry<Material>::choose(section, "Model", "elastoplastic", "Stress-strain law.");
     check_usable(*law_, third, axisymmetric, section);
+    criteria_ = std::make_unique<PointCriteria>(blank.root(),
+                                                PointFieldHost{*law_, third == ThirdDirection::stress_given});
     if (third == ThirdDirection::stress_given)
       return; // the axes of a shell are those of the sheet
     has_axes_ = law_->traits().symmetry != Symmetry::isotropic;
@@ -31,6 +33,7 @@ namespace deltaform
     strain_.assign(n, Mandel{});
     stress_ = strain_;
     committed_stress_ = strain_;
+    criteria_->reset(n);
     axes_.assign(has_axes_ ? n : 0, MetalAxes());
     stress_by_angle_.assign(axes_.size(), Mandel{});
   }
@@ -101,10 +104,29 @@ namespace deltaform
 
   void MaterialPoints::commit()
   {
+    if (criteria_->n_fields() > 0)
+      grow_criteria();
     carried_.keep(history_);
     history_.commit();
     // What becomes trial is overwritten before it is read, as in the history.
     committed_stress_.swap(stress_);
+  }
+
+
+  void MaterialPoints::grow_criteria()
+  {
+    for (std::size_t i = 0; i < size(); ++i)
+    {
+      // What had no stress has flown under that of the end.
+      const Mandel &start = committed_stress_[i] == Mandel{} ? stress_[i] : committed_stress_[i];
+      PointStep step{start, stress_[i], trial_plastic_strain(i), flow(i)};
+      if (step.equivalent <= 0.)
+        continue;
+      const Mandel before = plastic_strain(i);
+      for (unsigned int k = 0; k < 4; ++k)
+        step.flow[k] -= before[k];
+      criteria_->grow(i, step);
+    }
   }
 
 

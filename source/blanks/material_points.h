@@ -1,6 +1,7 @@
 #pragma once
 
 #include "metal_axes.h"
+#include "point_criteria.h"
 
 #include <deltaform/assembly/energy.h>
 #include <deltaform/io/keyed_arrays.h>
@@ -109,6 +110,12 @@ namespace deltaform
       return in_space(point, law_->plastic_strain(history_.trial(point)));
     }
 
+    /// Elastic energy per reference volume.
+    double stored_energy(const std::size_t point) const
+    {
+      return law_->stored_energy(stress_[point], history_.trial(point));
+    }
+
     /// Growth of the equivalent plastic strain in this increment.
     double flow(const std::size_t point) const
     {
@@ -159,6 +166,16 @@ namespace deltaform
     bool carries() const
     {
       return carried_.used();
+    }
+
+    /// What is measured at the points beside the history, committed.
+    const PointCriteria &criteria() const
+    {
+      return *criteria_;
+    }
+    PointCriteria &criteria()
+    {
+      return *criteria_;
     }
 
     /// What is carried on of the last flow, by Material::history_layout(); null if nothing is.
@@ -212,6 +229,9 @@ namespace deltaform
       return has_axes_ ? axes_[point].out_of(t) : t;
     }
 
+    /// Of the increment that is accepted.
+    void grow_criteria();
+
     /// update() in the axes of the points.
     Status update_in_axes(MaterialBatch batch, std::size_t first);
 
@@ -222,11 +242,13 @@ namespace deltaform
       PointHistory::each_array(points.history_, action);
       CarriedFlow::each_array(points.carried_, action);
       action("stress", points.committed_stress_);
+      PointCriteria::each_array(*points.criteria_, action);
       if (points.law_->traits().needs_duration)
         action("duration of the last increment", points.duration_);
     }
 
     std::unique_ptr<Material> law_;
+    std::unique_ptr<PointCriteria> criteria_;
     bool has_axes_ = false;
     std::vector<MetalAxes> axes_; ///< of no points if there are none
     std::vector<Mandel> stress_by_angle_;

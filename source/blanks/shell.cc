@@ -219,7 +219,7 @@ namespace deltaform
         work += (end[k] + start[k]) * (after[k] - before[k]);
       sum.plastic += .5 * volume * work;
       sum.normal += .5 * volume * (end[2] + start[2]) * (material_.strain(i)[2] - state_.strain(i)[2]);
-      sum.elastic += volume * material_.law().elastic_energy(end);
+      sum.elastic += volume * material_.stored_energy(i);
     }
     const ShellStrain strain = points_.strain(q, cell, place);
     const double gamma = strain.gamma - point.gamma;

@@ -6,6 +6,13 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    /// Columns of the profile that are averages of all scenes.
+    constexpr std::size_t n_averages = 11;
+  } // namespace
+
+
   Table ShellFields::profile(const Vector &q) const
   {
     Table table;
@@ -32,17 +39,25 @@ namespace deltaform
       table.names.emplace_back(name);
       table.units.emplace_back(unit);
     }
+    const PointCriteria &criteria = material_.criteria();
+    for (unsigned int k = 0; k < criteria.n_fields(); ++k)
+    {
+      table.names.push_back(criteria.column(k));
+      table.units.push_back(criteria.field(k).unit());
+    }
     const auto values = averages();
     for (unsigned int i = 0; i < space_.n_nodes(); ++i)
     {
       const Point2 x = space_.position(q, i);
       std::vector<double> row{space_.mesh().nodes()[i][0], x[0], x[1], space_.rotation(q, i)};
-      for (const auto &column : values)
-        row.push_back(column[i]);
+      for (std::size_t k = 0; k < n_averages; ++k)
+        row.push_back(values[k][i]);
       row.push_back(space_.mesh().arc_length()[i]);
       // Displacements on their own: coordinates do not print enough digits of small ones.
       row.push_back(q[space_.dofs()[i][0]]);
       row.push_back(q[space_.dofs()[i][1]]);
+      for (std::size_t k = n_averages; k < values.size(); ++k)
+        row.push_back(values[k][i]);
       table.rows.push_back(row);
     }
     return table;
@@ -53,7 +68,8 @@ namespace deltaform
   {
     // thickness, three strains, equivalent plastic strain, and two stresses at bottom, middle and top
     const unsigned int n = points_.size(), n_layers = points_.n_layers();
-    std::vector<std::vector<double>> values(11, std::vector<double>(n, 0.));
+    const unsigned int n_criteria = material_.criteria().n_fields();
+    std::vector<std::vector<double>> values(n_averages + n_criteria, std::vector<double>(n, 0.));
     for (unsigned int p = 0; p < n; ++p)
     {
       const auto layer = [&](const unsigned int l) { return p * n_layers + l; };
@@ -72,10 +88,42 @@ namespace deltaform
         values[6 + 3 * k][p] = material_.committed_stress(layer(n_layers / 2))[k];
         values[7 + 3 * k][p] = material_.committed_stress(layer(n_layers - 1))[k];
       }
+      for (unsigned int k = 0; k < n_criteria; ++k)
+        values[n_averages + k][p] = criterion(p, k);
     }
     for (auto &column : values)
       column = points_.to_nodes(column);
     return values;
+  }
+
+
+  double ShellFields::criterion(const unsigned int point, const unsigned int k) const
+  {
+    const std::size_t first = static_cast<std::size_t>(point) * points_.n_layers();
+    return material_.criteria().across(first, points_.layer_shares(), k);
+  }
+
+
+  std::vector<LargestCriterion> ShellFields::largest_criteria() const
+  {
+    const PointCriteria &criteria = material_.criteria();
+    std::vector<LargestCriterion> result;
+    for (unsigned int k = 0; k < criteria.n_fields(); ++k)
+    {
+      LargestCriterion largest{criteria.names()[k], criteria.column(k), criteria.field(k).unit(), 0., Point2()};
+      unsigned int place = 0;
+      for (unsigned int p = 0; p < points_.size(); ++p)
+        if (const double value = criterion(p, k); p == 0 || value > largest.value)
+        {
+          largest.value = value;
+          place = p;
+        }
+      const auto &nodes = space_.mesh().cells()[place / points_.per_cell()].nodes;
+      for (unsigned int a = 0; a <= space_.degree(); ++a)
+        largest.place += points_[place].shape[a] * space_.mesh().nodes()[nodes[a]];
+      result.push_back(largest);
+    }
+    return result;
   }
 
 

@@ -28,6 +28,7 @@ namespace deltaform
     double smallest_thickness() const override;
     bool is_sheet() const override;
     std::vector<SheetSection> sections() const override;
+    std::vector<LargestCriterion> largest_criteria() const override;
 
   private:
     /// Columns of the profile from the points, averaged at the nodes, see profile().
@@ -36,8 +37,14 @@ namespace deltaform
     /// Mean flow stress over the thickness where tools squeeze a section.
     void add_flow_stress(std::vector<SheetSection> &sections) const;
 
+    /// Criterion @p k of the cross-section at a point of the meridian.
+    double criterion(unsigned int point, unsigned int k) const;
+
     /// The cells of a picture, by layers, with their fields.
     void draw_cells(const Vector &q, Drawing &drawing) const;
+
+    /// The criteria of the scene in the same cells.
+    void draw_criteria(std::size_t n_cells, Drawing &drawing) const;
 
     const ShellSpace &space_;
     const ShellPoints &points_;

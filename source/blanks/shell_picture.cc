@@ -144,5 +144,25 @@ namespace deltaform
           }
         }
       }
+    draw_criteria(n_cells, drawing);
+  }
+
+
+  void ShellFields::draw_criteria(const std::size_t n_cells, Drawing &drawing) const
+  {
+    const PointCriteria &criteria = material_.criteria();
+    for (unsigned int k = 0; k < criteria.n_fields(); ++k)
+    {
+      const bool of_layers = criteria.field(k).across() == PointField::Across::largest;
+      double *values = add_field(drawing, criteria.column(k), criteria.field(k).unit(), false, 1, n_cells);
+      for (unsigned int c = 0; c < space_.mesh().cells().size(); ++c)
+        for (unsigned int part = 0; part < space_.degree(); ++part)
+          for (unsigned int l = 0; l < points_.n_layers(); ++l)
+          {
+            const unsigned int point = c * points_.per_cell() + part;
+            *values++ =
+              of_layers ? criteria.value(std::size_t(point) * points_.n_layers() + l, k) : criterion(point, k);
+          }
+    }
   }
 } // namespace deltaform

@@ -80,6 +80,15 @@ namespace deltaform
   }
 
 
+  std::vector<double> ShellPoints::layer_shares() const
+  {
+    std::vector<double> shares = layer_weight_;
+    for (double &share : shares)
+      share /= thickness_;
+    return shares;
+  }
+
+
   ShellStrain ShellPoints::strain(const Vector &q, const unsigned int cell, const unsigned int point) const
   {
     const auto &nodes = space_.mesh().cells()[cell].nodes;

@@ -64,6 +64,9 @@ namespace deltaform
       return layer_weight_[layer];
     }
 
+    /// Shares of the layers in the thickness, which sum to 1.
+    std::vector<double> layer_shares() const;
+
     double thickness() const
     {
       return thickness_;

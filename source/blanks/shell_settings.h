@@ -15,7 +15,7 @@ namespace deltaform
     bool transverse_normal_stress; ///< contact pressures count in the yield condition
     double thickness; ///< initial (length)
     double shear_factor;
-    static constexpr unsigned int most_layers = 15;
+    static constexpr unsigned int most_layers = 61;
     unsigned int n_layers; ///< points through the thickness
   };
 } // namespace deltaform

@@ -4,6 +4,9 @@
 
 #include <deltaform/process/ranks.h>
 
+#include <algorithm>
+#include <array>
+
 namespace deltaform
 {
   Table SolidFields::profile(const Vector &state) const
@@ -34,6 +37,36 @@ namespace deltaform
       if (!field.per_point)
         field.values = ranks::gather(field.values);
     return drawing;
+  }
+
+
+  std::vector<LargestCriterion> SolidFields::largest_criteria() const
+  {
+    const PointCriteria &criteria = material_.criteria();
+    std::vector<LargestCriterion> result;
+    for (unsigned int k = 0; k < criteria.n_fields(); ++k)
+    {
+      // Value and place; of equal values that of the least place, so that the number of processes does not matter.
+      const auto precedes = [](const double *a, const double *b) {
+        return a[0] != b[0] ? a[0] > b[0] : std::lexicographical_compare(a + 1, a + 3, b + 1, b + 3);
+      };
+      std::vector<double> own{-1., 0., 0.}; // of a process without cells
+      for (unsigned int i = 0; i < material_.size(); ++i)
+      {
+        const Point2 place = body_.points().place(i);
+        const std::array<double, 3> here{{criteria.value(i, k), place[0], place[1]}};
+        if (precedes(here.data(), own.data()))
+          own.assign(here.begin(), here.end());
+      }
+      const auto all = ranks::gather(own);
+      std::size_t best = 0;
+      for (std::size_t i = 0; i < all.size(); i += own.size())
+        if (precedes(&all[i], &all[best]))
+          best = i;
+      result.push_back({criteria.names()[k], criteria.column(k), criteria.field(k).unit(), all[best],
+                        Point2(all[best + 1], all[best + 2])});
+    }
+    return result;
   }
 
 

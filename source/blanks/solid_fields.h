@@ -23,6 +23,7 @@ namespace deltaform
     Table profile(const Vector &q) const override;
     Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
     double smallest_thickness() const override;
+    std::vector<LargestCriterion> largest_criteria() const override;
 
   private:
     const SolidDiscretization &body_;

@@ -23,7 +23,9 @@ namespace deltaform
     : body_(body), material_(material), motion_(motion), drawing_(drawing)
   {
     const auto &fields = material_.law().history_layout().fields();
-    drawing_.fields.reserve(drawing_.fields.size() + 10 + fields.size()); // values stay where they are
+    const PointCriteria &criteria = material_.criteria();
+    // Values stay where they are.
+    drawing_.fields.reserve(drawing_.fields.size() + 10 + fields.size() + criteria.n_fields());
     equivalent_ = add("equivalent_plastic_strain", "1", 1);
     stress_ = {{add("stress_rr", "stress", 1),
                 add("stress_zz", "stress", 1),
@@ -37,6 +39,8 @@ namespace deltaform
     for (const HistoryField &field : fields)
       if (field.name != "plastic_strain" && field.name != "equivalent_plastic_strain")
         further_.emplace_back(field, add(field.name, field.unit, field.size()));
+    for (unsigned int k = 0; k < criteria.n_fields(); ++k)
+      criteria_values_.push_back(add(criteria.column(k), criteria.field(k).unit(), 1));
   }
 
 
@@ -106,6 +110,13 @@ namespace deltaform
     {
       const auto own = remembered(field, first_point, n_points);
       values->insert(values->end(), own.begin(), own.end());
+    }
+    for (unsigned int k = 0; k < criteria_values_.size(); ++k)
+    {
+      double mean = 0.;
+      for (unsigned int i = first_point; i < first_point + n_points; ++i)
+        mean += material_.criteria().value(i, k) / n_points;
+      criteria_values_[k]->push_back(mean);
     }
   }
 

@@ -45,5 +45,6 @@ namespace deltaform
     Values equivalent_, von_mises_, mean_, pressure_, strain_, plastic_;
     std::array<Values, 4> stress_;
     std::vector<std::pair<HistoryField, Values>> further_; ///< what else the law remembers
+    std::vector<Values> criteria_values_; ///< by criteria
   };
 } // namespace deltaform

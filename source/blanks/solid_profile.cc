@@ -10,7 +10,7 @@ namespace deltaform
                              const SolidSurface &surface,
                              const MaterialPoints &material,
                              const Vector &q)
-    : space_(body.space()), surface_(surface), q_(q)
+    : space_(body.space()), surface_(surface), q_(q), criteria_(material.criteria())
   {
     const SolidPoints &points = body.points();
     const unsigned int n = points.size();
@@ -26,6 +26,13 @@ namespace deltaform
     plastic_ = points.to_nodes(plastic_);
     for (auto &component : stress_)
       component = points.to_nodes(component);
+    for (unsigned int k = 0; k < criteria_.n_fields(); ++k)
+    {
+      std::vector<double> values(n);
+      for (unsigned int p = 0; p < n; ++p)
+        values[p] = criteria_.value(p, k);
+      criteria_values_.push_back(points.to_nodes(values));
+    }
     collect_groups();
   }
 
@@ -189,12 +196,19 @@ namespace deltaform
       table.names.emplace_back(name);
       table.units.emplace_back(unit);
     }
+    for (unsigned int k = 0; k < criteria_.n_fields(); ++k)
+    {
+      table.names.push_back(criteria_.column(k));
+      table.units.push_back(criteria_.field(k).unit());
+    }
     double arc = 0.;
     for (unsigned int g = 0; g < groups_.size(); ++g)
     {
       if (g > 0)
         arc += middle(groups_[g], false).distance(middle(groups_[g - 1], false));
       table.rows.push_back(row(g, arc));
+      for (const auto &values : criteria_values_)
+        table.rows.back().push_back(mean(values, groups_[g]));
     }
     return table;
   }

@@ -53,6 +53,8 @@ namespace deltaform
     const Vector &q_;
     std::vector<Group> groups_;
     std::vector<double> plastic_; ///< equivalent plastic strain of the nodes
+    const PointCriteria &criteria_;
+    std::vector<std::vector<double>> criteria_values_; ///< of the nodes, by criteria
     std::array<std::vector<double>, 4> stress_; ///< of the nodes: rr, zz, hoop, rz
   };
 } // namespace deltaform

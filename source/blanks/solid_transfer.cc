@@ -69,6 +69,8 @@ namespace deltaform
       const Mandel elastic = material_.law().elastic_strain(material_.committed_stress(i));
       data.insert(data.end(), elastic.begin(), elastic.end());
       data.push_back(motion_.volume_offset(i));
+      for (unsigned int k = 0; k < material_.criteria().n_fields(); ++k)
+        data.push_back(material_.criteria().value(i, k));
     }
     return data;
   }
@@ -132,7 +134,7 @@ namespace deltaform
   {
     const std::size_t n = body_.space().n_nodes_per_cell(), n_points = body_.points().per_cell();
     const std::size_t n_history = material_.law().history_size();
-    const std::size_t n_vectors = (parent.size() - n_points * (n_history + n_tensors)) / (2 * n);
+    const std::size_t n_vectors = (parent.size() - n_points * n_state()) / (2 * n);
     CellData result(parent.size(), 0.);
     interpolate_nodes(parent, child, n_vectors, result);
     if (n_history > 0)
@@ -173,7 +175,7 @@ namespace deltaform
     // strain would leave the range that a linear one with these values has at the points of the children, or get
     // negative. The logarithm of C_p^-1 has no trace, whatever the weights.
     const auto &unit_points = body_.points().unit_points();
-    const std::size_t n_points = unit_points.size(), n_state = material_.law().history_size() + n_tensors;
+    const std::size_t n_points = unit_points.size(), n_state = this->n_state();
     const auto equivalent = [&](const double *const state) { return material_.law().equivalent_plastic_strain(state); };
     CellData mean(n_state, 0.), state(n_state);
     double least = equivalent(parent), most = least;
@@ -228,14 +230,20 @@ namespace deltaform
   {
     const unsigned int per_cell = body_.points().per_cell();
     return &cells_[point / per_cell][2 * (n_fields + 1) * body_.space().n_nodes_per_cell() +
-                                     point % per_cell * (material_.law().history_size() + n_tensors)];
+                                     point % per_cell * n_state()];
+  }
+
+
+  std::size_t SolidTransfer::n_state() const
+  {
+    return material_.law().history_size() + n_tensors + material_.criteria().n_fields();
   }
 
 
   void SolidTransfer::unpack_points(const std::size_t n_fields)
   {
     const std::size_t n_history = material_.law().history_size();
-    std::vector<double> history;
+    std::vector<double> history, criteria;
     for (unsigned int i = 0; i < body_.points().size(); ++i)
     {
       const double *state = state_of(i, n_fields);
@@ -244,8 +252,12 @@ namespace deltaform
       motion_.volume_offset(i) = state[8];
       const auto b = LogarithmicStrain::inverse({{state[0], state[1], state[2], state[3]}});
       motion_.set_plastic_metric(i, {{b.xx, b.yy, b.zz, b.xy}});
+      // Polynomials may overshoot what only grows from zero.
+      for (unsigned int k = 0; k < material_.criteria().n_fields(); ++k)
+        criteria.push_back(std::max(0., state[n_tensors + k]));
     }
     material_.set_history(history);
+    material_.criteria().set_values(std::move(criteria));
   }
 
 

@@ -46,7 +46,11 @@ namespace deltaform
     Vector unpack_field(unsigned int field) const;
     void unpack_points(std::size_t n_fields);
 
-    /// What the points of the parent said of a point: history, plastic metric, elastic strain, volume offset.
+    /// Numbers that are carried over of a point.
+    std::size_t n_state() const;
+
+    /// What the points of the parent said of a point: history, plastic metric, elastic strain, volume offset,
+    /// criteria.
     const double *state_of(unsigned int point, std::size_t n_fields) const;
 
     /// Make the elastic strains of all points, at the displacements of the last pass, those of the parents as far as

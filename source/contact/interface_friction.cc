@@ -31,6 +31,7 @@ namespace deltaform
     result.committed = before.touching ? before.tangential_force : 0.;
     result.stiffness = now.tangential_factor;
     result.area = now.area;
+    result.slip = before.slip;
     if (!flow_stress_.empty())
       result.flow_stress = flow_stress_[i];
     return result;

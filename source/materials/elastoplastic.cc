@@ -40,9 +40,26 @@ namespace deltaform
       return std::make_unique<AdiabaticHeat>(std::move(cold), std::move(softening), share / capacity);
     }
 
+    /// How Young's modulus falls with the plastic strain, if the scene wants it.
+    std::optional<FallingModulus> read_falling_modulus(Section section, const Elasticity &elastic)
+    {
+      const FallingModulus falling{
+        section.number("Saturated modulus",
+                       elastic.young,
+                       Range::positive(),
+                       "stress",
+                       "Ea: where Young's modulus ends that falls with the plastic strain e, E = E0 - (E0 - Ea) (1 - "
+                       "exp(-xi e)); default is E0. Shells only."),
+        section.number("Rate", 0., Range::not_negative(), "1", "xi; 0: Young's modulus is constant.")};
+      if (falling.saturated > elastic.young)
+        section.fail("Saturated modulus", "must not be larger than Young's modulus");
+      return falling.rate > 0. && falling.saturated < elastic.young ? std::optional(falling) : std::nullopt;
+    }
+
     std::unique_ptr<Material> make(Section &section)
     {
       const Elasticity elastic = read_elasticity(section);
+      const auto falling = read_falling_modulus(section.sub("Falling modulus"), elastic);
       FlowLaws laws;
       laws.hardening =
         choose<Hardening>(section.sub("Hardening"), "swift", "Flow stress against the equivalent plastic strain.");
@@ -65,7 +82,8 @@ namespace deltaform
       return std::make_unique<Elastoplastic>(elastic,
                                              std::move(laws),
                                              two_steps ? Elastoplastic::Integration::two_steps
-                                                       : Elastoplastic::Integration::backward_euler);
+                                                       : Elastoplastic::Integration::backward_euler,
+                                             falling);
     }
 
     const Registry<Material>::Entry

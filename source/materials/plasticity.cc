@@ -41,8 +41,11 @@ namespace deltaform
   } // namespace
 
 
-  Elastoplastic::Elastoplastic(const Elasticity &elastic, FlowLaws laws, const Integration integration)
-    : elastic_(elastic), laws_(without_idle_ones(std::move(laws))), integration_(integration),
+  Elastoplastic::Elastoplastic(const Elasticity &elastic,
+                               FlowLaws laws,
+                               const Integration integration,
+                               const std::optional<FallingModulus> &falling)
+    : elastic_(elastic), falling_(falling), laws_(without_idle_ones(std::move(laws))), integration_(integration),
       history_(layout_of(laws_)), initial_flow_stress_(laws_.hardening->evaluate(0.).value)
   {
     const std::string objection =
@@ -61,7 +64,7 @@ namespace deltaform
     {
       const std::size_t i = index(third);
       map_[i] = nullptr;
-      if (!laws_.yield_surface->serves(third))
+      if (!laws_.yield_surface->serves(third) || (falling_ && third == ThirdDirection::strain_given))
         continue;
       if (!laws_.back_stress && !laws_.rate_factor)
         map_[i] = laws_.yield_surface->closed_form(third);
@@ -108,14 +111,18 @@ namespace deltaform
 
   bool Elastoplastic::two_steps() const
   {
-    return integration_ == Integration::two_steps;
+    // The last change of the plastic strain contains that of the modulus: it is no flow that goes on.
+    return integration_ == Integration::two_steps && !falling_;
   }
 
 
   template <typename Size>
-  Status Elastoplastic::update_points(const MaterialBatch &batch, const ReturnMap &map, const Size n) const
+  Status Elastoplastic::update_points(const MaterialBatch &batch,
+                                      const ReturnMap &map,
+                                      const Elasticity &elastic,
+                                      const Size n) const
   {
-    FlowLaw law{elastic_, *laws_.hardening, initial_flow_stress_, batch.duration};
+    FlowLaw law{elastic, *laws_.hardening, initial_flow_stress_, batch.duration};
     const bool third_stress = batch.third_direction == ThirdDirection::stress_given;
     for (unsigned int p = 0; p < batch.n_points; ++p)
     {
@@ -164,9 +171,51 @@ namespace deltaform
                 dealii::ExcMessage("This yield surface does not know what is asked of the third direction."));
     AssertThrow(!laws_.rate_factor || !laws_.rate_factor->needs_duration() || batch.duration > 0.,
                 dealii::ExcMessage("The rate factor wants to know how long the increment takes."));
+    if (falling_)
+      return update_falling(batch, *map);
     if (history_.size() == FlowHistory::size)
-      return update_points(batch, *map, std::integral_constant<std::size_t, FlowHistory::size>());
-    return update_points(batch, *map, std::size_t(history_.size()));
+      return update_points(batch, *map, elastic_, std::integral_constant<std::size_t, FlowHistory::size>());
+    return update_points(batch, *map, elastic_, std::size_t(history_.size()));
+  }
+
+
+  Elasticity Elastoplastic::elasticity(const double *const history) const
+  {
+    if (!falling_)
+      return elastic_;
+    return {(*falling_)(elastic_.young, history[FlowHistory::equivalent]), elastic_.poisson};
+  }
+
+
+  Status Elastoplastic::update_falling(const MaterialBatch &batch, const ReturnMap &map) const
+  {
+    // The modulus of the begin holds over the increment. At its end the plastic strain is measured again, from the same
+    // stress by the modulus that is left: the stress does not know of the change.
+    const std::size_t n = history_.size();
+    for (unsigned int p = 0; p < batch.n_points; ++p)
+    {
+      MaterialBatch one = batch;
+      one.n_points = 1;
+      one.strain += p;
+      one.third_stress += p;
+      one.committed += p * n;
+      one.carried += batch.carried != nullptr ? p * n : 0;
+      one.trial += p * n;
+      one.stress += p;
+      one.tangent += batch.tangent != nullptr ? p * std::size_t(16) : 0;
+      Status status = update_points(one, map, elasticity(one.committed), n);
+      if (!status.good())
+      {
+        status.place = p;
+        return status;
+      }
+      if (one.trial[FlowHistory::equivalent] == one.committed[FlowHistory::equivalent])
+        continue;
+      const Mandel elastic = elasticity(one.trial).strain(*one.stress);
+      for (unsigned int k = 0; k < 4; ++k)
+        one.trial[k] = (*one.strain)[k] - elastic[k];
+    }
+    return {};
   }
 
 
@@ -179,6 +228,12 @@ namespace deltaform
   double Elastoplastic::elastic_energy(const Mandel &stress) const
   {
     return elastic_.energy(stress);
+  }
+
+
+  double Elastoplastic::stored_energy(const Mandel &stress, const double *const history) const
+  {
+    return falling_ ? elasticity(history).energy(stress) : elastic_.energy(stress);
   }
 
 

@@ -60,7 +60,7 @@ namespace deltaform
      * and d R = m (Rsat - R) dx only while the surface of stagnation moves, centre g and radius r: |beta - g| = r, and
      * beta goes outwards; then d r = h d|beta - g| and d g = (1 - h) d|beta - g| along beta - g, with d|.| at fixed g.
      * All start at zero. F. Yoshida, T. Uemori, A model of large-strain cyclic plasticity describing the Bauschinger
-     * effect and workhardening stagnation, Int. J. Plasticity 18 (2002) 661. Young's modulus is constant here.
+     * effect and workhardening stagnation, Int. J. Plasticity 18 (2002) 661. Their modulus: FallingModulus.
      *
      * Backward Euler. The share of the increment in which the surface of stagnation moves is that behind the last point
      * of the straight path of beta inside of it, so that R does not jump from one iteration to the next.

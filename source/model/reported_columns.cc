@@ -104,6 +104,22 @@ namespace deltaform
   }
 
 
+  void describe_criteria(const std::vector<LargestCriterion> &criteria, Columns &columns)
+  {
+    for (unsigned int k = 0; k < criteria.size(); ++k)
+    {
+      const std::string &name = criteria[k].column;
+      columns.add({{name, criteria[k].unit, "largest value in the blank"},
+                   {name + "_R0", "length", "where it is, in the undeformed blank"},
+                   {name + "_Z0", "length", "where it is, in the undeformed blank"}},
+                  [k](const Increment &increment, Row &row) {
+                    const LargestCriterion &largest = increment.largest_criteria()[k];
+                    row.insert(row.end(), {largest.value, largest.place[0], largest.place[1]});
+                  });
+    }
+  }
+
+
   void describe_linear_solver(Columns &columns)
   {
     columns.add({{"linear_iterations", "1", "iterations of the linear solver, failed attempts included"}},

@@ -148,7 +148,19 @@ namespace deltaform
       return line;
     }
 
-    Command chosen_command(const po::variables_map &values, const bool sweep)
+    /// The command that is the first of @p words, which is taken off; run if there is none.
+    Command take_command(Strings &words)
+    {
+      const std::string first = words.empty() ? "" : words.front();
+      const Command command = first == "sweep" ? Command::sweep : first == "fld" ? Command::forming_limit
+                                                                                 : Command::run;
+      if (command != Command::run)
+        words.erase(words.begin());
+      return command;
+    }
+
+    /// @param word the command that the line begins with; run: none
+    Command chosen_command(const po::variables_map &values, const Command word)
     {
       const std::vector<std::pair<const char *, Command>> commands = {{"help", Command::help},
                                                                       {"version", Command::version},
@@ -156,8 +168,9 @@ namespace deltaform
                                                                       {"print-parameters", Command::print_parameters},
                                                                       {"print-columns", Command::print_columns},
                                                                       {"check", Command::check}};
-      Command command = sweep ? Command::sweep : Command::run;
-      std::string name = sweep ? "sweep" : "";
+      Command command = word;
+      std::string name = word == Command::sweep ? "sweep" : word == Command::forming_limit ? "fld"
+                                                                                           : "";
       for (const auto &[option, meaning] : commands)
         if (values[option].as<bool>())
         {
@@ -190,12 +203,11 @@ namespace deltaform
     Strings words = value_or(values, "words", Strings());
     if (!words.empty() && (words.front() == "new" || words.front() == "explain") && !values["help"].as<bool>())
       return words_command(values, words);
-    const bool sweep = !words.empty() && words.front() == "sweep";
-    if (sweep)
-      words.erase(words.begin());
+    const Command word = take_command(words);
+    const bool sweep = word == Command::sweep;
 
     CommandLine line;
-    line.command = chosen_command(values, sweep);
+    line.command = chosen_command(values, word);
     line.sets = value_or(values, "set", Strings());
     line.output = value_or(values, "output", std::string());
     line.quiet = values["quiet"].as<bool>();
@@ -213,7 +225,7 @@ namespace deltaform
       throw UsageError("--output needs the name of a folder.");
 
     const bool computes = line.command == Command::run || sweep;
-    const bool needs_scene = computes || line.command == Command::check;
+    const bool needs_scene = computes || line.command == Command::check || line.command == Command::forming_limit;
     const bool takes_scene = needs_scene || line.command == Command::print_parameters;
     if (words.empty() && needs_scene)
       throw UsageError("No scene is named: deltaform SCENE.prm, or deltaform --help.");
@@ -236,6 +248,7 @@ blank may penetrate a tool and the program finds the penalty factors.
 
   deltaform SCENE.prm [options]             run a scene
   deltaform sweep SCENE.prm --vary ...      run it once per value
+  deltaform fld SCENE.prm [options]         forming limit of its metal: fld.csv, fld.svg
   deltaform new cup my.prm ["name=value"]   write a scene to start from; 'deltaform new' lists what there is
   deltaform explain "Blank/Layers"          what an entry means: unit, range, default
   deltaform --list                          what can be chosen: materials, tools, rules, ...
@@ -244,7 +257,7 @@ blank may penetrate a tool and the program finds the penalty factors.
   deltaform --print-columns                 every column of history.csv with unit and meaning
   deltaform --version | --help
 
-Options of a run
+Options of a run (of fld: the first two)
   --set "Section/Entry=value"  replace an entry of the scene; may be repeated, the last one counts
   --output FOLDER              write results to FOLDER instead of where the scene says
   --check                      only say whether the scene is right; compute nothing

@@ -16,6 +16,7 @@ namespace deltaform
     {
       std::vector<std::string> tools, supports, loads, other_loads, pressures; ///< `loads`: all
       std::vector<Probe> probes;
+      std::vector<LargestCriterion> criteria;
     };
 
     template <typename Named>
@@ -29,7 +30,8 @@ namespace deltaform
 
     Names names_of(const Actors &actors)
     {
-      Names names{names_of(actors.tools), {}, names_of(actors.loads), {}, {}, actors.probes};
+      Names names{names_of(actors.tools), {}, names_of(actors.loads), {}, {}, actors.probes,
+                  actors.blank->fields().largest_criteria()};
       for (const auto &load : actors.loads)
         (load->pressed_face().empty() ? names.other_loads : names.pressures).push_back(load->name());
       for (const auto &support : actors.supports)
@@ -72,6 +74,13 @@ namespace deltaform
            return model.blank().adaptive() != nullptr;
          },
          [](const Names &, const ConditionReport *, Columns &columns) { describe_mesh(columns); }},
+        {"With `Limits/Criteria`",
+         [](const Model &model, const OutputSettings &, const ConditionReport *) {
+           return !model.blank().fields().largest_criteria().empty();
+         },
+         [](const Names &names, const ConditionReport *, Columns &columns) {
+           describe_criteria(names.criteria, columns);
+         }},
         {"Works and energies since the start; not with `Output/Energies = false`",
          [](const Model &, const OutputSettings &output, const ConditionReport *) { return output.energies; },
          [](const Names &, const ConditionReport *, Columns &columns) { describe_energies(columns); }},
@@ -125,7 +134,8 @@ namespace deltaform
     for (const auto &group : groups())
     {
       Columns columns;
-      group.describe({{"<tool>"}, {"<support>"}, {"<load>"}, {"<load>"}, {"<load>"}, {}}, nullptr, columns);
+      const LargestCriterion any{"<criterion>", "<criterion>", "its own", 0., {}};
+      group.describe({{"<tool>"}, {"<support>"}, {"<load>"}, {"<load>"}, {"<load>"}, {}, {any}}, nullptr, columns);
       if (columns.columns().empty())
         continue;
       out << "\n## " << group.title << "\n\n| column | unit | meaning |\n|---|---|---|\n";

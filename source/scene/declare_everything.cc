@@ -1,5 +1,6 @@
 // The documentation of all parameters: every registered object declares its entries once.
 #include <deltaform/materials/back_stress.h>
+#include <deltaform/materials/forming_limit.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/rate_factor.h>
@@ -38,6 +39,9 @@ namespace deltaform
     declare_each<BackStress>(material.sub("Backstress"), "Law");
     declare_each<RateFactor>(material.sub("Rate factor"), "Law");
     declare_each<Softening>(material.sub("Heat"), "Softening");
+    Section own_material = material;
+    const auto law = Registry<Material>::choose(own_material, "Model", "elastoplastic", "Stress-strain law.");
+    declare_each<FormingLimit>(root.sub("Limits").sub("forming limit"), "Curve", std::as_const(*law));
     declare_each<NormalLaw>(contact, "Enforcement");
     declare_each<PenaltyRule>(contact, "Penalty rule");
     declare_each<Shape>(root.sub("Tools").sub("<name>"), "Shape");

@@ -53,6 +53,11 @@ namespace deltaform
     Section steps_section = root.sub("Steps");
     actors.stages = read_stages(steps_section);
 
+    std::vector<std::string> criteria;
+    for (const auto &criterion : actors.blank->fields().largest_criteria())
+      criteria.push_back(criterion.name);
+    actors.limits = read_limits(root, criteria);
+
     Section solver = root.sub("Solver");
     newton = std::make_unique<NewtonSettings>(solver);
     steps = std::make_unique<StepSettings>(solver);

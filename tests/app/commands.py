@@ -57,6 +57,21 @@ class Commands(unittest.TestCase):
         self.assertFalse(os.path.exists(os.path.join(WORK, "a.prm")))
         run("new", "cup", "nowhere/a.prm", status=1)
 
+    def test_forming_limit(self):
+        # Points as they are given; the cup's metal neither draws nor needs tools for it.
+        run("fld", SCENE, "--output", "limit", "--set", "Limits/forming limit/Curve=points",
+            "--set", "Limits/forming limit/Points=-0.2 0.45; 0 0.25; 0.3 0.4")
+        with open(os.path.join(WORK, "limit", "fld.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        self.assertEqual([(float(row["minor_strain"]), float(row["major_strain"])) for row in rows],
+                         [(-.2, .45), (0., .25), (.3, .4)])
+        picture = xml.parse(os.path.join(WORK, "limit", "fld.svg"))
+        self.assertEqual(len(picture.findall(f".//{SVG}circle")), 3)
+        self.assertIn("No scene is named", run("fld", status=64))
+        self.assertIn("--vary goes with", run("fld", SCENE, "--vary", "a=1", status=64))
+        self.assertIn("it is no function", run("fld", SCENE, "--set", "Limits/forming limit/Curve=points",
+                                               "--set", "Limits/forming limit/Points=0 .2; 0 .3", status=1))
+
     def test_explain(self):
         text = run("explain", "Tools/punch/Friction coefficient")
         for words in ("Coulomb's coefficient", "[0, inf)", "default  0", "pure number"):

@@ -2,6 +2,7 @@
 #include "fake_surface.h"
 
 #include <deltaform/contact/friction_law.h>
+#include <deltaform/parameters/scene_error.h>
 
 #include <cmath>
 
@@ -37,7 +38,22 @@ BOOST_AUTO_TEST_CASE(a_law_without_effect_is_no_object)
   BOOST_TEST((law({"Friction law=none"}) == nullptr));
   BOOST_TEST((law({"Friction law=shear factor", "Shear factor=0"}) == nullptr));
   BOOST_TEST((law({"Friction law=coulomb with limit", "Friction coefficient=0"}) == nullptr));
+  BOOST_TEST((law({"Friction law=coulomb by table", "Coefficient over pressure=0 0; 1 0"}) == nullptr));
   BOOST_TEST((law({"Friction coefficient=.1"}) != nullptr));
+}
+
+BOOST_AUTO_TEST_CASE(tables_that_are_none)
+{
+  const auto refused = [](const std::string &entry, const std::string &reason) {
+    BOOST_CHECK_EXCEPTION(law({"Friction law=coulomb by table", entry}), SceneError, [&](const SceneError &error) {
+      return std::string(error.what()).find(reason) != std::string::npos;
+    });
+  };
+  refused("Coefficient over pressure=1 .1; 2 .1", "must begin with 0");
+  refused("Coefficient over pressure=0 .1; 2 .1; 1 .1", "must increase");
+  refused("Coefficient over pressure=0 .1; 2 -.1", "negative");
+  refused("Coefficient over pressure=0 .2; 10 .05", "the friction force falls");
+  refused("Factor over slip=0 1; 0 2", "must increase");
 }
 
 BOOST_AUTO_TEST_CASE(limits_by_hand)
@@ -54,6 +70,18 @@ BOOST_AUTO_TEST_CASE(limits_by_hand)
   BOOST_TEST(both->limit(point(39.)).rate == .1);
   BOOST_TEST(std::abs(both->limit(point(41.)).value - 4.) < 1e-14);
   BOOST_TEST(both->limit(point(41.)).rate == 0.);
+  // mu falls from .2 to .1 at the pressure 10, that is lambda = 20, and doubles over a path of 4.
+  const auto table = law({"Friction law=coulomb by table", "Coefficient over pressure=0 .2; 10 .1",
+                          "Factor over slip=0 1; 4 2"});
+  BOOST_TEST(std::abs(table->limit(point(10.)).value - 1.5) < 1e-14);
+  BOOST_TEST(std::abs(table->limit(point(10.)).rate - .1) < 1e-14);
+  BOOST_TEST(std::abs(table->limit(point(60.)).value - 6.) < 1e-14);
+  BOOST_TEST(std::abs(table->limit(point(60.)).rate - .1) < 1e-14);
+  FrictionInput slid = point(10.);
+  slid.slip = 1.;
+  BOOST_TEST(std::abs(table->limit(slid).value - 1.875) < 1e-14);
+  slid.slip = 9.;
+  BOOST_TEST(std::abs(table->limit(slid).value - 3.) < 1e-14);
   // An elastic surface carries everything.
   FrictionInput elastic = point(41.);
   elastic.flow_stress = std::numeric_limits<double>::infinity();

@@ -59,6 +59,9 @@ namespace deltaform
     /// Why the result cannot be used from here on; empty if it can.
     std::string failure(const Stage &stage);
 
+    /// Why the stage is over before its time; empty if it is not.
+    std::string stage_end(const Stage &stage) const;
+
     /// What may be the cause that the next increment could not be solved; empty if nothing is known.
     std::string likely_cause() const;
 

@@ -29,6 +29,13 @@ namespace deltaform
 
     void observe(const AcceptedIncrement &increment);
 
+    /// End the stage for the reason @p why, if there is one and nothing has ended it before.
+    void end(const std::string &why)
+    {
+      if (reached_.empty())
+        reached_ = why;
+    }
+
     /// What has ended the stage, in words; empty: nothing.
     const std::string &reached() const
     {

@@ -5,10 +5,21 @@
 #include <deltaform/io/drawing.h>
 #include <deltaform/io/table.h>
 
+#include <string>
 #include <vector>
 
 namespace deltaform
 {
+  /// A criterion of a scene (Limits/Criteria) where it is largest.
+  struct LargestCriterion
+  {
+    std::string name; ///< "rice-tracey"
+    std::string column; ///< "rice_tracey"
+    std::string unit; ///< dimension
+    double value;
+    Point2 place; ///< in the undeformed blank (length)
+  };
+
   /// What can be seen of the accepted state of a blank: tables, pictures, measures.
   class Fields
   {
@@ -23,6 +34,9 @@ namespace deltaform
     virtual Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const = 0;
 
     virtual double smallest_thickness() const = 0;
+
+    /// What the scene criteria, each where it is largest. All processes together.
+    virtual std::vector<LargestCriterion> largest_criteria() const = 0;
 
     /// Is it a sheet, with cross-sections?
     virtual bool is_sheet() const

@@ -17,7 +17,7 @@ namespace deltaform
     bool sticking = true;
   };
 
-  /// What a law may know of a contact point. Area and flow stress are those of the last accepted increment: constants
+  /// What a law may know of a contact point. Area, path and flow stress are those of the last accepted increment: constants
   /// of the tangent.
   struct FrictionInput
   {
@@ -26,6 +26,7 @@ namespace deltaform
     double slip_increment = 0; ///< change of the foot point's arc length since then
     double stiffness = 0; ///< eps_t > 0 (force/length)
     double area = 0; ///< tributary area
+    double slip = 0; ///< path of sliding until the last accepted increment (length)
     double flow_stress = std::numeric_limits<double>::infinity(); ///< of the blank's surface; finite for a plastic
       ///< blank whose law asks for it
   };

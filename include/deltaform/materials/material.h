@@ -112,6 +112,12 @@ namespace deltaform
     /// Elastic energy per reference volume of a state with Kirchhoff stress @p stress.
     virtual double elastic_energy(const Mandel &stress) const = 0;
 
+    /// The same of a point with @p history, on which the elasticity may depend.
+    virtual double stored_energy(const Mandel &stress, const double * /*history*/) const
+    {
+      return elastic_energy(stress);
+    }
+
     /// Plastic strain (3x3, Mandel) of one point's history; zero for elastic laws.
     virtual Mandel plastic_strain(const double *history) const = 0;
 

@@ -2,6 +2,7 @@
 
 #include <deltaform/materials/back_stress.h>
 #include <deltaform/materials/elasticity.h>
+#include <deltaform/materials/falling_modulus.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/rate_factor.h>
@@ -9,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace deltaform
 {
@@ -43,8 +45,13 @@ namespace deltaform
       two_steps
     };
 
+    /// @param falling none: Young's modulus is constant; else for given third stress (shells) only, and the plastic
+    /// strain of the history is what remains at the modulus of now when the stress is gone
     /// @throws std::invalid_argument if the laws do not go together
-    Elastoplastic(const Elasticity &elastic, FlowLaws laws, Integration integration = Integration::two_steps);
+    Elastoplastic(const Elasticity &elastic,
+                  FlowLaws laws,
+                  Integration integration = Integration::two_steps,
+                  const std::optional<FallingModulus> &falling = std::nullopt);
 
     /// The return maps refer to the laws of this object.
     Elastoplastic(const Elastoplastic &) = delete;
@@ -57,6 +64,7 @@ namespace deltaform
     Status update(const MaterialBatch &batch) const override;
     Mandel elastic_strain(const Mandel &stress) const override;
     double elastic_energy(const Mandel &stress) const override;
+    double stored_energy(const Mandel &stress, const double *history) const override;
     Mandel plastic_strain(const double *history) const override;
     double equivalent_plastic_strain(const double *history) const override;
     double flow_stress(const double *history) const override;
@@ -71,11 +79,18 @@ namespace deltaform
     /// Closed form or general return map, for each question about the third direction.
     void choose_return_maps();
 
+    /// The same for points whose elasticity depends on their history.
+    Status update_falling(const MaterialBatch &batch, const ReturnMap &map) const;
+
+    /// Of a point with this history.
+    Elasticity elasticity(const double *history) const;
+
     /// All points, with @p n values of history: a number known to the compiler (closed forms) or not.
     template <typename Size>
-    Status update_points(const MaterialBatch &batch, const ReturnMap &map, Size n) const;
+    Status update_points(const MaterialBatch &batch, const ReturnMap &map, const Elasticity &elastic, Size n) const;
 
-    Elasticity elastic_;
+    Elasticity elastic_; ///< without plastic strain
+    std::optional<FallingModulus> falling_;
     FlowLaws laws_;
     Integration integration_;
     HistoryLayout history_;

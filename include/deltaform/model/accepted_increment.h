@@ -56,6 +56,14 @@ namespace deltaform
       return *profile_;
     }
 
+    /// Criteria of the scene where they are largest.
+    const std::vector<LargestCriterion> &largest_criteria() const
+    {
+      if (!largest_criteria_)
+        largest_criteria_ = model.blank().fields().largest_criteria();
+      return *largest_criteria_;
+    }
+
     double smallest_thickness() const
     {
       if (!smallest_thickness_)
@@ -81,6 +89,7 @@ namespace deltaform
     mutable std::optional<ContactAccount> contact_;
     mutable std::optional<std::vector<SheetSection>> sections_;
     mutable std::optional<Table> profile_;
+    mutable std::optional<std::vector<LargestCriterion>> largest_criteria_;
     mutable std::optional<double> smallest_thickness_, balance_error_;
   };
 } // namespace deltaform

@@ -2,6 +2,7 @@
 
 #include <deltaform/blanks/blank.h>
 #include <deltaform/contact/contact_interface.h>
+#include <deltaform/model/limit.h>
 #include <deltaform/model/load.h>
 #include <deltaform/model/probe.h>
 #include <deltaform/model/stage.h>
@@ -40,5 +41,6 @@ namespace deltaform
     std::vector<std::unique_ptr<Load>> loads;
     std::vector<Stage> stages;
     std::vector<Probe> probes;
+    std::vector<Limit> limits;
   };
 } // namespace deltaform

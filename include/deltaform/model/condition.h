@@ -27,6 +27,12 @@ namespace deltaform
       return "";
     }
 
+    /// Why @p stage is over before its time; empty if it is not. The run goes on with the next stage.
+    virtual std::string stage_end(const Stage & /*stage*/) const
+    {
+      return "";
+    }
+
     /// What may be the cause that the next increment could not be solved; empty if nothing is known.
     virtual std::string likely_cause() const
     {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/blanks/fields.h>
 #include <deltaform/model/columns.h>
 #include <deltaform/model/probe.h>
 
@@ -18,6 +19,7 @@ namespace deltaform
   void describe_cost(Columns &columns);
   void describe_contact(Columns &columns);
   void describe_thickness(Columns &columns);
+  void describe_criteria(const std::vector<LargestCriterion> &criteria, Columns &columns);
   void describe_linear_solver(Columns &columns);
   void describe_mesh(Columns &columns);
   void describe_energies(Columns &columns);

@@ -41,6 +41,7 @@ namespace deltaform
       run,
       check, ///< build the scene and say what is wrong with it, compute nothing
       sweep, ///< one run per combination of the varied values
+      forming_limit, ///< compute and draw the limit of the sheet of a scene
       new_scene, ///< write a scene from a template
       explain, ///< what is known of an entry
       list, ///< what can be chosen
