@@ -28,7 +28,9 @@ namespace deltaform
       // The quadrature does not look at the ends.
       for (const double end : {a, b})
         relative_size(grading, end);
-      return grading.is_constant() ? b - a : element_density([&grading](const double t) { return relative_size(grading, t); }, a, b);
+      if (grading.is_constant())
+        return b - a;
+      return element_density([&grading](const double t) { return relative_size(grading, t); }, a, b);
     }
 
     /// Share the elements among the pieces by their density, at least one each (largest remainder).

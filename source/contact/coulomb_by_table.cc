@@ -1,6 +1,7 @@
-// Coulomb by tables: |t| <= mu(p) f(u) lambda. p = lambda/A is the contact pressure, mu(p) is linear between the rows of
-// a table and constant outside; f, a table likewise, is a share of it over the path u that the point has slid until the
-// last accepted increment: lubricant is squeezed out where the pressure is high, and used up where the blank slides far.
+// Coulomb by tables: |t| <= mu(p) f(u) lambda. p = lambda/A is the contact pressure, mu(p) is linear between the rows
+// of a table and constant outside; f, a table likewise, is a share of it over the path u that the point has slid
+// until the last accepted increment: lubricant is squeezed out where the pressure is high, and used up where the blank
+// slides far.
 // Units: p stress, u length, t and lambda forces.
 #include <deltaform/contact/friction_law.h>
 #include <deltaform/parameters/registry.h>

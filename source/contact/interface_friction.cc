@@ -14,7 +14,8 @@ namespace deltaform
   }
 
 
-  void InterfaceFriction::start_slip(const unsigned int i, const ContactPointState &before, ContactPointState &now) const
+  void
+  InterfaceFriction::start_slip(const unsigned int i, const ContactPointState &before, ContactPointState &now) const
   {
     if (!before.touching)
       now.slip_start = projector_.look(i, before.position).arc_length;

@@ -55,8 +55,8 @@ namespace deltaform
       columns.add({{column_name(name) + "_pressure", "stress",
                     "`Value`, or what follows from `Control`; 0 in stages without the load"},
                    {column_name(name) + "_volume", "volume",
-                    "that the pressed face has swept since the start, positive if the pressure does work (plane strain: "
-                    "area)"},
+                    "that the pressed face has swept since the start, positive if the pressure does work (plane "
+                    "strain: area)"},
                    {column_name(name) + "_height", "length",
                     "largest displacement along z of a node of the pressed face: the height of a dome"}},
                   [name](const Increment &increment, Row &row) {

@@ -30,7 +30,12 @@ namespace deltaform
 
     Names names_of(const Actors &actors)
     {
-      Names names{names_of(actors.tools), {}, names_of(actors.loads), {}, {}, actors.probes,
+      Names names{names_of(actors.tools),
+                  {},
+                  names_of(actors.loads),
+                  {},
+                  {},
+                  actors.probes,
                   actors.blank->fields().largest_criteria()};
       for (const auto &load : actors.loads)
         (load->pressed_face().empty() ? names.other_loads : names.pressures).push_back(load->name());
@@ -102,7 +107,9 @@ namespace deltaform
          [](const Model &model, const OutputSettings &, const ConditionReport *) {
            return !model.actors().probes.empty();
          },
-         [](const Names &names, const ConditionReport *, Columns &columns) { describe_probes(names.probes, columns); }}};
+         [](const Names &names, const ConditionReport *, Columns &columns) {
+           describe_probes(names.probes, columns);
+         }}};
       return all;
     }
 
@@ -129,8 +136,8 @@ namespace deltaform
     out << "# Columns of history.csv\n\n"
            "Made by `deltaform --print-columns`. What a scene does not have, or does not ask for, has no column.\n"
            "Tools, supports and loads stand with their names, underscores in place of blanks: a tool `die 2` has "
-           "`die_2_force_z`. A probe (`Output/Probes`) adds a column `<probe>_<field>` for each of its fields, the columns of "
-           "[profile_*.csv](output.md#profile_csv).\n";
+           "`die_2_force_z`. A probe (`Output/Probes`) adds a column `<probe>_<field>` for each of its fields, the "
+           "columns of [profile_*.csv](output.md#profile_csv).\n";
     for (const auto &group : groups())
     {
       Columns columns;

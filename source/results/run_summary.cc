@@ -35,7 +35,8 @@ namespace deltaform
     between_ = std::max(between_, increment.contact().max_penetration_between_nodes);
     remember(increment);
     remember_forces(increment.model);
-    if (!output_.measures.empty() && increment.ends_stage && &increment.stage != &increment.model.actors().stages.back())
+    const bool last_stage = &increment.stage == &increment.model.actors().stages.back();
+    if (!output_.measures.empty() && increment.ends_stage && !last_stage)
       formed_ = increment.profile();
   }
 

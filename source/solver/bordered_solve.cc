@@ -34,18 +34,18 @@ namespace deltaform
     for (unsigned int b = 0; b < n_border; ++b)
     {
       for (unsigned int i = 0; i < n; ++i)
-        right_side[i] = prescribed[i] ? 0. : tangent.border_columns()[b][i];
+        right_side[i] = prescribed[i] ? 0. : tangent.border().columns()[b][i];
       if (!factorization.solve(right_side, eliminated[b]))
         return false;
     }
     for (unsigned int a = 0; a < n_border; ++a)
     {
-      const Vector &row = tangent.border_rows()[a];
+      const Vector &row = tangent.border().rows()[a];
       load[a] = -residual[n + a];
       for (unsigned int i = 0; i < n; ++i)
         load[a] -= row[i] * d[i];
       for (unsigned int b = 0; b < n_border; ++b)
-        schur(a, b) = tangent.border_block(a, b) - row * eliminated[b];
+        schur(a, b) = tangent.border().block(a, b) - row * eliminated[b];
       if (prescribed[n + a])
       {
         schur.row(a).setZero();

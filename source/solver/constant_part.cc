@@ -150,14 +150,14 @@ namespace deltaform
   {
     const unsigned int n = tangent_.n_sparse(), n_border = tangent_.n_border();
     const auto &prescribed = rows.prescribed();
-    LowRankUpdate::Border border{tangent_.border_columns(), tangent_.border_rows(), {}, {}};
+    LowRankUpdate::Border border{tangent_.border().columns(), tangent_.border().rows(), {}, {}};
     border.block.resize(n_border, n_border);
     border.right_side.resize(n_border);
     for (unsigned int a = 0; a < n_border; ++a)
     {
       border.right_side[a] = prescribed[n + a] ? increments[n + a] : -residual[n + a];
       for (unsigned int b = 0; b < n_border; ++b)
-        border.block(a, b) = tangent_.border_block(a, b);
+        border.block(a, b) = tangent_.border().block(a, b);
     }
 
     Vector load(n), forces(n);

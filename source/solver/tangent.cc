@@ -12,8 +12,7 @@ namespace deltaform
   Tangent::Tangent(dealii::DynamicSparsityPattern &pattern,
                    const unsigned int n_border,
                    const dealii::IndexSet &owned)
-    : n_sparse_(pattern.n_rows()), n_border_(n_border), end_(n_sparse_), border_columns_(n_border, Vector(n_sparse_)),
-      border_rows_(n_border, Vector(n_sparse_)), border_block_(n_border * n_border, 0.)
+    : n_sparse_(pattern.n_rows()), end_(n_sparse_), border_(n_border, n_sparse_)
   {
     // A process may own all rows by chance: what counts is whether any one does not.
     if (ranks::max(owned.n_elements() != n_sparse_ ? 1. : 0.) == 0)
@@ -77,9 +76,7 @@ namespace deltaform
     }
     else
       std::fill(values_, values_ + n_values(), 0.);
-    for (unsigned int b = 0; b < n_border_; ++b)
-      border_columns_[b] = border_rows_[b] = 0.;
-    std::fill(border_block_.begin(), border_block_.end(), 0.);
+    border_.clear();
   }
 
 
@@ -143,32 +140,16 @@ namespace deltaform
           note(*update, dofs[i], dofs[j], value);
         if (const int where = places[i * n + j]; where != EntryPlaces::nowhere)
           values_[where] += value;
-        else if (value != 0.)
-        {
-          Assert(common || dofs[i] >= n_sparse_ || dofs[j] >= n_sparse_,
+        else if (value != 0. && (dofs[i] >= n_sparse_ || dofs[j] >= n_sparse_))
+          border_.add(dofs[i], dofs[j], value);
+        else
+          Assert(value == 0. || (common && !owns(dofs[i])),
                  dealii::ExcMessage("This coupling is not in the pattern."));
-          add_elsewhere(dofs[i], dofs[j], value);
-        }
       }
     if (rows_ && common)
       for (unsigned int i = 0; i < n; ++i)
         if (dofs[i] < n_sparse_)
           diagonal_[dofs[i]] += matrix[i * n + i];
-  }
-
-
-  void Tangent::add_elsewhere(const DofIndex row, const DofIndex column, const double value)
-  {
-    if (row < n_sparse_ && column < n_sparse_)
-    {
-      Assert(!owns(row), dealii::ExcMessage("This coupling is not in the pattern."));
-    }
-    else if (row < n_sparse_)
-      border_columns_[column - n_sparse_][row] += value;
-    else if (column < n_sparse_)
-      border_rows_[row - n_sparse_][column] += value;
-    else
-      border_block_[(row - n_sparse_) * n_border_ + column - n_sparse_] += value;
   }
 
 
@@ -248,17 +229,17 @@ namespace deltaform
     for (unsigned int i = 0; i < n_sparse_; ++i)
       for (int k = row_start_[i]; k < row_start_[i + 1]; ++k)
         action(i, columns_[k], values_[k]);
-    for (unsigned int a = 0; a < n_border_; ++a)
+    for (unsigned int a = 0; a < n_border(); ++a)
     {
       for (unsigned int i = 0; i < n_sparse_; ++i)
       {
-        if (border_columns_[a][i] != 0.)
-          action(i, n_sparse_ + a, border_columns_[a][i]);
-        if (border_rows_[a][i] != 0.)
-          action(n_sparse_ + a, i, border_rows_[a][i]);
+        if (border_.columns()[a][i] != 0.)
+          action(i, n_sparse_ + a, border_.columns()[a][i]);
+        if (border_.rows()[a][i] != 0.)
+          action(n_sparse_ + a, i, border_.rows()[a][i]);
       }
-      for (unsigned int b = 0; b < n_border_; ++b)
-        action(n_sparse_ + a, n_sparse_ + b, border_block(a, b));
+      for (unsigned int b = 0; b < n_border(); ++b)
+        action(n_sparse_ + a, n_sparse_ + b, border_.block(a, b));
     }
   }
 
@@ -285,12 +266,5 @@ namespace deltaform
   {
     if (rows_)
       rows_->share(vector.begin());
-  }
-
-
-  void Tangent::stiffen_border(const double value)
-  {
-    for (unsigned int b = 0; b < n_border_; ++b)
-      border_block_[b * n_border_ + b] += value;
   }
 } // namespace deltaform

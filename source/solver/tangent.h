@@ -1,5 +1,6 @@
 #pragma once
 // The assembled tangent; private to the solver.
+#include "border.h"
 #include "distributed_rows.h"
 #include "low_rank_update.h"
 
@@ -49,7 +50,7 @@ namespace deltaform
 
     unsigned int n_border() const
     {
-      return n_border_;
+      return border_.n();
     }
 
     /// The own rows: [first, end).
@@ -151,23 +152,16 @@ namespace deltaform
     /// Make the own part of a vector known to all processes.
     void share(Vector &vector) const;
 
-    const std::vector<Vector> &border_columns() const
+    const Border &border() const
     {
-      return border_columns_;
-    }
-
-    const std::vector<Vector> &border_rows() const
-    {
-      return border_rows_;
-    }
-
-    double border_block(const unsigned int a, const unsigned int b) const
-    {
-      return border_block_[a * n_border_ + b];
+      return border_;
     }
 
     /// Add @p value to the diagonal of D.
-    void stiffen_border(double value);
+    void stiffen_border(const double value)
+    {
+      border_.stiffen(value);
+    }
 
   private:
     /// Place of an entry among the values, EntryPlaces::nowhere if it is not stored.
@@ -176,15 +170,12 @@ namespace deltaform
     /// The same for an entry that must be there.
     int stored(DofIndex row, DofIndex column) const;
 
-    /// Add to an entry that is not stored among the values.
-    void add_elsewhere(DofIndex row, DofIndex column, double value);
-
     void note(TangentUpdate &update, DofIndex row, DofIndex column, double value) const;
 
     /// Number of stored values.
     int n_values() const;
 
-    unsigned int n_sparse_, n_border_;
+    unsigned int n_sparse_;
     DofIndex first_ = 0, end_;
     std::unique_ptr<DistributedRows> rows_; ///< null if all rows are here
     const int *row_start_ = nullptr;
@@ -196,7 +187,6 @@ namespace deltaform
     EntryPlaces places_;
     std::vector<int> diagonal_places_; ///< of the own rows: it is read in every iteration
     Vector diagonal_; ///< of distributed rows
-    std::vector<Vector> border_columns_, border_rows_;
-    std::vector<double> border_block_;
+    Border border_;
   };
 } // namespace deltaform

@@ -27,8 +27,8 @@ namespace deltaform
     /// Young's modulus of the body behind the surface (stress).
     virtual double modulus() const = 0;
 
-    /// Accepted flow stress of the material at every contact point of one side (stress); infinite where it is elastic. To be
-    /// asked by all processes together.
+    /// Accepted flow stress of the material at every contact point of one side (stress); infinite where it is elastic.
+    /// To be asked by all processes together.
     virtual std::vector<double> flow_stress(Side side) const = 0;
 
     /// Describe contact point @p point of one side at @p q.

@@ -105,7 +105,8 @@ namespace deltaform
     };
 
     /// A point that has no contact, whatever its force was.
-    void leave(unsigned int i, const ContactPoint &point, const Vector &q, ContactPointState &state, AssemblyTarget &to);
+    void leave(
+      unsigned int i, const ContactPoint &point, const Vector &q, ContactPointState &state, AssemblyTarget &target);
 
     /// A point that may have contact.
     void meet(unsigned int i,

@@ -24,7 +24,9 @@ namespace deltaform
     using Points = std::vector<ContactPointState>;
 
     /// @param friction null: none
-    FactorControl(const ContactSettings &settings, const ContactProjector &projector, const InterfaceFriction *friction);
+    FactorControl(const ContactSettings &settings,
+                  const ContactProjector &projector,
+                  const InterfaceFriction *friction);
 
     /// The increment that ends at @p time starts from @p committed, whose last step says how fast forces grow.
     void begin_increment(double time, const InterfaceState &committed);

@@ -17,8 +17,8 @@ namespace deltaform
     bool sticking = true;
   };
 
-  /// What a law may know of a contact point. Area, path and flow stress are those of the last accepted increment: constants
-  /// of the tangent.
+  /// What a law may know of a contact point. Area, path and flow stress are those of the last accepted increment:
+  /// constants of the tangent.
   struct FrictionInput
   {
     double normal_force = 0; ///< lambda (force)

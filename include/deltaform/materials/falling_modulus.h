@@ -5,12 +5,13 @@
 namespace deltaform
 {
   /**
-   * Young's modulus that falls with the equivalent plastic strain e, as it is measured when metal is released and loaded
-   * again:
+   * Young's modulus that falls with the equivalent plastic strain e, as it is measured when metal is
+   * released and loaded again:
    *
    *     E(e) = E0 - (E0 - Ea) (1 - exp(-xi e)),   0 < Ea <= E0 stresses, xi >= 0; nu is constant.
    *
-   * It is meant in increments, d tau = C(e) : (d strain - d plastic strain): where nothing moves but e, the stress stays.
+   * It is meant in increments, d tau = C(e) : (d strain - d plastic strain): where nothing moves but e, the
+   * stress stays.
    * F. Yoshida, T. Uemori, K. Fujiwara, Elastic-plastic behavior of steel sheets under in-plane cyclic
    * tension-compression at large strain, Int. J. Plasticity 18 (2002) 633.
    */

@@ -16,8 +16,8 @@ namespace deltaform
   };
 
   /**
-   * A number that grows at the points of a blank with the flow of the metal and of which nothing depends: damage, use of
-   * a forming limit. It begins at zero.
+   * A number that grows at the points of a blank with the flow of the metal and of which nothing depends: damage, use
+   * of a forming limit. It begins at zero.
    */
   class PointField
   {
