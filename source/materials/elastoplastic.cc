@@ -51,7 +51,7 @@ namespace deltaform
                        "Ea: where Young's modulus ends that falls with the plastic strain e, E = E0 - (E0 - Ea) (1 - "
                        "exp(-xi e)); default is E0. Shells only."),
         section.number("Rate", 0., Range::not_negative(), "1", "xi; 0: Young's modulus is constant.")};
-      if (falling.saturated > elastic.young)
+      if (falling.rate > 0. && falling.saturated > elastic.young)
         section.fail("Saturated modulus", "must not be larger than Young's modulus");
       return falling.rate > 0. && falling.saturated < elastic.young ? std::optional(falling) : std::nullopt;
     }

@@ -83,7 +83,8 @@ BOOST_AUTO_TEST_CASE(in_contact_with_friction)
           const NewtonResult result = problem.increment(.01 * k, 0.);
           if (k < 6 || result.rounds > 0)
             continue; // first touches
-          const double order = observed_order(result.residuals, 1e-14);
+          // A violation of the yield condition below some 1e-13 of the flow stress is none: no order below that.
+          const double order = observed_order(result.residuals, 1e-12);
           if (std::isnan(order))
             continue;
           ++assessed;

@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(a_law_without_effect_is_no_object)
 BOOST_AUTO_TEST_CASE(tables_that_are_none)
 {
   const auto refused = [](const std::string &entry, const std::string &reason) {
-    BOOST_CHECK_EXCEPTION(law({"Friction law=coulomb by table", entry}), SceneError, [&](const SceneError &error) {
+    BOOST_CHECK_EXCEPTION(law({"Friction law=coulomb by table", "Coefficient over pressure=0 .1", entry}), SceneError, [&](const SceneError &error) {
       return std::string(error.what()).find(reason) != std::string::npos;
     });
   };
