@@ -79,7 +79,10 @@ namespace deltaform
     {
       std::string result;
       for (const char c : text::printable(raw))
-        result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
+        result += c == '<' ? "&lt;" : c == '&' ? "&amp;"
+                                    : c == '>' ? "&gt;"
+                                    : c == '"' ? "&quot;"
+                                               : std::string(1, c);
       return result;
     }
 

@@ -45,7 +45,10 @@ BOOST_AUTO_TEST_CASE(a_law_without_effect_is_no_object)
 BOOST_AUTO_TEST_CASE(tables_that_are_none)
 {
   const auto refused = [](const std::string &entry, const std::string &reason) {
-    BOOST_CHECK_EXCEPTION(law({"Friction law=coulomb by table", "Coefficient over pressure=0 .1", entry}), SceneError, [&](const SceneError &error) {
+    const auto with_it = [&]() {
+      return law({"Friction law=coulomb by table", "Coefficient over pressure=0 .1", entry});
+    };
+    BOOST_CHECK_EXCEPTION(with_it(), SceneError, [&](const SceneError &error) {
       return std::string(error.what()).find(reason) != std::string::npos;
     });
   };

@@ -127,8 +127,9 @@ BOOST_AUTO_TEST_CASE(at_rest_after_flow)
       for (const auto third : {ThirdDirection::strain_given, ThirdDirection::stress_given})
         BOOST_TEST_CONTEXT(surface << ", " << hardening << ", third direction " << static_cast<int>(third))
         {
-          const auto material = make_material("elastoplastic", hardening, {"Material/Yield surface/Law=" + surface,
-                                                                            "Material/Yield surface/r-bar=1.6"});
+          const std::string own = "Material/Yield surface/";
+          const auto material =
+            make_material("elastoplastic", hardening, {own + "Law=" + surface, own + "r-bar=1.6"});
           const auto traits = material->traits();
           if (!(third == ThirdDirection::strain_given ? traits.strain_given : traits.stress_given))
             continue;
