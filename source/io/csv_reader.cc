@@ -2,25 +2,21 @@
 
 namespace deltaform
 {
-  namespace
+  std::vector<std::string> csv_cells(const std::string &line)
   {
-    /// The cells of a line of CSV, without the quotes of those that have them.
-    std::vector<std::string> split_line(const std::string &line)
-    {
-      std::vector<std::string> cells(1);
-      bool quoted = false;
-      for (std::size_t i = 0; i < line.size(); ++i)
-        if (quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"')
-          cells.back() += line[++i];
-        else if (line[i] == '"')
-          quoted = !quoted;
-        else if (line[i] == ',' && !quoted)
-          cells.emplace_back();
-        else
-          cells.back() += line[i];
-      return cells;
-    }
-  } // namespace
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i)
+      if (quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"')
+        cells.back() += line[++i];
+      else if (line[i] == '"')
+        quoted = !quoted;
+      else if (line[i] == ',' && !quoted)
+        cells.emplace_back();
+      else
+        cells.back() += line[i];
+    return cells;
+  }
 
 
   CsvReader::CsvReader(std::istream &stream)
@@ -31,7 +27,7 @@ namespace deltaform
     {
     }
     if (!line.empty() && line[0] != '#')
-      names_ = split_line(line);
+      names_ = csv_cells(line);
   }
 
 
@@ -40,6 +36,6 @@ namespace deltaform
     std::string line;
     if (!std::getline(stream_, line) || stream_.eof())
       return std::nullopt;
-    return split_line(line);
+    return csv_cells(line);
   }
 } // namespace deltaform

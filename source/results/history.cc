@@ -1,4 +1,5 @@
 #include <deltaform/io/atomic_file.h>
+#include <deltaform/io/csv_reader.h>
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/ranks.h>
@@ -14,29 +15,11 @@ namespace deltaform
 {
   namespace
   {
-    /// The cells of a line of CSV, without the quotes of those that have them.
-    std::vector<std::string> split_line(const std::string &line)
-    {
-      std::vector<std::string> cells(1);
-      bool quoted = false;
-      for (std::size_t i = 0; i < line.size(); ++i)
-        if (quoted && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"')
-          cells.back() += line[++i];
-        else if (line[i] == '"')
-          quoted = !quoted;
-        else if (line[i] == ',' && !quoted)
-          cells.emplace_back();
-        else
-          cells.back() += line[i];
-      return cells;
-    }
-
-
     /// The units of the columns, from the last comment.
     std::vector<std::string> units_in(const std::string &comment)
     {
       const std::string opening = "# units: ";
-      return comment.rfind(opening, 0) == 0 ? split_line(comment.substr(opening.size())) : std::vector<std::string>();
+      return comment.rfind(opening, 0) == 0 ? csv_cells(comment.substr(opening.size())) : std::vector<std::string>();
     }
   } // namespace
 
@@ -65,7 +48,7 @@ namespace deltaform
     std::string line, comment;
     while (std::getline(old, line) && !line.empty() && line[0] == '#')
       comment = line;
-    const auto names = split_line(line);
+    const auto names = csv_cells(line);
     match(names, resumption);
     const auto units = units_in(comment);
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -76,7 +59,7 @@ namespace deltaform
     unsigned long last = 0;
     while (std::getline(old, line) && !old.eof()) // one without its end: the run was killed in it
     {
-      const auto cells = split_line(line);
+      const auto cells = csv_cells(line);
       const unsigned long number = std::strtoul(cells[0].c_str(), nullptr, 10);
       if (cells.size() != names.size() || number != last + 1 || number > resumption.increment)
         break;

@@ -7,6 +7,9 @@
 
 namespace deltaform
 {
+  /// The cells of a line of CSV, without the quotes of those that have them.
+  std::vector<std::string> csv_cells(const std::string &line);
+
   /// Reads a table as CsvWriter has written it: comments, a line of names, rows.
   class CsvReader
   {
