@@ -28,8 +28,9 @@ namespace deltaform
 {
   namespace
   {
-    /// A cell with its unknowns, points and share of the matrix takes at least this: an estimate.
-    constexpr double cell_bytes = 4000.;
+    /// A cell with its unknowns, points and share of the factors takes at least this; 15 000 cells of degree 1 took 12 kB
+    /// each.
+    constexpr double cell_bytes = 10000.;
 
     /// Coordinates of the nodes across, in [-1/2, 1/2]: equal shares of the integral of 1/size.
     /// @throws std::invalid_argument where the grading cannot be used

@@ -47,7 +47,7 @@ namespace deltaform
   } // namespace
 
 
-  LogarithmicStrain::Mandel LogarithmicStrain::strain(const AxialTensor &b)
+  Mandel LogarithmicStrain::strain(const AxialTensor &b)
   {
     const PlaneLogarithm plane(b);
     const double mean = .25 * std::log(plane.determinant);

@@ -213,26 +213,13 @@ namespace deltaform
     State state{point, {}, {}, {}, {}, 0., {}, {}, {}, {}, {}, {}};
     set_elastic(law, point, state);
     const double guess = expected_increment(point.start, point.trial);
-    const auto stay_elastic = [&]() {
-      keep_history(point.start, point.trial, n_history_);
-      set_elastic(law, point, state);
-      if (third_stress_given_)
-        point.strain[normal] = law.elastic.third_strain(point.stress) + point.trial[normal];
-      if (point.tangent != nullptr)
-      {
-        const auto &C = third_stress_given_ ? law.elastic.condensed_tangent : law.elastic.tangent;
-        std::copy(C.begin(), C.end(), point.tangent);
-      }
-      return PointOutcome::good;
-    };
-
     const double q = laws_.yield_surface->equivalent_stress(mandel(state.relative_stress));
     if (!std::isfinite(q + vector(point.stress).sum()))
       return PointOutcome::not_finite;
     FlowStress flow = flow_stress(law, state, 0.);
     // Twice: what has flowed before has solved equations whose terms, strains, are rounded again.
     if (q - flow.value <= 2. * yield_round_off(law, point.start, q))
-      return stay_elastic();
+      return stay_elastic(law, point, state);
 
     const auto excess = [&](const double mu) -> Excess {
       constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -252,8 +239,32 @@ namespace deltaform
     if (!solved.found)
       return PointOutcome::not_converged;
     if (solved.amount == 0.)
-      return stay_elastic();
+      return stay_elastic(law, point, state);
 
+    set_flow(law, point, state);
+    if (point.tangent != nullptr)
+      set_tangent(law, state, flow, point.tangent);
+    return PointOutcome::good;
+  }
+
+
+  PointOutcome GeneralReturn::stay_elastic(const FlowLaw &law, const Point &point, State &state) const
+  {
+    keep_history(point.start, point.trial, n_history_);
+    set_elastic(law, point, state);
+    if (third_stress_given_)
+      point.strain[normal] = law.elastic.third_strain(point.stress) + point.trial[normal];
+    if (point.tangent != nullptr)
+    {
+      const auto &C = third_stress_given_ ? law.elastic.condensed_tangent : law.elastic.tangent;
+      std::copy(C.begin(), C.end(), point.tangent);
+    }
+    return PointOutcome::good;
+  }
+
+
+  void GeneralReturn::set_flow(const FlowLaw &law, const Point &point, const State &state) const
+  {
     for (unsigned int i = 0; i < 4; ++i)
       point.trial[i] = point.start[i] + state.flow * state.at.gradient[i];
     point.trial[FlowHistory::equivalent] = point.start[FlowHistory::equivalent] + state.flow;
@@ -266,9 +277,6 @@ namespace deltaform
       point.stress[normal] = point.third_stress;
       point.strain[normal] = law.elastic.third_strain(point.stress) + point.trial[normal];
     }
-    if (point.tangent != nullptr)
-      set_tangent(law, state, flow, point.tangent);
-    return PointOutcome::good;
   }
 
 

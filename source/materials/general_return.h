@@ -41,6 +41,9 @@ namespace deltaform
     bool find_stress(const FlowLaw &law, State &state, double mu) const;
     FlowStress flow_stress(const FlowLaw &law, const State &state, double x) const;
     double largest_multiplier(const FlowLaw &law, const State &state) const;
+    PointOutcome stay_elastic(const FlowLaw &law, const Point &point, State &state) const;
+    /// Strains and stress at the end of the flow that @p state solves.
+    void set_flow(const FlowLaw &law, const Point &point, const State &state) const;
     void set_tangent(const FlowLaw &law, const State &state, const FlowStress &flow, double *tangent) const;
 
     const FlowLaws &laws_;

@@ -137,6 +137,45 @@ namespace deltaform
   }
 
 
+  bool Scene::changes_anything(const Stage &stage, const Stage *before) const
+  {
+    const auto varies = [&](const TimeFunction &function) {
+      if (function.is_constant())
+        return false;
+      for (unsigned int k = 1; k <= 50; ++k)
+        if (function(stage.begin + (stage.end - stage.begin) * k / 50) != function(stage.begin))
+          return true;
+      return false;
+    };
+    const auto grows = [&](const TimeFunction &function) {
+      return varies(function) || (!before && function(stage.end) != 0);
+    };
+    bool changes = false;
+    for (const auto &tool : actors.tools)
+    {
+      const bool exists = tool->exists_in(stage.name);
+      const auto range = tool->travel_range(stage.begin, stage.end);
+      changes |= exists && (range.first != range.second || tool->force_driven());
+      changes |= before && tool->exists_in(before->name) != exists;
+    }
+    for (const auto &support : actors.supports)
+    {
+      const bool acts = support.acts_in(stage.name);
+      if (acts && !support.hold)
+        for (const auto &value : support.values.empty() ? std::vector<TimeFunction>{support.value} : support.values)
+          changes |= grows(value);
+      changes |= before && support.acts_in(before->name) != acts;
+    }
+    for (const auto &load : actors.loads)
+    {
+      const bool acts = load->acts_in(stage.name);
+      changes |= acts && grows(load->value());
+      changes |= before && load->acts_in(before->name) != acts;
+    }
+    return changes;
+  }
+
+
   void Scene::check_stages(Section root) const
   {
     const auto known = [&](const std::vector<std::string> &names, Section section) {
@@ -166,37 +205,7 @@ namespace deltaform
       {
         root.sub("Steps").sub(stage.name).fail("Ends when", error.what());
       }
-      // Does a function of time change within the stage, or does something end with the stage before?
-      bool changes = false;
-      const auto varies = [&](const TimeFunction &function) {
-        if (function.is_constant())
-          return false;
-        for (unsigned int k = 1; k <= 50; ++k)
-          if (function(stage.begin + (stage.end - stage.begin) * k / 50) != function(stage.begin))
-            return true;
-        return false;
-      };
-      for (const auto &tool : actors.tools)
-      {
-        const auto range = tool->travel_range(stage.begin, stage.end);
-        changes |= tool->exists_in(stage.name) && range.first != range.second;
-        if (tool->force_driven() && tool->exists_in(stage.name))
-          changes = true;
-        changes |= before && tool->exists_in(before->name) != tool->exists_in(stage.name);
-      }
-      for (const auto &support : actors.supports)
-      {
-        if (support.acts_in(stage.name) && !support.hold)
-          for (const auto &value : support.values.empty() ? std::vector<TimeFunction>{support.value} : support.values)
-            changes |= varies(value) || (!before && value(stage.end) != 0);
-        changes |= before && support.acts_in(before->name) != support.acts_in(stage.name);
-      }
-      for (const auto &load : actors.loads)
-      {
-        changes |= load->acts_in(stage.name) && (varies(load->value()) || (!before && load->value()(stage.end) != 0));
-        changes |= before && load->acts_in(before->name) != load->acts_in(stage.name);
-      }
-      if (!changes)
+      if (!changes_anything(stage, before))
         root.sub("Steps")
           .sub(stage.name)
           .fail("End time",

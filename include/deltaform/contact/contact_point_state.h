@@ -12,6 +12,7 @@ namespace deltaform
   {
     bool touching = false; ///< lambda may be positive
     bool sticking = false;
+    std::array<unsigned char, 6> filler{}; ///< points are saved as bytes: each one is set
     double gap = 0; ///< signed: distance of the contact point minus the offset
     double force = 0; ///< lambda; not negative once converged
     double previous_force = 0; ///< lambda one increment earlier

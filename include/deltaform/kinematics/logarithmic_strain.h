@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deltaform/kinematics/mandel.h>
+
 #include <array>
 
 namespace deltaform
@@ -19,7 +21,6 @@ namespace deltaform
    */
   struct LogarithmicStrain
   {
-    using Mandel = std::array<double, 4>;
     using Rate = std::array<std::array<double, 5>, 4>;
 
     /// Strain only. @p b must be positive definite.

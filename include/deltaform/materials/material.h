@@ -1,19 +1,13 @@
 #pragma once
 
 #include <deltaform/assembly/status.h>
+#include <deltaform/kinematics/mandel.h>
 #include <deltaform/materials/history_layout.h>
 
-#include <array>
 #include <limits>
 
 namespace deltaform
 {
-  /**
-   * Components of a symmetric 3x3 tensor whose third axis is principal, in Mandel order (11, 22, 33, sqrt(2) 12).
-   * Shell: 1 meridional, 2 hoop, 3 normal. Solid: 1 r, 2 z, 3 hoop, or, of a law with axes, as PointAxes says.
-   */
-  using Mandel = std::array<double, 4>;
-
   /// What is asked of the third direction.
   enum class ThirdDirection : unsigned char
   {
@@ -50,7 +44,8 @@ namespace deltaform
 
   /**
    * All points of one cell. Arrays have n_points entries; history has n_points * Material::history_size() values,
-   * point by point. Stress is the Kirchhoff stress, strain the total logarithmic strain.
+   * point by point. Stress is the Kirchhoff stress, strain the total logarithmic strain. Axes of their components:
+   * shell 1 meridional, 2 hoop, 3 normal; solid 1 r, 2 z, 3 hoop, or, of a law with axes, as PointAxes says.
    */
   struct MaterialBatch
   {

@@ -10,8 +10,8 @@ namespace deltaform
 {
   /**
    * Name -> maker of the parts of one kind that a scene does not choose by an entry of their name (Registry is for
-   * those): conditions, observers, strategies. A part registers itself by the last line of its own .cc file, in the
-   * library or in a program that uses it:
+   * those, and rests on this): conditions, observers, strategies. A part registers itself by the last line of its own
+   * .cc file, in the library or in a program that uses it:
    *
    *     const ConditionMakers::Entry entry("press limit", "a tool presses harder than the press can", make);
    */
@@ -29,11 +29,11 @@ namespace deltaform
 
     struct Entry
     {
-      /// @throws std::logic_error if the name is taken: one of two parts would be lost without a word
+      /// @throws std::logic_error if the name is taken: one of the two would be lost without a word
       Entry(const std::string &name, const std::string &sentence, const Maker maker)
       {
         if (!records().emplace(name, Record{sentence, maker}).second)
-          throw std::logic_error("two parts of one kind are called '" + name + "'");
+          throw std::logic_error("two of one kind are called '" + name + "'");
       }
     };
 

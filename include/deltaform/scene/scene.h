@@ -48,6 +48,8 @@ namespace deltaform
     void check_tools(Section root) const;
     void check_linear_solver(Section root) const;
     void check_stages(Section root) const;
+    /// Does a function of time change within @p stage, or does something end with the stage @p before (null: none)?
+    bool changes_anything(const Stage &stage, const Stage *before) const;
     void check_friction(Section root) const;
   };
 

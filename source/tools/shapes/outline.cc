@@ -1,8 +1,8 @@
 // Any outline of lines and arcs, in the scene or from a file.
 #include "../outline_file.h"
+#include "../outline_of_corners.h"
 
 #include <deltaform/parameters/registry.h>
-#include <deltaform/tools/shape.h>
 
 #include <fstream>
 #include <regex>
@@ -13,7 +13,7 @@ namespace deltaform
 {
   namespace
   {
-    class Outline : public Shape
+    class Outline : public OutlineOfCorners
     {
     public:
       explicit Outline(Section &section)
@@ -31,33 +31,19 @@ namespace deltaform
                                            "Walk the outline the other way: the blank must lie to its left.");
         const double tolerance = section.number("Joint tolerance", 1e-6, Range::positive(), "length",
                                                 "Ends of lines and arcs that are nearer to each other are joined.");
-        across_ = section.choice("Across the axis", "auto", {"auto", "true", "false"},
-                                 "Is an end on r = 0 no edge, so that the outline goes on as its mirror image? auto: "
-                                 "yes if the blank is axisymmetric, no in plane strain.");
+        read_ends(section);
         if (file.empty() && !section.given("Path") && !section.documentation())
           section.fail("Path", "give the outline as Path or in a File");
         try
         {
           std::istringstream lines(std::regex_replace(path, std::regex(";"), "\n"));
-          corners_ = corners_of(walked(file.empty() ? read_points(lines) : read(file, layer, tolerance), reversed),
-                                tolerance);
-          build_ends(across_ != "false");
+          set_corners(corners_of(walked(file.empty() ? read_points(lines) : read(file, layer, tolerance), reversed),
+                                 tolerance));
         }
         catch (const std::invalid_argument &error)
         {
           section.fail(file.empty() ? "Path" : "File", (file.empty() ? "" : "'" + file + "': ") + error.what());
         }
-      }
-
-      void set_plane_strain() override
-      {
-        if (across_ == "auto")
-          build_ends(false);
-      }
-
-      bool in_scene_frame() const override
-      {
-        return true;
       }
 
     private:
@@ -82,18 +68,6 @@ namespace deltaform
           other.push_back(piece->reversed());
         return other;
       }
-
-      void build_ends(const bool across)
-      {
-        const auto end = [&](const Point2 &point) { return across && point[0] == 0. ? End::axis : End::free; };
-        if (corners_.closed)
-          build_closed(corners_.points, corners_.radii);
-        else
-          build(corners_.points, corners_.radii, end(corners_.points.front()), end(corners_.points.back()));
-      }
-
-      OutlineCorners corners_;
-      std::string across_;
     };
 
     const Registry<Shape>::Entry

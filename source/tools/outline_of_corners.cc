@@ -1,0 +1,39 @@
+#include "outline_of_corners.h"
+
+#include <utility>
+
+namespace deltaform
+{
+  void OutlineOfCorners::read_ends(Section &section)
+  {
+    across_ = section.choice("Across the axis",
+                             "auto",
+                             {"auto", "true", "false"},
+                             "Is an end on r = 0 no edge, so that the outline goes on as its mirror image? auto: yes "
+                             "if the blank is axisymmetric, no in plane strain.");
+  }
+
+
+  void OutlineOfCorners::set_corners(OutlineCorners corners)
+  {
+    corners_ = std::move(corners);
+    build_corners(across_ != "false");
+  }
+
+
+  void OutlineOfCorners::set_plane_strain()
+  {
+    if (across_ == "auto")
+      build_corners(false);
+  }
+
+
+  void OutlineOfCorners::build_corners(const bool across)
+  {
+    const auto end = [&](const Point2 &point) { return across && point[0] == 0. ? End::axis : End::free; };
+    if (corners_.closed)
+      build_closed(corners_.points, corners_.radii);
+    else
+      build(corners_.points, corners_.radii, end(corners_.points.front()), end(corners_.points.back()));
+  }
+} // namespace deltaform
