@@ -37,8 +37,10 @@ namespace deltaform
 
     std::string in_words(const Rejected &rejected, const unsigned int increment, const Stage &stage)
     {
+      const bool is_promise = rejected.kind == Rejected::Kind::promise_broken;
       return "in increment " + std::to_string(increment) + ": " + rejected.sentence + ". The smallest increment, " +
-             text::rounded(stage.smallest_increment) + ", was reached";
+             text::rounded(stage.smallest_increment) + ", was reached. Try a smaller Steps/" + stage.name +
+             "/Smallest increment, or " + (is_promise ? "a larger allowed penetration" : "shorter elements at radii");
     }
 
     std::string does_not_find_the_blank(const std::string &tool, const Stage &stage)
@@ -175,7 +177,8 @@ namespace deltaform
       }
       ++cost_.cutbacks;
       journal_.detail("increment " + std::to_string(state_.n_increments + 1) + " to time " + text::format(next) +
-                      " cut back: " + result.rejected->sentence);
+                      " cut back: " + result.rejected->sentence +
+                      (result.rejected->residuals.empty() ? "" : ", relative residuals " + result.rejected->residuals));
       if (!control_->reject(next - time()))
         return give_up(*result.rejected);
     }

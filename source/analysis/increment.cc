@@ -99,7 +99,7 @@ namespace deltaform
         result.rejected = Rejected{Rejected::Kind::promise_broken, broken};
     solved.iterations = result.cost.iterations;
     if (!result.rejected && !solved.converged())
-      result.rejected = Rejected{Rejected::Kind::not_solved, explain(solved)};
+      result.rejected = Rejected{Rejected::Kind::not_solved, explain(solved), listed(solved.residuals)};
     if (!result.rejected)
       result.rejected =
         too_large(length, effort == Effort::all && (may_be_snap || problem_.releases_at_once()), result);
@@ -155,8 +155,7 @@ namespace deltaform
       return "the corrections of the penalty factors did not end after " + std::to_string(result.rounds) + " rounds" +
              where;
     default:
-      return "Newton did not converge in " + std::to_string(result.iterations) + " iterations" + where +
-             ", relative residuals " + listed(result.residuals);
+      return "Newton did not converge in " + std::to_string(result.iterations) + " iterations" + where;
     }
   }
 } // namespace deltaform

@@ -3,7 +3,8 @@
 namespace deltaform
 {
   NewtonSettings::NewtonSettings(Section &section)
-    : max_iterations(section.integer("Maximal iterations", 20, 2, 1000, "Newton iterations between two corrections.")),
+    : max_iterations(section.integer("Maximal iterations", 20, 2, 1000,
+                                     "Largest number of Newton iterations between two corrections of the factors.")),
       max_rounds(
         section.integer("Maximal corrections", 100, 0, 1000, "Corrections of the penalty factors per increment.")),
       force_tolerance(
@@ -24,7 +25,8 @@ namespace deltaform
                        1e-3,
                        Range::positive(),
                        "1",
-                       "Last Newton step over the increment of displacement (at least 1 % of the thickness).")),
+                       "Largest last Newton step, relative to the displacement in the increment (at least 1 % of the "
+                       "thickness).")),
       line_search(section.flag("Line search", true, "Search along the Newton step where the residual grows."))
   {
   }

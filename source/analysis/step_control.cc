@@ -6,8 +6,11 @@
 namespace deltaform
 {
   StepSettings::StepSettings(Section &section)
-    : target_iterations(section.integer("Target iterations", 8, 1, 1000, "Newton iterations per increment aimed at.")),
-      growth(section.number("Growth", 1.5, Range{1., 10., false, false}, "1", "Largest growth of the increment.")),
+    : target_iterations(section.integer("Target iterations", 8, 1, 1000,
+                                        "Newton iterations aimed at: more shorten the next increment, fewer lengthen "
+                                        "it.")),
+      growth(section.number("Growth", 1.5, Range{1., 10., false, false}, "1",
+                            "Largest factor from one increment to the next.")),
       shrink(section.number("Shrink", .5, Range::inside(0, 1), "1", "Factor of the increment after a failure.")),
       largest_strain(section.number("Largest strain increment",
                                     .1,
@@ -29,9 +32,10 @@ namespace deltaform
                        0.,
                        Range{0., 1., false, true},
                        "1",
-                       "Allowed relative error of the plastic strain that an increment adds: half the turn of its "
-                       "direction, mean over the blank. Increments are as long as it allows. 0: not used.")),
-      extrapolate(section.flag("Extrapolate", true, "Predictor: Newton starts from the last increment's velocity."))
+                       "Largest relative error of the plastic strain that an increment adds, estimated from the turn "
+                       "of its direction; increments are made as long as this allows. 0: not used.")),
+      extrapolate(section.flag("Extrapolate", true,
+                               "Predictor: Newton's method starts from the last increment's velocity."))
   {
   }
 

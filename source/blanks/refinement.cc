@@ -8,9 +8,9 @@ namespace deltaform
       section.choice("Criterion",
                      "none",
                      {"none", "contact", "recovery"},
-                     "Which cells of a solid are refined during the run: none; those with contact edges that are too "
-                     "long for the radius of the tool; besides, those in which the stresses differ most from recovered "
-                     "ones (Zienkiewicz and Zhu).");
+                     "Which cells of a solid are refined during the run. contact: those whose contact edges are too "
+                     "long for the radius of the tool. recovery: besides, those whose stresses differ most from "
+                     "recovered ones (Zienkiewicz and Zhu).");
     active = criterion != "none";
     by_error = criterion == "recovery";
     if (!active && !section.documentation())
@@ -25,8 +25,8 @@ namespace deltaform
                             0.,
                             Range::from_to_below(0, 1),
                             "1",
-                            "Estimated relative error in energy below which the error asks for no more cells.");
-    every = section.integer("Every", 1, 1, 1000000, "Refine after so many increments.");
+                            "Estimated relative error in energy below which the error refines no further.");
+    every = section.integer("Every", 1, 1, 1000000, "Number of increments between refinements.");
     passes = section.integer("Passes", 1, 1, 30, "Refinements at the same time, each followed by a new equilibrium.");
     levels = section.integer("Maximal level", 3, 1, 20, "How many times a cell of the first mesh may be halved.");
     edge_share =
@@ -34,8 +34,8 @@ namespace deltaform
                      .1,
                      Range::not_negative(),
                      "1",
-                     "Longest edge that touches, or is about to touch, a round part of a tool, in radii of the tool "
-                     "there; 0: any length.");
+                     "Longest allowed edge that touches, or is about to touch, a round part of a tool, in radii of the "
+                     "tool there; 0: any length.");
     rim = section.flag("Contact rim", false, "Refine also where contact ends, up to the maximal level.");
   }
 } // namespace deltaform

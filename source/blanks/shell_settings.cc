@@ -7,7 +7,7 @@ namespace deltaform
                              1,
                              1,
                              2,
-                             "Polynomial degree: 1 with one-point, 2 with two-point reduced integration.")),
+                             "Polynomial degree of the elements: 1 for forming, 2 for elastic bending.")),
       axisymmetric(
         section.choice("Symmetry",
                        "axisymmetric",
@@ -26,7 +26,7 @@ namespace deltaform
                                   Range::positive(),
                                   "1",
                                   "Factor of the transverse shear stiffness.")),
-      n_layers(section.integer("Layers", 7, 1, most_layers, "Points through the thickness (membrane: one)."))
+      n_layers(section.integer("Layers", 7, 1, most_layers, "Points through the thickness; 11 for springback."))
   {
     if (membrane)
       n_layers = 1;

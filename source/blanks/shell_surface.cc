@@ -63,8 +63,8 @@ namespace deltaform
     const bool inside = section.choice("Contact points",
                                        "nodes",
                                        {"nodes", "gauss"},
-                                       "What touches: the nodes, or points inside the elements on the smooth curve "
-                                       "that nodes and their rotations give.") == "gauss";
+                                       "Which points touch: the nodes, or points inside the elements on the smooth "
+                                       "curve through the nodes.") == "gauss";
     const int n_points = section.integer("Gauss points",
                                          2,
                                          1,

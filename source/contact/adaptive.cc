@@ -71,7 +71,7 @@ namespace deltaform
     };
 
     const Registry<PenaltyRule>::Entry entry("adaptive",
-                                             "eps from the reaction and the allowed penetration; promises p <= delta",
+                                             "eps from the reaction and delta; promises penetration <= delta",
                                              &make_as<Adaptive, PenaltyRule>);
   } // namespace
 } // namespace deltaform

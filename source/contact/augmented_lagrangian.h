@@ -16,8 +16,8 @@ namespace deltaform
                                   1e-7,
                                   Range::above_to(0, 1),
                                   "1",
-                                  "Largest |gap| of a loaded node, in units of the allowed penetration, at which no "
-                                  "further augmentation takes place; ten times as much after every twelve rounds."))
+                                  "Augmentation ends when no loaded node has a larger |gap|, in units of the allowed "
+                                  "penetration; ten times as much is allowed after every twelve rounds."))
     {
     }
 

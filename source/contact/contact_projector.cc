@@ -12,8 +12,8 @@ namespace deltaform
       tool_section.choice("Contact thickness",
                           "current",
                           {"current", "initial", "none"},
-                          "Thickness that keeps the tool from the mid-surface of a shell: as last "
-                          "accepted, initial (a tool with a fixed gap to another), or none.");
+                          "Thickness of a shell in contact. current: of the last accepted increment. initial: for a "
+                          "tool at a fixed gap to another. none: contact at the mid-surface.");
     thickness_ = thickness == "current"   ? ContactThickness::current
                  : thickness == "initial" ? ContactThickness::initial
                                           : ContactThickness::none;
@@ -21,7 +21,7 @@ namespace deltaform
       "Thickness compliance",
       "on",
       {"on", "off"},
-      "Of a shell, through its thickness. on: the half on this side of the mid-surface is an elastic spring that the "
+      "Elasticity of a shell through its thickness. on: the half on this tool's side is an elastic spring that the "
       "contact pressure compresses. off: it is rigid within an increment.");
     gives_way_ = compliance == "on";
     reset();

@@ -28,7 +28,8 @@ namespace deltaform
         section.function("Allowed elastic slip",
                          Default<std::string>("1e-3*thickness"),
                          "length",
-                         "delta_t: how far a sticking node may creep; sets the tangential factor mu lambda / delta_t.",
+                         "delta_t: how far a sticking point may slide elastically; sets the tangential factor mu "
+                         "lambda / delta_t.",
                          constants)),
       tangential_factor(section.number("Tangential factor",
                                        0.,

@@ -24,7 +24,7 @@ namespace deltaform
                                     .05,
                                     Range::positive(),
                                     "1",
-                                    "Excess of the penetration over delta, relative, that is accepted."))
+                                    "Accepted excess of the penetration over delta, relative to delta."))
       {
       }
 

@@ -19,22 +19,22 @@ namespace deltaform
     std::unique_ptr<RateFactor> heated(std::unique_ptr<RateFactor> cold, Section section)
     {
       const bool adiabatic = section.flag(
-        "Adiabatic", false, "Count the temperature: the heat of plastic flow stays where it is made.");
+        "Adiabatic", false, "Compute the temperature; the heat of plastic flow stays where it is made.");
       if (!adiabatic && !section.documentation())
         return cold;
       const double capacity = section.number("Heat capacity",
                                              required(3.432),
                                              Range::positive(),
                                              "stress/temperature",
-                                             "Of the volume: density times specific heat, in mm, N, MPa: N/(mm^2 K). "
-                                             "Only with Adiabatic.");
+                                             "Heat capacity per volume: density times specific heat (mm, N, MPa: "
+                                             "N/(mm^2 K)). Only with Adiabatic.");
       const double share = section.number("Heated share",
                                           .9,
                                           Range::above_to(0., 1.),
                                           "1",
-                                          "Of the plastic work, that becomes heat. Only with Adiabatic.");
+                                          "Share of the plastic work that becomes heat. Only with Adiabatic.");
       auto softening = Registry<Softening>::choose(
-        section, "Softening", "none", "What the temperature leaves of the flow stress. Only with Adiabatic.");
+        section, "Softening", "none", "How the flow stress falls with the temperature. Only with Adiabatic.");
       if (!adiabatic)
         return cold;
       return std::make_unique<AdiabaticHeat>(std::move(cold), std::move(softening), share / capacity);
@@ -48,9 +48,10 @@ namespace deltaform
                        elastic.young,
                        Range::positive(),
                        "stress",
-                       "Ea: where Young's modulus ends that falls with the plastic strain e, E = E0 - (E0 - Ea) (1 - "
-                       "exp(-xi e)); default is E0. Shells only."),
-        section.number("Rate", 0., Range::not_negative(), "1", "xi; 0: Young's modulus is constant.")};
+                       "Ea, to which Young's modulus falls with the plastic strain e: E = E0 - (E0 - Ea) (1 - exp(-xi "
+                       "e)). Default: E0. Shells only."),
+        section.number("Rate", 0., Range::not_negative(), "1",
+                       "xi, the rate of this fall; 0: Young's modulus is constant.")};
       if (falling.rate > 0. && falling.saturated > elastic.young)
         section.fail("Saturated modulus", "must not be larger than Young's modulus");
       return falling.rate > 0. && falling.saturated < elastic.young ? std::optional(falling) : std::nullopt;
@@ -68,7 +69,7 @@ namespace deltaform
       const Section back_stress = section.sub("Backstress");
       laws.back_stress = choose<BackStress>(back_stress, "none", "Kinematic hardening.");
       laws.rate_factor = choose<RateFactor>(
-        section.sub("Rate factor"), "none", "What rate of strain and temperature make of the flow stress.");
+        section.sub("Rate factor"), "none", "How the flow stress depends on the rate of strain.");
       laws.rate_factor = heated(std::move(laws.rate_factor), section.sub("Heat"));
       const std::string objection = laws.back_stress->objection(*laws.yield_surface, *laws.hardening);
       if (!objection.empty())
@@ -77,8 +78,8 @@ namespace deltaform
         section.choice("Integration",
                        "two steps",
                        {"backward Euler", "two steps"},
-                       "Of flow over an increment. Two steps: of second order, goes on from the flow of the last "
-                       "increment.") == "two steps";
+                       "How plastic flow is integrated over an increment. two steps: BDF2, of second order, uses the "
+                       "increment before. backward Euler: of first order.") == "two steps";
       return std::make_unique<Elastoplastic>(elastic,
                                              std::move(laws),
                                              two_steps ? Elastoplastic::Integration::two_steps

@@ -68,7 +68,7 @@ namespace deltaform
     return FormingLimits::choose(section,
                                  "Curve",
                                  "marciniak-kuczynski",
-                                 "Major strain in the plane of the sheet at which it necks, against the minor one.",
+                                 "Forming limit curve: major strain at which the sheet necks, over the minor strain.",
                                  law);
   }
 } // namespace deltaform

@@ -182,8 +182,8 @@ namespace deltaform
       const bool is_along = section.choice(rolling,
                                            "along",
                                            {"along", "across"},
-                                           "Of a strip in plane strain, against its meridian. The flow stress is that "
-                                           "of tension in the rolling direction.") == "along";
+                                           "Rolling direction of a strip in plane strain: along its section or "
+                                           "across it. The flow stress is that of tension along it.") == "along";
       if (r0 == r90)
         return std::make_unique<NormalAnisotropy>(r0);
       Hill::Coefficients c = sheet_coefficients(r0, r90);

@@ -27,9 +27,9 @@ namespace deltaform
       static const ParameterTable<JohnsonCook> &parameters()
       {
         static const ParameterTable<JohnsonCook> table{
-          {{"Rate coefficient", &JohnsonCook::C, Range::not_negative(), "1", "C.", .025},
+          {{"Rate coefficient", &JohnsonCook::C, Range::not_negative(), "1", "C in s (1 + C ln(rate/rate0)).", .025},
            {"Reference rate", &JohnsonCook::reference, Range::positive(), "1/time",
-            "rate0, under which the flow stress does not depend on the rate.", 1.}}};
+            "rate0: below it the flow stress does not depend on the rate.", 1.}}};
         return table;
       }
     };

@@ -18,9 +18,11 @@ namespace deltaform
       explicit JohnsonCookSoftening(Section &section)
       {
         const std::string melting = "Melting temperature";
-        m_ = section.number("Softening exponent", required(1.09), Range::positive(), "1", "m.");
+        m_ = section.number("Softening exponent", required(1.09), Range::positive(), "1",
+                            "m in 1 - ((T - T0)/(Tm - T0))^m.");
         const double start = section.number(
-          "Initial temperature", required(298.), Range::any(), "temperature", "T0, in the unit of the other.");
+          "Initial temperature", required(298.), Range::any(), "temperature",
+          "T0, in the unit of the melting temperature.");
         range_ = section.number(melting, required(1356.), Range::any(), "temperature", "Tm, above T0.") - start;
         if (!(range_ > 0.))
           section.fail(melting, "the metal would be molten from the start: must lie above the initial temperature.");

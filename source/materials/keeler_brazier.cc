@@ -17,9 +17,9 @@ namespace deltaform
     std::unique_ptr<FormingLimit> read(Section &section, const Material &)
     {
       const double t = section.number("Sheet thickness", required(.8), Range::positive(), "mm",
-                                      "In mm whatever the units of the scene are; counts up to 3.1 mm.");
+                                      "In mm, whatever the units of the scene; more than 3.1 mm counts as 3.1 mm.");
       const double n = section.number("Hardening exponent", required(.21), Range::positive(), "1",
-                                      "n of K e^n; counts up to .21.");
+                                      "n of K e^n; more than .21 counts as .21.");
       const double percent = (23.3 + 14.13 * std::min(t, 3.1)) * std::min(n, .21) / .21;
       const double plane_strain = std::log1p(percent / 100.);
       constexpr double tan_20 = .36397023426620236;

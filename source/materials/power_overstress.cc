@@ -29,7 +29,7 @@ namespace deltaform
       {
         static const ParameterTable<PowerOverstress> table{
           {{"Overstress", &PowerOverstress::K, Range::positive(), "stress",
-            "K: what comes to the flow stress at a rate of 1 per unit of time.", 100.},
+            "K: added flow stress at a rate of 1 per unit of time.", 100.},
            {"Rate exponent", &PowerOverstress::n, {1.}, "1", "n, at least 1: rate = (overstress/K)^n.", 5.}}};
         return table;
       }

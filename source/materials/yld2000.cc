@@ -142,8 +142,7 @@ namespace deltaform
                                      required("1.0035 .9636 .8832 1.0481 1.0125 .9947 .9215 1.1918"),
                                      8,
                                      "1",
-                                     "Eight numbers, alpha 1 to 8, against a stress of reference, which the flow "
-                                     "stress is.");
+                                     "Coefficients alpha 1 to 8, found with the flow stress as reference stress.");
       if (rows.size() != 1)
         section.fail(name, "must be eight numbers.");
       const auto &alpha = rows.front();
@@ -153,7 +152,8 @@ namespace deltaform
       const bool along = section.choice("Rolling direction",
                                         "along",
                                         {"along", "across"},
-                                        "Of a strip in plane strain, against its meridian.") == "along";
+                                        "Rolling direction of a strip in plane strain: along its section or "
+                                        "across it.") == "along";
       return std::make_unique<Yld2000>(exponent, alpha, along ? 0 : 1);
     }
 

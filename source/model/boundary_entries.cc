@@ -18,7 +18,7 @@ namespace deltaform
   std::string read_boundary(Section &section, const Boundary &boundary)
   {
     const auto parts = boundary.parts();
-    return section.choice("Boundary", parts.front(), parts, "Part of the boundary.");
+    return section.choice("Boundary", parts.front(), parts, "Part of the blank's boundary.");
   }
 
 

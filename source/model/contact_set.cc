@@ -230,17 +230,17 @@ namespace deltaform
       const ContactPointState &state = interface->trial()[i];
       const ContactPoint node = interface->point(committed, i);
       const bool at_nodes = actors_.blank->surface().points_per_edge() == 0;
-      std::string text = "the promise p <= delta cannot be kept: tool '" + interface->tool().name() +
+      std::string text = "the promise penetration <= delta cannot be kept: tool '" + interface->tool().name() +
                          (at_nodes ? "', node " : "', contact point ") +
-                         std::to_string(i) + " (R0 = " + text::format(node.reference_coordinate) + ") penetrates " +
-                         text::format(state.penetration()) + ", " + text::format(ratio) + " times the allowed " +
-                         text::format(state.delta) + ", with penalty factor " + text::format(state.penalty_factor);
+                         std::to_string(i) + " (R0 = " + text::rounded(node.reference_coordinate) + ") penetrates " +
+                         text::rounded(state.penetration()) + ", " + text::rounded(ratio) + " times the allowed " +
+                         text::rounded(state.delta) + ", with penalty factor " + text::rounded(state.penalty_factor);
       for (const auto *other : active_)
         if (other->tool().side() != interface->tool().side() && i < other->n_points() && other->trial()[i].touching &&
             other->point(committed, i).nodes[0].node == node.nodes[0].node)
           text += ". The node is clamped between '" + interface->tool().name() + "' and '" + other->tool().name() +
-                  "': its thickness is " + text::format(node.thickness) + ", the gap leaves " +
-                  text::format(node.thickness + state.gap + other->trial()[i].gap) +
+                  "': its thickness is " + text::rounded(node.thickness) + ", the gap leaves " +
+                  text::rounded(node.thickness + state.gap + other->trial()[i].gap) +
                   ". Use Contact thickness = initial for the tool with the fixed gap, a wider gap, or a force";
       return text;
     }

@@ -124,8 +124,8 @@ namespace deltaform
     const double smallest = .5e6 * std::numeric_limits<double>::epsilon() * size_;
     if (actors_.contact->rule->promises() && actors_.contact->normal_law->uses_penalty() && delta < smallest)
       return wrong(text::format(delta) + at(time) + " cannot be told from round-off: at coordinates of size " +
-                   text::format(size_) + " the noise of the contact forces exceeds 1e-6 of them below " +
-                   text::format(smallest) +
+                   text::rounded(size_) + " the noise of the contact forces exceeds 1e-6 of them below " +
+                   text::rounded(smallest) +
                    ". Use Enforcement = active set, or the augmented Lagrangian, for contact that exact");
     return {};
   }

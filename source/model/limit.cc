@@ -10,18 +10,18 @@ namespace deltaform
       Section own = scene.sub("Limits").sub(criterion);
       const std::string then =
         own.choice("When reached", "warn", {"warn", "end stage", "end run"},
-                   "What happens at the Limit. End stage: the next stage begins, at its own time; tools that go on in "
-                   "it must not move in what is left out. End run: with status 2.");
+                   "What happens at the Limit. end stage: the next stage begins at its own time; tools that go on in "
+                   "it must not move in the time that is skipped. end run: exit status 2.");
       if (!own.given("Limit") && !own.documentation())
       {
         if (own.given("When reached"))
-          own.fail("When reached", "there is no Limit");
+          own.fail("When reached", "there is no Limit: state the value at which this happens");
         continue;
       }
       Limit limit;
       limit.criterion = criterion;
       limit.most = own.number("Limit", required(1.), Range::positive(), "unit of the criterion",
-                              "Largest value that is taken as whole. Without it the criterion is only reported.");
+                              "Largest allowed value. Without it the criterion is only reported.");
       limit.then = then == "warn" ? Limit::Then::warn : then == "end run" ? Limit::Then::end_run
                                                                           : Limit::Then::end_stage;
       limits.push_back(limit);

@@ -31,7 +31,8 @@ namespace deltaform
                                             1e-7 * length,
                                             Range::positive(),
                                             "time",
-                                            "A failure at this size ends the run with status 2.");
+                                            "Smallest increment; the run ends with status 2 where an increment of this "
+                                            "size fails.");
       // Four digits more than the time has: increments of this size add up to a time that moves.
       if (const double digit = std::numeric_limits<double>::epsilon() * stage.end;
           stage.smallest_increment < 1e4 * digit)

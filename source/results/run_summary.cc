@@ -20,7 +20,7 @@ namespace deltaform
       case exit_status::not_converged:
         return "not converged";
       case exit_status::promise_broken:
-        return "promise p <= delta could not be kept";
+        return "promise penetration <= delta could not be kept";
       default:
         return "interrupted";
       }

@@ -34,7 +34,7 @@ namespace deltaform
     const std::string metal =
       material.text(name_entry,
                     Default<std::string>(""),
-                    "Of a metal in the table (deltaform --list), whose entries are taken where the scene states none.");
+                    "Name of a metal in the table (deltaform --list). Its entries hold where the scene states none.");
     const std::string asked =
       material.text(table_entry,
                     Default<std::string>(""),

@@ -29,9 +29,9 @@ namespace deltaform
     if (const std::string objection = UnitSystem(units).objection(); !objection.empty())
       root.fail("Units", objection);
     start_from = root.text("Start from", Default<std::string>(""),
-                           "Folder with the results of an earlier operation: the blank begins as that run has left it. "
-                           "Its section Blank is that of the earlier scene, for a shell also with other Elements, or "
-                           "Points of a part of it (trimmed).");
+                           "Folder with the results of an earlier operation; the blank begins as that run left it. "
+                           "Section Blank must be that of the earlier scene; a shell may have other Elements, or "
+                           "Points that end earlier (trimmed).");
 
     Section blank = root.sub("Blank");
     supply_material(root);

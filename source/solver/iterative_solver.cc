@@ -137,7 +137,7 @@ namespace deltaform
         const double why = solver.GetAztecStatus()[AZ_why];
         if (why == AZ_maxits)
           failure_ = std::string(method == AZ_cg ? "conjugate gradients" : "GMRES") + " stopped after " +
-                     std::to_string(solver.NumIters()) + " iterations at " + text::format(solver.ScaledResidual()) +
+                     std::to_string(solver.NumIters()) + " iterations at " + text::rounded(solver.ScaledResidual()) +
                      " of the right side, wanted is " + text::format(tolerance_);
         // The recursive residual has converged, the true one has reached its round-off: as good as it gets.
         return why == AZ_normal || why == AZ_loss;

@@ -37,10 +37,10 @@ namespace deltaform
     : name(section.choice("Linear solver",
                           "automatic",
                           choices(),
-                          "Direct: klu for thin strips, mumps for blocks. Iterative, for large solids: conjugate "
-                          "gradients (no friction) or GMRES, preconditioned by algebraic multigrid, by the "
-                          "diagonal or by its blocks of one node each, which do not care how contact is inclined. "
-                          "automatic: klu or mumps, by the size and shape of the mesh.")),
+                          "automatic: klu or mumps, by the size and shape of the mesh. Direct: klu for thin strips, "
+                          "mumps for blocks. Iterative, for large solids: conjugate gradients (cg, no friction) or "
+                          "GMRES, preconditioned by algebraic multigrid (amg), by the blocks of the nodes or by the "
+                          "diagonal.")),
       automatic(name == "automatic"),
       method(method_called(automatic ? "klu" : name)),
       tolerance(section.number("Linear solver tolerance",
@@ -52,12 +52,13 @@ namespace deltaform
                                      2000,
                                      1,
                                      1000000,
-                                     "Of an iterative linear solver, per solve: the increment fails with more.")),
+                                     "Largest number of iterations of an iterative linear solver in a solve; with more "
+                                     "the increment fails.")),
       linear_path(section.choice("Linear path",
                                  "automatic",
                                  {"automatic", "off"},
-                                 "automatic: the stiffness of a linear elastic solid of small strain is assembled and "
-                                 "factorized once, and contact is condensed to its unknowns; off: as for any other "
+                                 "automatic: assemble and factorize the stiffness of a linear elastic solid of small "
+                                 "strain once, and condense contact to its unknowns; off: as for any other "
                                  "blank.") == "automatic")
   {
   }

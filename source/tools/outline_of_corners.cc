@@ -9,8 +9,8 @@ namespace deltaform
     across_ = section.choice("Across the axis",
                              "auto",
                              {"auto", "true", "false"},
-                             "Is an end on r = 0 no edge, so that the outline goes on as its mirror image? auto: yes "
-                             "if the blank is axisymmetric, no in plane strain.");
+                             "true: an end on r = 0 is no edge, the outline goes on as its mirror image. auto: true "
+                             "if the blank is axisymmetric, false in plane strain.");
   }
 
 

@@ -107,12 +107,12 @@ namespace deltaform
       section.fail("Force", "A tool has either a motion or a force, not both.");
 
     stop_travel_ = read_optional(section, "Stop travel",
-                                 "Of a tool under a force: a stop in the press takes the force at this travel (length, "
-                                 "may use t and thickness); empty: there is none.",
+                                 "Travel at which a stop in the press takes the force of a tool under a force (length, "
+                                 "may use t and thickness); empty: no stop.",
                                  constants);
     stop_gap_ = section.number("Stop gap", 0., Range::not_negative(), "length",
-                               "Of a tool under a force: it comes no nearer to the tools on the other side of the "
-                               "blank. Where the blank has left it, it rests on them.");
+                               "Smallest gap from a tool under a force to the tools on the other side of the blank. "
+                               "Where the blank has left, the tool rests there.");
     if (!force_driven() && (stop_travel_ || stop_gap_ > 0.))
       section.fail(stop_travel_ ? "Stop travel" : "Stop gap",
                    "Only a tool that is driven by a Force is stopped; a Motion ends where it says.");
@@ -122,7 +122,7 @@ namespace deltaform
     allowed_penetration_ =
       read_optional(section,
                     "Allowed penetration",
-                    "Of this tool (length, may use t and thickness, or auto); empty: the one of Contact.",
+                    "delta of this tool (length, may use t and thickness, or auto); empty: that of section Contact.",
                     with_auto);
     stages_ = section.names("Stages", "", "Stages in which the tool takes part; empty: all.");
   }

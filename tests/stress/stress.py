@@ -92,7 +92,7 @@ def shorten(message):
     known = (("forces in", "forces out of balance"), ("of the work are missing", "energy missing"), ("thinnest:", "less than a third of the thickness left"),
              ("more than", "slow: increments were still accepted" if "increments" in message else "no increment accepted"),
              ("iron the sheet", "ironed"), ("necks", "necking"),
-             ("Maximal increments", "increments used up: 10000, or 400 of a scene that is not sensible"), ("promise p <= delta", "promise could not be kept, said so"),
+             ("Maximal increments", "increments used up: 10000, or 400 of a scene that is not sensible"), ("promise penetration <= delta", "promise could not be kept, said so"),
              ("round-off", "delta below round-off, refused"), ("tangent is singular", "tangent singular: limit load or free to move"),
              ("did not converge", "Newton did not converge"), ("strain increment", "strain increment too large"),
              ("rotation increment", "rotation increment too large"), ("corrections of the penalty", "corrections did not end"),

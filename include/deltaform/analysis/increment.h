@@ -22,6 +22,7 @@ namespace deltaform
 
     Kind kind;
     std::string sentence; ///< what happened, and where
+    std::string residuals = {}; ///< of the attempt, for the log
   };
 
   /// What became of an attempt at an increment.

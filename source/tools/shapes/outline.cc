@@ -24,13 +24,14 @@ namespace deltaform
                        "line, 'r z center_r center_z cw' (ccw) by an arc about a center. Not used with File.");
         const std::string file =
           section.text("File", Default<std::string>(""),
-                       "The same points, one a line, or a DXF file (LINE, ARC, LWPOLYLINE; x is r, y is z), seen from "
-                       "the folder in which the program runs.");
-        const std::string layer = section.text("Layer", Default<std::string>(""), "Of a DXF file; empty: all.");
+                       "File with the same points, one per line, or a DXF file (LINE, ARC, LWPOLYLINE; x is r, y is "
+                       "z). Its path starts from the folder in which the program runs.");
+        const std::string layer = section.text("Layer", Default<std::string>(""),
+                                               "Layer of the DXF file; empty: all layers.");
         const bool reversed = section.flag("Reversed", false,
                                            "Walk the outline the other way: the blank must lie to its left.");
         const double tolerance = section.number("Joint tolerance", 1e-6, Range::positive(), "length",
-                                                "Ends of lines and arcs that are nearer to each other are joined.");
+                                                "Ends of lines and arcs nearer to each other than this are joined.");
         read_ends(section);
         if (file.empty() && !section.given("Path") && !section.documentation())
           section.fail("Path", "give the outline as Path or in a File");
