@@ -24,7 +24,7 @@ namespace deltaform
           return "";
         if (!stage.continue_after_necking)
           return "the sheet tears: " + watch_.finding() +
-                 ". Draw less deep, or with less friction, less holder force or larger radii; to go on all the same, "
+                 ". Form less deep, or with less friction, less holder force or larger radii; to go on all the same, "
                  "set Steps/" +
                  stage.name + "/Continue after necking = true and --resume";
         passed_over_ = watch_.finding();
