@@ -28,8 +28,8 @@ namespace deltaform
 {
   namespace
   {
-    /// A cell with its unknowns, points and share of the factors takes at least this; 15 000 cells of degree 1 took 12 kB
-    /// each.
+    /// A cell with its unknowns, points and share of the factors takes at least this; 15 000 cells of degree 1 took
+    /// 12 kB each.
     constexpr double cell_bytes = 10000.;
 
     /// Coordinates of the nodes across, in [-1/2, 1/2]: equal shares of the integral of 1/size.
