@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The main job in one command: sets up, builds, draws the cup of prm/cup.prm and says where the results are.
+# The main job in one command: sets up, builds, computes the cup of prm/cup.prm and says where the results are.
 #   scripts/run.sh [SCENE.prm [options of deltaform]]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
