@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Links of the pages lead somewhere: links.py [ROOT].
+"""Links of the pages lead somewhere, and their tables are whole: links.py [ROOT].
 
 Checks every page (*.md): relative links and pictures name files, anchors name headings, and code and scenes name pages that exist ('doc/...').
 Every page of doc/ can be reached from doc/README.md, every recipe links develop.md, every measured table is
-linked from a page and names its script. Exit status 1 and a line per finding.
+linked from a page and names its script. A row of a table is one line with as many cells as its head. Exit status 1 and a line per finding.
 Standard library only.
 """
 import pathlib
@@ -40,11 +40,25 @@ def links(page):
                                                                          page.read_text(encoding="utf-8")))]
 
 
+def broken_rows(page):
+    """Lines of tables that do not end as they begin, or that have other cells than the head of the table."""
+    found, in_code, cells = [], False, 0
+    for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):
+        in_code ^= line.startswith("```")
+        is_row = line.startswith("|") and not in_code
+        bars = len(re.findall(r"(?<!\\)\|", line)) if is_row else 0
+        if is_row and (not line.rstrip().endswith("|") or cells not in (0, bars)):
+            found.append(number)
+        cells = cells or bars if is_row else 0
+    return found
+
+
 def check(root):
     """@return sentences"""
     found, targets = [], {}
     for page in pages(root):
         targets[page] = set()
+        found += [f"{page.relative_to(root)}: line {number} is no whole row of its table" for number in broken_rows(page)]
         for link in links(page):
             if OUTSIDE.match(link):
                 continue
