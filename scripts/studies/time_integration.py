@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Measures what the increments cost and what they spoil, and renews doc/measured/increments_*.csv and a picture.
 
     scripts/studies/time_integration.py [--build FOLDER] [--quick] [--write]

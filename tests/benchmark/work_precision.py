@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Work and precision: runs problems over meshes, degrees, layers, increments, delta and rules of contact.
 
     tests/benchmark/work_precision.py [--build FOLDER] [--quick] [--only NAME ...] [--output FOLDER] [--write]
