@@ -187,6 +187,12 @@ namespace deltaform
     /// Accept the trial state.
     void commit();
 
+    /// Change a value of the committed history; @p field has one.
+    void set_value(const std::size_t point, const HistoryField &field, const double value)
+    {
+      history_.committed(point)[field.first] = value;
+    }
+
     /// A history from elsewhere: @p values are those of all points. There is no flow to go on from.
     void set_history(const std::vector<double> &values);
 

@@ -33,6 +33,8 @@ namespace deltaform
     if (material_.law().traits().symmetry != Symmetry::isotropic && !body_.space().mesh().is_strip())
       section.fail("File",
                    "an anisotropic metal wants to know how the sheet lies: build the body on a meridian (Points).");
+    if (material_.law().heat())
+      heat_.emplace(body_, material_, motion_);
     body_.set_up();
     body_.check(section);
     kernel_.reset();
@@ -58,6 +60,12 @@ namespace deltaform
   const Fields &Solid::fields() const
   {
     return fields_;
+  }
+
+
+  Conducting *Solid::conducting()
+  {
+    return heat_ ? &*heat_ : nullptr;
   }
 
 

@@ -3,6 +3,7 @@
 #include "material_points.h"
 #include "solid_discretization.h"
 #include "solid_fields.h"
+#include "solid_heat.h"
 #include "solid_kernel.h"
 #include "solid_motion.h"
 #include "solid_refinement.h"
@@ -10,6 +11,8 @@
 #include "solid_transfer.h"
 
 #include <deltaform/blanks/blank.h>
+
+#include <optional>
 
 namespace deltaform
 {
@@ -27,6 +30,7 @@ namespace deltaform
     const ContactSurface &surface() const override;
     const Boundary &boundary() const override;
     const Fields &fields() const override;
+    Conducting *conducting() override;
     Adaptive *adaptive() override;
     const Adaptive *adaptive() const override;
     unsigned int n_dofs() const override;
@@ -75,6 +79,7 @@ namespace deltaform
     SolidTransfer transfer_;
     SolidRefinement refinement_;
     SolidFields fields_;
+    std::optional<SolidHeat> heat_; ///< of a metal that conducts
     double outermost_ = 0; ///< radius
   };
 } // namespace deltaform

@@ -20,9 +20,13 @@ namespace deltaform
         .fail("Law",
               "a sheet that differs along and across the rolling direction does not stay a body of revolution: in an "
               "axisymmetric scene r must be the same in all directions of the sheet.");
+    if (!solid && material.heat())
+      section.sub("Heat").fail("Conductivity",
+                               "a shell has no temperature through its thickness, so that heat cannot go to the tools: "
+                               "take Blank/Kind = solid, or leave the heat where it is made (0).");
     if (traits.needs_duration && text::split(read_units_label(section), ',').size() != 4)
-      section.sub("Rate factor")
-        .fail("Law",
+      section.sub(material.heat() ? "Heat" : "Rate factor")
+        .fail(material.heat() ? "Conductivity" : "Law",
               "it wants to know in which unit the time of the scene is: name it as the fourth one in Units, for "
               "example 'set Units = mm, N, MPa, s'.");
     if (solid && !traits.section)

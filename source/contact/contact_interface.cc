@@ -97,6 +97,7 @@ namespace deltaform
   void ContactInterface::commit(const Vector &q)
   {
     IncrementWork work(trial_.energy, settings_.stores_energy());
+    friction_work_.assign(counts_energy_ ? n_points() : 0, 0.);
     for (unsigned int i = 0; i < trial_.points.size(); ++i)
     {
       ContactPointState &state = trial_.points[i];
@@ -116,7 +117,7 @@ namespace deltaform
       if (friction_ && state.touching && !state.sticking)
         state.slip += std::abs(slip);
       if (counts_energy_)
-        work.add(before, state, slip);
+        friction_work_[i] = work.add(before, state, slip);
     }
     trial_.step = trial_.time - committed_.time;
     if (counts_energy_)

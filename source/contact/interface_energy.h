@@ -34,8 +34,8 @@ namespace deltaform
     {
     }
 
-    /// @param slip of the increment, a length along the tool; 0 without friction
-    void add(const ContactPointState &before, const ContactPointState &now, const double slip)
+    /// @param slip of the increment, a length along the tool; 0 without friction. @return work of friction
+    double add(const ContactPointState &before, const ContactPointState &now, const double slip)
     {
       // What the springs gain beyond the trapezoidal work of their forces (eps p at both ends) when eps changes on the
       // way. The round in which it changed does not matter, and a first touch (p = 0) counts nothing: its force goes
@@ -45,8 +45,10 @@ namespace deltaform
           .5 * (now.penalty_factor - before.penalty_factor) * before.penetration() * now.penetration();
       const double first = before.touching ? before.tangential_force : 0.,
                    last = now.touching ? now.tangential_force : 0.;
-      energy_.friction += .5 * (first + last) * slip - (stored(now, last) - stored(before, first));
+      const double friction = .5 * (first + last) * slip - (stored(now, last) - stored(before, first));
+      energy_.friction += friction;
       growth_ += (last - first) * slip;
+      return friction;
     }
 
     void finish()

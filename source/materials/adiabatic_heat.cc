@@ -7,8 +7,9 @@ namespace deltaform
 {
   AdiabaticHeat::AdiabaticHeat(std::unique_ptr<RateFactor> cold,
                                std::unique_ptr<Softening> softening,
-                               const double heating)
-    : cold_(std::move(cold)), softening_(std::move(softening)), heating_(heating),
+                               const double heating,
+                               const std::optional<MetalHeat> &conducts)
+    : cold_(std::move(cold)), softening_(std::move(softening)), heating_(heating), conducts_(conducts),
       rise_(cold_->history_layout().size())
   {
   }
@@ -17,14 +18,14 @@ namespace deltaform
   HistoryLayout AdiabaticHeat::history_layout() const
   {
     HistoryLayout layout = cold_->history_layout();
-    layout.append({{"temperature_rise", HistoryKind::positive, "temperature"}});
+    layout.append({{"temperature_rise", conducts_ ? HistoryKind::scalar : HistoryKind::positive, "temperature"}});
     return layout;
   }
 
 
   bool AdiabaticHeat::needs_duration() const
   {
-    return cold_->needs_duration();
+    return conducts_ || cold_->needs_duration();
   }
 
 
@@ -34,14 +35,21 @@ namespace deltaform
   }
 
 
+  std::optional<MetalHeat> AdiabaticHeat::heat() const
+  {
+    return conducts_;
+  }
+
+
   FlowStress AdiabaticHeat::evaluate(
     const FlowStress &slow, const double flow, const double duration, const double *start, double *end) const
   {
     constexpr unsigned int max_iter = 100;
     const FlowStress cold = cold_->evaluate(slow, flow, duration, start, end);
-    const double before = std::fmax(start[rise_], 0.), k = heating_ * flow;
-    // g(s) = s - f(T + k s) s_cold grows from g(0) <= 0 to g(s_cold) >= 0: Newton inside this bracket, else halves.
-    double lower = 0., upper = cold.value, s = upper;
+    const double before = conducts_ ? start[rise_] : std::fmax(start[rise_], 0.), k = heating_ * flow;
+    // g(s) = s - f(T + k s) s_cold grows from g(0) <= 0 to g(f(T) s_cold) >= 0: Newton inside this bracket, else
+    // halves. f(T) <= 1 but where the metal was cooled.
+    double lower = 0., upper = cold.value * (before < 0. ? softening_->evaluate(before).factor : 1.), s = upper;
     Softened soft = softening_->evaluate(before + k * s);
     for (unsigned int iteration = 0; iteration < max_iter; ++iteration)
     {

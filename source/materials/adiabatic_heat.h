@@ -8,8 +8,8 @@
 namespace deltaform
 {
   /**
-   * A rate factor with the heat of the flow, which stays where it is made (adiabatic): with the flow stress s at the
-   * end,
+   * A rate factor with the heat of the flow, which stays where it is made (adiabatic) over the increment: with the flow
+   * stress s at the end,
    *
    *     dT = (share/(rho c)) s dx,   s = f(T - T0) s_cold,
    *
@@ -22,11 +22,16 @@ namespace deltaform
   {
   public:
     /// @p heating share/(rho c) (temperature/stress)
-    AdiabaticHeat(std::unique_ptr<RateFactor> cold, std::unique_ptr<Softening> softening, double heating);
+    /// @p conducts nothing: the heat stays there between increments as well; if not, it may be cooled below its start
+    AdiabaticHeat(std::unique_ptr<RateFactor> cold,
+                  std::unique_ptr<Softening> softening,
+                  double heating,
+                  const std::optional<MetalHeat> &conducts = std::nullopt);
 
     HistoryLayout history_layout() const override;
     bool needs_duration() const override;
     bool softens() const override;
+    std::optional<MetalHeat> heat() const override;
     FlowStress evaluate(
       const FlowStress &slow, double flow, double duration, const double *start, double *end) const override;
 
@@ -34,6 +39,7 @@ namespace deltaform
     std::unique_ptr<RateFactor> cold_;
     std::unique_ptr<Softening> softening_;
     double heating_;
+    std::optional<MetalHeat> conducts_;
     unsigned int rise_; ///< its place in the history, behind that of the rate factor
   };
 } // namespace deltaform

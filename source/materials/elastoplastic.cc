@@ -15,11 +15,29 @@ namespace deltaform
       return Registry<Kind>::choose(own, "Law", default_law, sentence);
     }
 
+    /// How the metal conducts; nothing if it does not.
+    std::optional<MetalHeat> read_conduction(Section &section, const double capacity, const Softening &softening)
+    {
+      MetalHeat heat;
+      heat.capacity = capacity;
+      heat.melting_rise = softening.melting_rise();
+      heat.conductivity = section.number("Conductivity",
+                                         0.,
+                                         Range::not_negative(),
+                                         "force/time/temperature",
+                                         "Of heat, in mm, N, s: N/(s K), which is the number of W/(m K). 0: the heat "
+                                         "stays where it is made. Solids only, and only with Adiabatic.");
+      if (heat.conductivity > 0. || section.documentation())
+        heat.initial_temperature = section.number(
+          "Initial temperature", required(298.), Range::any(), "temperature", "Of the blank. With Conductivity.");
+      return heat.conductivity > 0. ? std::optional(heat) : std::nullopt;
+    }
+
     /// The rate factor with the heat that stays in the metal, if the scene wants it.
     std::unique_ptr<RateFactor> heated(std::unique_ptr<RateFactor> cold, Section section)
     {
       const bool adiabatic = section.flag(
-        "Adiabatic", false, "Compute the temperature; the heat of plastic flow stays where it is made.");
+        "Adiabatic", false, "Compute the temperature; the heat of flow stays where it is made, but for Conductivity.");
       if (!adiabatic && !section.documentation())
         return cold;
       const double capacity = section.number("Heat capacity",
@@ -35,9 +53,10 @@ namespace deltaform
                                           "Share of the plastic work that becomes heat. Only with Adiabatic.");
       auto softening = Registry<Softening>::choose(
         section, "Softening", "none", "How the flow stress falls with the temperature. Only with Adiabatic.");
+      const auto conducts = read_conduction(section, capacity, *softening);
       if (!adiabatic)
         return cold;
-      return std::make_unique<AdiabaticHeat>(std::move(cold), std::move(softening), share / capacity);
+      return std::make_unique<AdiabaticHeat>(std::move(cold), std::move(softening), share / capacity, conducts);
     }
 
     /// How Young's modulus falls with the plastic strain, if the scene wants it.

@@ -10,7 +10,7 @@ namespace deltaform
   {
     /**
      * Johnson and Cook: 1 - ((T - T0)/(Tm - T0))^m, T0 the temperature at the start, Tm that of melting, m > 0; 0 from
-     * Tm on. G.R. Johnson, W.H. Cook, Proc. 7th Int. Symp. Ballistics (1983) 541.
+     * Tm on, 1 below T0. G.R. Johnson, W.H. Cook, Proc. 7th Int. Symp. Ballistics (1983) 541.
      */
     class JohnsonCookSoftening final : public Softening
     {
@@ -33,9 +33,16 @@ namespace deltaform
         const double relative = rise / range_;
         if (relative >= 1.)
           return {0., 0.};
+        if (relative < 0.)
+          return {1., 0.};
         // The slope at no rise at all is infinite for m < 1: that of a very small one.
         const double power = std::pow(std::max(relative, 0.), m_), near = std::max(relative, 1e-12);
         return {1. - power, -m_ * std::pow(near, m_ - 1.) / range_};
+      }
+
+      double melting_rise() const override
+      {
+        return range_;
       }
 
     private:

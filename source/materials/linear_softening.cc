@@ -5,7 +5,7 @@ namespace deltaform
 {
   namespace
   {
-    /// 1 - c rise, c >= 0 per degree; 0 where that is negative.
+    /// 1 - c rise, c >= 0 per degree; 0 where that is negative, above 1 where the metal is cooled.
     class LinearSoftening final : public Softening
     {
     public:
@@ -22,6 +22,11 @@ namespace deltaform
       {
         const double factor = 1. - c_ * rise;
         return factor > 0. ? Softened{factor, -c_} : Softened{0., 0.};
+      }
+
+      double melting_rise() const override
+      {
+        return 1. / c_;
       }
 
     private:

@@ -116,6 +116,12 @@ namespace deltaform
   }
 
 
+  std::optional<MetalHeat> Elastoplastic::heat() const
+  {
+    return laws_.rate_factor ? laws_.rate_factor->heat() : std::nullopt;
+  }
+
+
   template <typename Size>
   Status Elastoplastic::update_points(const MaterialBatch &batch,
                                       const ReturnMap &map,

@@ -5,7 +5,7 @@
 namespace deltaform
 {
   Model::Model(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers)
-    : actors_(actors), timers_(timers), discretization_(actors, linear_solver), body_(*actors.blank), stops_(actors),
+    : actors_(actors), timers_(timers), discretization_(actors, linear_solver), body_(actors, contact_), stops_(actors),
       contact_(actors), supports_(actors, discretization_.numbering()),
       book_(actors, discretization_.numbering(), supports_, contact_), terms_{&body_, &contact_}
   {
@@ -65,7 +65,7 @@ namespace deltaform
   void Model::begin(const double time, const double ratio)
   {
     discard(time);
-    actors_.blank->begin_increment(time - state_.time, ratio);
+    body_.begin_increment(time - state_.time, ratio);
   }
 
 

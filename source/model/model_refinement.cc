@@ -50,7 +50,7 @@ namespace deltaform
     std::vector<Vector> fields{state_.unknowns, state_.hold};
     const std::vector<double> travels = contact_.travels(state_.unknowns);
     const std::vector<double> sizes = load_sizes(actors_, state_.unknowns);
-    actors_.blank->adaptive()->refine(fields);
+    body_.refine(fields);
     renumber();
     std::copy_n(fields[0].begin(), actors_.blank->n_dofs(), state_.unknowns.begin());
     std::copy_n(fields[1].begin(), actors_.blank->n_dofs(), state_.hold.begin());

@@ -64,7 +64,8 @@ namespace deltaform
   {
     energies_wanted_ = false;
     for (Term *const term : terms_)
-      term->forget_energy();
+      if (term != &contact_ || !actors_.heat) // the work of friction is heat
+        term->forget_energy();
   }
 
 

@@ -176,6 +176,28 @@ namespace deltaform
   }
 
 
+  void describe_heat(Columns &columns)
+  {
+    columns.add({{"min_temperature", "temperature", "smallest at a node"},
+                 {"max_temperature", "temperature", "largest at a node"},
+                 {"heat_stored", "force*length", "in the blank, over that at its initial temperature"},
+                 {"heat_of_flow", "force*length", "made by plastic flow so far"},
+                 {"heat_of_friction", "force*length", "the blank's share of it so far"},
+                 {"heat_to_tools", "force*length", "through the touching nodes so far"},
+                 {"heat_to_surroundings", "force*length", "by films so far"},
+                 {"heat_error", "1",
+                  "stored - (flow + friction - tools - surroundings) over the largest of them: round-off"}},
+                [](const Increment &increment, Row &row) {
+                  const HeatFlow &heat = *increment.model.actors().heat;
+                  const auto temperatures = heat.temperatures();
+                  const auto [least, most] = std::minmax_element(temperatures.begin(), temperatures.end());
+                  const HeatAccount &account = heat.account();
+                  row.insert(row.end(), {*least, *most, account.stored, account.flow, account.friction, account.tools,
+                                         account.surroundings, account.error()});
+                });
+  }
+
+
   void describe_supports(const std::vector<std::string> &names, Columns &columns)
   {
     for (unsigned int i = 0; i < names.size(); ++i)

@@ -31,7 +31,7 @@ namespace deltaform
   ModelState Model::state() const
   {
     ModelState result = state_;
-    result.body = actors_.blank->state();
+    result.body = body_.state();
     result.interfaces = contact_.save();
     return result;
   }
@@ -41,7 +41,7 @@ namespace deltaform
   {
     const std::size_t n_before = state_.unknowns.size();
     check(state, actors_, n_before);
-    actors_.blank->set_state(state.body);
+    body_.set_state(state.body);
     if (state.unknowns.size() != n_before)
     {
       contact_.resize();

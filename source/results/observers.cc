@@ -44,6 +44,16 @@ namespace deltaform
       return names;
     }
 
+    bool has_criteria(const Model &model, const OutputSettings &, const ConditionReport *)
+    {
+      return !model.blank().fields().largest_criteria().empty();
+    }
+
+    bool has_heat(const Model &model, const OutputSettings &, const ConditionReport *)
+    {
+      return model.actors().heat != nullptr;
+    }
+
     /// Columns that a history has together, in the order of groups().
     struct Group
     {
@@ -79,16 +89,15 @@ namespace deltaform
            return model.blank().adaptive() != nullptr;
          },
          [](const Names &, const ConditionReport *, Columns &columns) { describe_mesh(columns); }},
-        {"With `Limits/Criteria`",
-         [](const Model &model, const OutputSettings &, const ConditionReport *) {
-           return !model.blank().fields().largest_criteria().empty();
-         },
+        {"With `Limits/Criteria`", has_criteria,
          [](const Names &names, const ConditionReport *, Columns &columns) {
            describe_criteria(names.criteria, columns);
          }},
         {"Works and energies since the start; not with `Output/Energies = false`",
          [](const Model &, const OutputSettings &output, const ConditionReport *) { return output.energies; },
          [](const Names &, const ConditionReport *, Columns &columns) { describe_energies(columns); }},
+        {"With `Material/Heat/Conductivity`; heat since the start", has_heat,
+         [](const Names &, const ConditionReport *, Columns &columns) { describe_heat(columns); }},
         {"Supports, loads and balance", always,
          [](const Names &names, const ConditionReport *, Columns &columns) {
            describe_supports(names.supports, columns);

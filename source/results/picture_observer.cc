@@ -78,7 +78,7 @@ namespace deltaform
       drawing.fields.push_back({"tool", "index", false, 1, std::vector<double>(drawing.cells.size() / 2, number)});
       return drawing;
     }
-    /// Values at the nodes of the blank: contact, and pressures that act on it.
+    /// Values at the nodes of the blank: contact, pressures that act on it, temperature.
     std::vector<DrawnField> nodal_fields(const Model &model, const std::string &stage, const double time)
     {
       const Actors &actors = model.actors();
@@ -89,6 +89,8 @@ namespace deltaform
       const auto &loads = actors.loads;
       if (std::any_of(loads.begin(), loads.end(), [](const auto &load) { return !load->pressed_face().empty(); }))
         fields.push_back({"load_pressure", "stress", true, 1, load_pressure(model, stage, time, n_nodes)});
+      if (actors.heat)
+        fields.push_back({"temperature", "temperature", true, 1, actors.heat->temperatures()});
       return fields;
     }
 

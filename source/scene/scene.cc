@@ -37,6 +37,7 @@ namespace deltaform
     supply_material(root);
     actors.blank = Registry<Blank>::choose(blank, "Kind", "shell", "How the blank is modelled.");
     build_tools(root);
+    actors.heat = HeatFlow::read(root, *actors.blank, actors.interfaces);
 
     for (const auto &name : named(root.sub("Supports"), "Prescribed displacements, one subsection each."))
       actors.supports.emplace_back(name, root.sub("Supports").sub(name), *actors.blank);

@@ -158,6 +158,31 @@ BOOST_AUTO_TEST_CASE(copper_that_heats_itself)
   }
 }
 
+// Metal that conducts may be colder than at its start: the linear softening goes on, that of Johnson and Cook does not.
+BOOST_AUTO_TEST_CASE(cooled_below_the_start)
+{
+  const std::vector<std::string> common = {"Material/Young's modulus=200e3", "Material/Poisson's ratio=.3",
+                                           "Material/Hardening/Flow stress=100", "Material/Heat/Adiabatic=true",
+                                           "Material/Heat/Heat capacity=1e9", "Material/Heat/Conductivity=40",
+                                           "Material/Heat/Initial temperature=20"};
+  const auto check = [&](std::vector<std::string> entries, const double expected) {
+    entries.insert(entries.end(), common.begin(), common.end());
+    const auto metal = make_material("elastoplastic", "perfectly plastic", entries);
+    BOOST_TEST(metal->history_layout().to_string() ==
+               "plastic_strain:tensor equivalent_plastic_strain:positive temperature_rise:scalar");
+    BOOST_TEST(metal->heat().value().conductivity == 40.);
+    MaterialPoint point(*metal, true);
+    point.committed[5] = -50.;
+    const Mandel t = point.solid({{0., 0., 0., .01}});
+    BOOST_TEST_REQUIRE(point.status.good());
+    require_close(mises(t), expected, 1e-6 * expected, "the flow stress of the cooled metal");
+  };
+  check({"Material/Heat/Softening=linear", "Material/Heat/Softening coefficient=2e-3"}, 110.);
+  check({"Material/Heat/Softening=johnson-cook", "Material/Heat/Softening exponent=1.03",
+         "Material/Heat/Melting temperature=1520"},
+        100.);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_refused)
 {
   const auto refused = [](const std::string &law, const std::vector<std::string> &entries, const std::string &entry) {

@@ -7,6 +7,7 @@
 #include <deltaform/assembly/types.h>
 #include <deltaform/blanks/adaptive.h>
 #include <deltaform/blanks/boundary.h>
+#include <deltaform/blanks/conducting.h>
 #include <deltaform/blanks/fields.h>
 #include <deltaform/blanks/increment_size.h>
 #include <deltaform/io/keyed_arrays.h>
@@ -40,6 +41,12 @@ namespace deltaform
 
     /// For results.
     virtual const Fields &fields() const = 0;
+
+    /// For the flow of heat; null if heat stays where it is made, or is not counted.
+    virtual Conducting *conducting()
+    {
+      return nullptr;
+    }
 
     /// For refinement; null if the blank keeps its mesh.
     virtual Adaptive *adaptive()

@@ -191,16 +191,20 @@ namespace deltaform
     /// The blank has other nodes than before: points of all of them, without contact.
     void resize();
 
-    /**
-     * The blank was refined at the committed @p q: new points take over forces and factors per area, penetrations and
-     * slip from the two old ones that @p parents names, if both touch. What that adds to the stored energy counts as
-     * work of changing factors.
-     */
+    /// The blank was refined at the committed @p q: new points take over forces and factors per area, penetrations and
+    /// slip from the two old ones that @p parents names, if both touch. What that adds to the stored energy counts as
+    /// work of changing factors.
     void transfer(const Vector &q, const std::vector<std::array<unsigned int, 2>> &parents);
 
     /// The tool leaves: hand the forces of the accepted equilibrium over to @p target and forget all contact. They are
     /// those that were in balance; the law evaluated again would find others, because the thickness was updated since.
     void release(const Vector &q, AssemblyTarget &target);
+
+    /// Dissipated by friction at every point in the last accepted increment (force*length); empty without energies.
+    const std::vector<double> &friction_work() const
+    {
+      return friction_work_;
+    }
 
     /// Nobody asks for energies: they are zero from here on, and cost nothing.
     void forget_energy();
@@ -256,5 +260,6 @@ namespace deltaform
     ContactIteration iteration_;
     InterfaceState committed_, trial_;
     bool counts_energy_ = true;
+    std::vector<double> friction_work_; ///< no part of the state
   };
 } // namespace deltaform

@@ -3,8 +3,10 @@
 #include <deltaform/assembly/status.h>
 #include <deltaform/kinematics/mandel.h>
 #include <deltaform/materials/history_layout.h>
+#include <deltaform/materials/metal_heat.h>
 
 #include <limits>
+#include <optional>
 
 namespace deltaform
 {
@@ -96,6 +98,12 @@ namespace deltaform
     virtual bool two_steps() const
     {
       return false;
+    }
+
+    /// Nothing: heat stays where it is made, or is not counted.
+    virtual std::optional<MetalHeat> heat() const
+    {
+      return std::nullopt;
     }
 
     /// Stress, tangent and trial history of all points.

@@ -60,6 +60,7 @@ namespace deltaform
     const HistoryLayout &history_layout() const override;
     MaterialTraits traits() const override;
     bool two_steps() const override;
+    std::optional<MetalHeat> heat() const override;
     void set_axes(PointAxes axes) override;
     Status update(const MaterialBatch &batch) const override;
     Mandel elastic_strain(const Mandel &stress) const override;

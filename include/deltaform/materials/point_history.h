@@ -35,6 +35,10 @@ namespace deltaform
     {
       return committed_.data() + point * values_per_point_;
     }
+    double *committed(const std::size_t point)
+    {
+      return committed_.data() + point * values_per_point_;
+    }
     const double *trial(const std::size_t point) const
     {
       return trial_.data() + point * values_per_point_;

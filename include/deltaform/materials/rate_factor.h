@@ -2,6 +2,9 @@
 
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/history_layout.h>
+#include <deltaform/materials/metal_heat.h>
+
+#include <optional>
 
 namespace deltaform
 {
@@ -33,6 +36,12 @@ namespace deltaform
     virtual bool softens() const
     {
       return false;
+    }
+
+    /// Nothing: heat stays where it is made, or is not counted.
+    virtual std::optional<MetalHeat> heat() const
+    {
+      return std::nullopt;
     }
 
     /**

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <limits>
+
 namespace deltaform
 {
   /// What a rise of the temperature leaves of the flow stress.
   struct Softened
   {
-    double factor; ///< in [0, 1]; 1 without a rise
+    double factor; ///< not negative; 1 without a rise, not less below
     double slope; ///< d factor / d rise (1/temperature), not positive
   };
 
@@ -15,7 +17,13 @@ namespace deltaform
   public:
     virtual ~Softening() = default;
 
-    /// @p rise over the temperature at the start, not negative.
+    /// @p rise over the temperature at the start; negative where the metal has been cooled.
     virtual Softened evaluate(double rise) const = 0;
+
+    /// The rise from which on nothing is left of the flow stress; infinite: there is none.
+    virtual double melting_rise() const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
   };
 } // namespace deltaform

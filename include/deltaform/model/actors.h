@@ -2,6 +2,7 @@
 
 #include <deltaform/blanks/blank.h>
 #include <deltaform/contact/contact_interface.h>
+#include <deltaform/heat/heat_flow.h>
 #include <deltaform/model/limit.h>
 #include <deltaform/model/load.h>
 #include <deltaform/model/probe.h>
@@ -37,6 +38,7 @@ namespace deltaform
     std::vector<std::unique_ptr<Tool>> tools;
     std::unique_ptr<ContactSettings> contact;
     std::vector<std::unique_ptr<ContactInterface>> interfaces; ///< one per tool, in the order of the tools
+    std::unique_ptr<HeatFlow> heat; ///< null: heat stays where it is made, or is not counted
     std::vector<Support> supports;
     std::vector<std::unique_ptr<Load>> loads;
     std::vector<Stage> stages;

@@ -1,17 +1,27 @@
 #pragma once
 
-#include <deltaform/blanks/blank.h>
+#include <deltaform/model/actors.h>
+#include <deltaform/model/contact_set.h>
 #include <deltaform/model/term.h>
+
+#include <vector>
 
 namespace deltaform
 {
-  /// The blank as a term of the equations. Every process adds its own cells.
+  /// The blank as a term of the equations, and its heat between them. Every process adds its own cells.
   class Body : public Term
   {
   public:
-    explicit Body(Blank &blank)
-      : blank_(blank)
+    Body(const Actors &actors, const ContactSet &contact)
+      : blank_(*actors.blank), heat_(actors.heat.get()), contact_(contact)
     {
+    }
+
+    /// See Blank::begin_increment().
+    void begin_increment(const double duration, const double ratio)
+    {
+      duration_ = duration;
+      blank_.begin_increment(duration, ratio);
     }
 
     Status assemble(const Vector &q, const double /*time*/, AssemblyTarget &target) override
@@ -19,10 +29,43 @@ namespace deltaform
       return blank_.assemble(q, target);
     }
 
+    /// Contact has been accepted before.
     void accept(const Vector &q) override
     {
       blank_.commit(q);
+      if (heat_ != nullptr)
+        heat_->advance(duration_, q, contact_.interfaces());
     }
+
+    /// See Adaptive::refine().
+    void refine(std::vector<Vector> &fields)
+    {
+      if (heat_ != nullptr)
+        fields.push_back(heat_->rise());
+      blank_.adaptive()->refine(fields);
+      if (heat_ == nullptr)
+        return;
+      heat_->set_rise(fields.back());
+      fields.pop_back();
+    }
+
+    /// @name State of blank and heat
+    ///@{
+    KeyedArrays state() const
+    {
+      KeyedArrays result = blank_.state();
+      if (heat_ != nullptr)
+        heat_->put(result);
+      return result;
+    }
+
+    void set_state(const KeyedArrays &state)
+    {
+      blank_.set_state(state);
+      if (heat_ != nullptr)
+        heat_->take(state);
+    }
+    ///@}
 
     void add_to(EnergyAccount &account) const override
     {
@@ -39,5 +82,8 @@ namespace deltaform
 
   private:
     Blank &blank_;
+    HeatFlow *heat_; ///< null: none flows
+    const ContactSet &contact_;
+    double duration_ = 0; ///< of the increment that is tried
   };
 } // namespace deltaform

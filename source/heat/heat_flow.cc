@@ -1,0 +1,160 @@
+#include <deltaform/heat/heat_flow.h>
+#include <deltaform/heat/heat_system.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  double HeatAccount::error() const
+  {
+    const double largest =
+      std::max({std::abs(stored), std::abs(flow), std::abs(friction), std::abs(tools), std::abs(surroundings)});
+    return largest > 0. ? (stored - (flow + friction - tools - surroundings)) / largest : 0.;
+  }
+
+
+  std::unique_ptr<HeatFlow>
+  HeatFlow::read(Section root, Blank &blank, const std::vector<std::unique_ptr<ContactInterface>> &interfaces)
+  {
+    Section heat = root.sub("Heat");
+    const auto names =
+      heat.section_names("Names", "", "What surrounds the blank and exchanges heat with it, one subsection each.");
+    if (heat.documentation())
+    {
+      const Film film(heat.sub("<name>"), blank);
+      const ToolHeat tool(root.sub("Tools").sub("<name>").sub("Heat"), MetalHeat());
+    }
+    if (blank.conducting() == nullptr)
+    {
+      if (!names.empty())
+        heat.fail("Names", "the blank does not conduct: state Material/Heat/Conductivity.");
+      return nullptr;
+    }
+    std::unique_ptr<HeatFlow> result(new HeatFlow(blank));
+    for (const auto &interface : interfaces)
+    {
+      const Section own = root.sub("Tools").sub(interface->tool().name()).sub("Heat");
+      result->tools_.emplace(&interface->tool(), ToolHeat(own, blank.conducting()->metal()));
+    }
+    for (const auto &name : names)
+      result->films_.emplace_back(heat.sub(name), blank);
+    return result;
+  }
+
+
+  HeatFlow::HeatFlow(Blank &blank)
+    : blank_(blank), conducting_(*blank.conducting()), rise_(blank.n_dofs())
+  {
+  }
+
+
+  std::vector<HeatFlow::Exchange> HeatFlow::with_tools(const double duration,
+                                                       const Vector &q,
+                                                       const std::vector<ContactInterface *> &interfaces,
+                                                       std::vector<bool> &touches) const
+  {
+    std::vector<Exchange> result;
+    for (const ContactInterface *const interface : interfaces)
+    {
+      const ToolHeat &tool = tools_.at(&interface->tool());
+      for (unsigned int i = 0; i < interface->n_points(); ++i)
+      {
+        // A point that has let go may have slipped before. Blanks that conduct touch at their nodes.
+        const ContactPointState &state = interface->committed()[i];
+        const double friction = interface->friction_work()[i];
+        if (!state.touching && friction == 0.)
+          continue;
+        const ContactPoint point = interface->point(q, i);
+        const double joint =
+          state.touching && point.area > 0. ? tool.conductance(state.force / point.area) * point.area : 0.;
+        result.push_back({point.nodes[0].node, duration * joint, tool.rise(), tool.blank_share() * friction});
+        touches[point.nodes[0].node] = touches[point.nodes[0].node] || state.touching;
+      }
+    }
+    return result;
+  }
+
+
+  std::vector<HeatFlow::Exchange>
+  HeatFlow::with_surroundings(const double duration, const Vector &q, const std::vector<bool> &touches) const
+  {
+    std::vector<Exchange> result;
+    for (const Film &film : films_)
+      film.each_area(conducting_, q, touches, [&](const unsigned int node, const double area) {
+        result.push_back({node, duration * film.coefficient() * area, film.rise(), 0.});
+      });
+    return result;
+  }
+
+
+  double HeatFlow::lost(const std::vector<Exchange> &exchanges) const
+  {
+    double sum = 0.;
+    for (const Exchange &one : exchanges)
+      sum += one.conductance * (rise_[conducting_.place_of(one.node)] - one.outside);
+    return sum;
+  }
+
+
+  void HeatFlow::advance(const double duration, const Vector &q, const std::vector<ContactInterface *> &interfaces)
+  {
+    std::vector<bool> touches(blank_.surface().n_nodes(), false);
+    const auto tools = with_tools(duration, q, interfaces, touches);
+    const auto surroundings = with_surroundings(duration, q, touches);
+
+    HeatSystem system(rise_.size());
+    conducting_.assemble(q, rise_, duration, system);
+    system.share();
+    for (const auto *const exchanges : {&tools, &surroundings})
+      for (const Exchange &one : *exchanges)
+      {
+        const DofIndex place = conducting_.place_of(one.node);
+        const double residual = one.conductance * (rise_[place] - one.outside) - one.heat;
+        system.add(&place, 1, &one.conductance, &residual);
+        account_.friction += one.heat;
+      }
+    account_.flow += conducting_.heat_of_flow(rise_);
+    rise_ += system.solve();
+    account_.tools += lost(tools);
+    account_.surroundings += lost(surroundings);
+    conducting_.give(rise_);
+    account_.stored = conducting_.stored_heat();
+  }
+
+
+  std::vector<double> HeatFlow::temperatures() const
+  {
+    std::vector<double> result = conducting_.at_nodes(rise_);
+    for (double &value : result)
+      value += conducting_.metal().initial_temperature;
+    return result;
+  }
+
+
+  void HeatFlow::set_rise(const Vector &rise)
+  {
+    rise_.reinit(blank_.n_dofs());
+    std::copy_n(rise.begin(), rise_.size(), rise_.begin());
+    conducting_.give(rise_);
+  }
+
+
+  void HeatFlow::put(KeyedArrays &state) const
+  {
+    state.put("rise of the temperature of nodes", std::vector<double>(rise_.begin(), rise_.end()));
+    state.put("heat since the start", std::vector<double>{account_.stored, account_.flow, account_.friction,
+                                                          account_.tools, account_.surroundings});
+  }
+
+
+  void HeatFlow::take(const KeyedArrays &state)
+  {
+    std::vector<double> rise(blank_.n_dofs()), sums(5);
+    state.take("rise of the temperature of nodes", rise);
+    state.take("heat since the start", sums);
+    rise_.reinit(blank_.n_dofs());
+    std::copy(rise.begin(), rise.end(), rise_.begin());
+    account_ = {sums[0], sums[1], sums[2], sums[3], sums[4]};
+  }
+} // namespace deltaform
