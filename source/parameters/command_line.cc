@@ -261,7 +261,7 @@ Options of a run (of fld: the first two)
   --set "Section/Entry=value"  replace an entry of the scene; may be repeated, the last one counts
   --output FOLDER              write results to FOLDER instead of where the scene says
   --check                      only say whether the scene is right; compute nothing
-  --svg FILE                   with --check: draw blank, tools and supports
+  --svg FILE                   with --check: plot blank, tools and supports
   --resume                     go on from the last saved state in the output folder
   --force                      write into the folder although another run seems to
   --quiet                      print warnings and errors only
@@ -282,7 +282,8 @@ Options of a sweep (and --set, --output, --force, --quiet)
 Exit status
    0  done
    1  the scene is wrong (the message names file, line and entry)
-   2  it did not converge; what was computed is written and can be resumed
+   2  stopped: an increment was not solved, or the sheet is torn; what was computed is
+      written and can be resumed
    3  the promise, penetration <= allowed penetration, could not be kept
   64  the command line is wrong
  128  and more: ended by signal number status - 128, for example 130 by Ctrl-C, 143 by kill;
