@@ -1,7 +1,6 @@
 #include <deltaform/heat/heat_system.h>
+#include <deltaform/parameters/scene_error.h>
 #include <deltaform/process/ranks.h>
-
-#include <deal.II/base/exceptions.h>
 
 #include <Eigen/SparseCholesky>
 
@@ -49,7 +48,9 @@ namespace deltaform
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(triplets.begin(), triplets.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
-    AssertThrow(factors.info() == Eigen::Success, dealii::ExcMessage("The matrix of the heat is singular."));
+    if (factors.info() != Eigen::Success)
+      throw SceneError("Material/Heat/Conductivity: heat goes to and fro so fast that nothing of what the blank stores "
+                       "is left in numbers of 16 digits. Look at its units, and at the length of the increments.");
     Eigen::VectorXd right(n);
     for (int i = 0; i < n; ++i)
       right[i] = -residual_[places[i]];
