@@ -1,5 +1,7 @@
 #include "adiabatic_heat.h"
 
+#include "heat_balance.h"
+
 #include <cmath>
 #include <utility>
 
@@ -41,34 +43,34 @@ namespace deltaform
   }
 
 
-  FlowStress AdiabaticHeat::evaluate(
-    const FlowStress &slow, const double flow, const double duration, const double *start, double *end) const
+  double AdiabaticHeat::rise(const double *const history) const
   {
-    constexpr unsigned int max_iter = 100;
-    const FlowStress cold = cold_->evaluate(slow, flow, duration, start, end);
-    const double before = conducts_ ? start[rise_] : std::fmax(start[rise_], 0.), k = heating_ * flow;
-    // g(s) = s - f(T + k s) s_cold grows from g(0) <= 0 to g(f(T) s_cold) >= 0: Newton inside this bracket, else
-    // halves. f(T) <= 1 but where the metal was cooled.
-    double lower = 0., upper = cold.value * (before < 0. ? softening_->evaluate(before).factor : 1.), s = upper;
-    Softened soft = softening_->evaluate(before + k * s);
-    for (unsigned int iteration = 0; iteration < max_iter; ++iteration)
-    {
-      const double g = s - soft.factor * cold.value;
-      (g > 0. ? upper : lower) = s;
-      double next = s - g / (1. - k * soft.slope * cold.value);
-      if (!(next >= lower && next <= upper))
-        next = .5 * (lower + upper);
-      const bool close = std::abs(next - s) <= 1e-15 * cold.value;
-      s = next;
-      soft = softening_->evaluate(before + k * s);
-      if (close)
-        break;
-    }
-    end[rise_] = before + k * s;
+    return conducts_ ? history[rise_] : std::fmax(history[rise_], 0.);
+  }
+
+
+  FlowStress AdiabaticHeat::evaluate(
+    const FlowStress &slow, const PointFlow &flow, const double *start, double *end) const
+  {
+    const FlowStress cold = cold_->evaluate(slow, flow, start, end);
+    const double k = heating_ * flow.growth;
+    double factor = 1.;
+    const auto stress = [&](const double rise) -> FlowStress {
+      const Softened soft = softening_->evaluate(rise);
+      factor = soft.factor;
+      return {soft.factor * cold.value, soft.slope * cold.value};
+    };
+    const HeatedStress hot = balance_heat(stress, rise(start), k);
+    end[rise_] = hot.rise;
     // ds = f ds_cold + s_cold f' (heating s dx + k ds)
     if (std::isinf(cold.slope))
-      return {s, cold.slope};
-    const double by_heat = cold.value * soft.slope;
-    return {s, (soft.factor * cold.slope + by_heat * heating_ * s) / (1. - by_heat * k)};
+      return {hot.value, cold.slope};
+    return {hot.value, (factor * cold.slope + hot.slope * heating_ * hot.value) / (1. - hot.slope * k)};
+  }
+
+
+  double AdiabaticHeat::at_rest(const double slow, const double strain, const double *const history) const
+  {
+    return softening_->evaluate(rise(history)).factor * cold_->at_rest(slow, strain, history);
   }
 } // namespace deltaform

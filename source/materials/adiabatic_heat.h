@@ -32,10 +32,14 @@ namespace deltaform
     bool needs_duration() const override;
     bool softens() const override;
     std::optional<MetalHeat> heat() const override;
-    FlowStress evaluate(
-      const FlowStress &slow, double flow, double duration, const double *start, double *end) const override;
+    FlowStress
+    evaluate(const FlowStress &slow, const PointFlow &flow, const double *start, double *end) const override;
+    double at_rest(double slow, double strain, const double *history) const override;
 
   private:
+    /// The rise of the temperature in @p history.
+    double rise(const double *history) const;
+
     std::unique_ptr<RateFactor> cold_;
     std::unique_ptr<Softening> softening_;
     double heating_;

@@ -33,13 +33,15 @@ namespace deltaform
       return heat.conductivity > 0. ? std::optional(heat) : std::nullopt;
     }
 
-    /// The rate factor with the heat that stays in the metal, if the scene wants it.
-    std::unique_ptr<RateFactor> heated(std::unique_ptr<RateFactor> cold, Section section)
+    /// The rate factor with the heat that stays in the metal, if the scene wants it. Of a hardening that knows rate and
+    /// temperature itself it is its own one.
+    std::unique_ptr<RateFactor> heated(const Hardening &hardening, std::unique_ptr<RateFactor> cold, Section section)
     {
+      auto own = hardening.own_rate_factor(0.);
       const bool adiabatic = section.flag(
         "Adiabatic", false, "Compute the temperature; the heat of flow stays where it is made, but for Conductivity.");
       if (!adiabatic && !section.documentation())
-        return cold;
+        return own ? std::move(own) : std::move(cold);
       const double capacity = section.number("Heat capacity",
                                              required(3.432),
                                              Range::positive(),
@@ -55,7 +57,13 @@ namespace deltaform
         section, "Softening", "none", "How the flow stress falls with the temperature. Only with Adiabatic.");
       const auto conducts = read_conduction(section, capacity, *softening);
       if (!adiabatic)
-        return cold;
+        return own ? std::move(own) : std::move(cold);
+      if (own && softening->acts())
+        section.fail("Softening", "must be none: the law of hardening knows the temperature itself.");
+      if (own && conducts)
+        section.fail("Conductivity", "must be 0: a law of hardening that knows the temperature does not conduct.");
+      if (own)
+        return hardening.own_rate_factor(share / capacity);
       return std::make_unique<AdiabaticHeat>(std::move(cold), std::move(softening), share / capacity, conducts);
     }
 
@@ -87,9 +95,12 @@ namespace deltaform
         section.sub("Yield surface"), "mises", "Equivalent stress; the metal flows along its gradient.");
       const Section back_stress = section.sub("Backstress");
       laws.back_stress = choose<BackStress>(back_stress, "none", "Kinematic hardening.");
-      laws.rate_factor = choose<RateFactor>(
-        section.sub("Rate factor"), "none", "How the flow stress depends on the rate of strain.");
-      laws.rate_factor = heated(std::move(laws.rate_factor), section.sub("Heat"));
+      const Section rate_factor = section.sub("Rate factor");
+      laws.rate_factor =
+        choose<RateFactor>(rate_factor, "none", "How the flow stress depends on the rate of strain.");
+      if (laws.rate_factor->acts() && laws.hardening->own_rate_factor(0.))
+        rate_factor.fail("Law", "must be none: the law of hardening knows the rate itself.");
+      laws.rate_factor = heated(*laws.hardening, std::move(laws.rate_factor), section.sub("Heat"));
       const std::string objection = laws.back_stress->objection(*laws.yield_surface, *laws.hardening);
       if (!objection.empty())
         back_stress.fail("Law", objection);

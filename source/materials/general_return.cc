@@ -95,11 +95,12 @@ namespace deltaform
   FlowStress GeneralReturn::flow_stress(const FlowLaw &law, const State &state, const double x) const
   {
     const Point &point = state.point;
-    const FlowStress slow = law.hardening.evaluate(point.start[FlowHistory::equivalent] + x);
+    const double strain = point.start[FlowHistory::equivalent] + x;
+    const FlowStress slow = law.hardening.evaluate(strain);
     if (!laws_.rate_factor)
       return slow;
     return laws_.rate_factor->evaluate(
-      slow, x, law.duration, point.start + rate_first_, point.trial + rate_first_);
+      slow, {strain, x, law.duration}, point.start + rate_first_, point.trial + rate_first_);
   }
 
 

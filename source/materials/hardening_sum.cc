@@ -1,4 +1,5 @@
 #include <deltaform/materials/hardening.h>
+#include <deltaform/materials/rate_factor.h>
 #include <deltaform/parameters/registry.h>
 
 #include <memory>
@@ -46,6 +47,9 @@ namespace deltaform
       Section first = section.sub("First"), second = section.sub("Second");
       auto one = Registry<Hardening>::choose(first, "Law", "swift", "Law of the part with the weight w.");
       auto other = Registry<Hardening>::choose(second, "Law", "voce", "Law of the part with the weight 1 - w.");
+      for (const auto &[part, law] : {std::pair(&first, one.get()), std::pair(&second, other.get())})
+        if (law->own_rate_factor(0.))
+          part->fail("Law", "a law that knows rate and temperature is no part of a sum.");
       return std::make_unique<HardeningSum>(weight, std::move(one), std::move(other));
     }
 

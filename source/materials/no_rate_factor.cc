@@ -24,7 +24,7 @@ namespace deltaform
         return false;
       }
 
-      FlowStress evaluate(const FlowStress &slow, double, double, const double *, double *) const override
+      FlowStress evaluate(const FlowStress &slow, const PointFlow &, const double *, double *) const override
       {
         return slow;
       }

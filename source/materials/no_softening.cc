@@ -9,6 +9,11 @@ namespace deltaform
     class NoSoftening final : public Softening
     {
     public:
+      bool acts() const override
+      {
+        return false;
+      }
+
       Softened evaluate(double) const override
       {
         return {1., 0.};

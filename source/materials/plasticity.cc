@@ -19,11 +19,13 @@ namespace deltaform
       return third == ThirdDirection::strain_given ? 0 : 1;
     }
 
-    /// Laws that do nothing need no call.
-    FlowLaws without_idle_ones(FlowLaws laws)
+    /// Laws that do nothing need no call; a hardening that knows the rate brings its own.
+    FlowLaws effective(FlowLaws laws)
     {
       if (laws.back_stress && !laws.back_stress->acts())
         laws.back_stress.reset();
+      if (!laws.rate_factor || !laws.rate_factor->acts())
+        laws.rate_factor = laws.hardening->own_rate_factor(0.);
       if (laws.rate_factor && !laws.rate_factor->acts())
         laws.rate_factor.reset();
       return laws;
@@ -45,8 +47,9 @@ namespace deltaform
                                FlowLaws laws,
                                const Integration integration,
                                const std::optional<FallingModulus> &falling)
-    : elastic_(elastic), falling_(falling), laws_(without_idle_ones(std::move(laws))), integration_(integration),
-      history_(layout_of(laws_)), initial_flow_stress_(laws_.hardening->evaluate(0.).value)
+    : elastic_(elastic), falling_(falling), laws_(effective(std::move(laws))), integration_(integration),
+      history_(layout_of(laws_)), initial_flow_stress_(laws_.hardening->evaluate(0.).value),
+      rate_first_(history_.size() - (laws_.rate_factor ? laws_.rate_factor->history_layout().size() : 0))
   {
     const std::string objection =
       laws_.back_stress ? laws_.back_stress->objection(*laws_.yield_surface, *laws_.hardening) : std::string();
@@ -257,7 +260,10 @@ namespace deltaform
 
   double Elastoplastic::flow_stress(const double *history) const
   {
-    return laws_.hardening->evaluate(history[FlowHistory::equivalent]).value;
+    const double strain = history[FlowHistory::equivalent], slow = laws_.hardening->evaluate(strain).value;
+    if (!laws_.rate_factor)
+      return slow;
+    return laws_.rate_factor->at_rest(slow, strain, history + rate_first_);
   }
 
 

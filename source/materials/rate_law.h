@@ -34,11 +34,10 @@ namespace deltaform
       return {};
     }
 
-    FlowStress evaluate(const FlowStress &slow, const double flow, const double duration, const double *, double *)
-      const override
+    FlowStress evaluate(const FlowStress &slow, const PointFlow &flow, const double *, double *) const override
     {
-      const RateStress at = law_(slow.value, flow / duration);
-      return {at.value, at.by_slow * slow.slope + at.by_rate / duration};
+      const RateStress at = law_(slow.value, flow.growth / flow.duration);
+      return {at.value, at.by_slow * slow.slope + at.by_rate / flow.duration};
     }
 
   private:

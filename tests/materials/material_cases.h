@@ -1,6 +1,7 @@
 #pragma once
 // The materials that conformance is asked of, and how it is asked.
 #include <deltaform/materials/hardening_laws.h>
+#include <deltaform/materials/softening.h>
 
 #include "material_point.h"
 #include "other_laws.h"
@@ -42,6 +43,10 @@ namespace deltaform
       // What scaling does not change: zeros, and what is no number.
       static const std::map<std::string, std::string> also = {
         {"voce", "Linear modulus=129.24"},
+        {"flow curves",
+         "Flow curves=0.01 20 0 150; 0.01 20 0.1 290; 0.01 20 0.4 400; 0.01 20 0.8 470; 0.01 90 0 100; "
+         "0.01 90 0.1 190; 0.01 90 0.4 200; 0.01 90 0.7 210; 5 20 0 160; 5 20 0.1 300; 5 20 0.4 410; 5 20 0.8 480; "
+         "5 90 0 150; 5 90 0.1 210; 5 90 0.4 220; 5 90 0.7 250"},
         {"table", "Flow curve=0 150; 0.03 250; 0.1 290; 0.15 330; 0.4 400; 0.8 470"}};
       std::vector<std::string> result;
       bool changed = false;
@@ -220,7 +225,7 @@ namespace deltaform
     inline void add_combinations(std::vector<MaterialCase> &cases)
     {
       std::mt19937 generator(21);
-      const auto hardenings = Registry<Hardening>::names();
+      const auto hardenings = laws_of_strain();
       unsigned int next = 0;
       for (const auto &yield : Registry<YieldSurface>::names())
         for (const auto &back : Registry<BackStress>::names())
@@ -239,6 +244,39 @@ namespace deltaform
           }
     }
 
+    /// Every yield surface with every backstress, and heat: flow curves, or a rate factor and a softening in turn, of
+    /// drawn parameters. The heat capacity is large: the tests make strains that would melt the metal.
+    inline void add_combinations_with_heat(std::vector<MaterialCase> &cases)
+    {
+      std::mt19937 generator(22);
+      const auto rates = Registry<RateFactor>::names(), softenings = Registry<Softening>::names();
+      unsigned int next = 0;
+      for (const auto &yield : Registry<YieldSurface>::names())
+        for (const auto &back : Registry<BackStress>::names())
+        {
+          std::vector<std::string> entries = {"Material/Heat/Adiabatic=true", "Material/Heat/Heat capacity=3000"};
+          std::vector<std::string> fixed; // by the backstress
+          const std::string hardening = hardening_for(back, next % 3 == 0 ? "flow curves" : "ludwik", fixed);
+          const bool own = hardening == "flow curves";
+          const std::string softening = own ? "none" : softenings[next % softenings.size()];
+          const std::string rate = own ? "none" : rates[next % rates.size()];
+          for (const auto &entry : law_entries<Softening>("Heat", softening))
+            if (entry.find("/Law=") == std::string::npos)
+              entries.push_back(entry);
+          entries.push_back("Material/Heat/Softening=" + softening);
+          for (const auto &more : {law_entries<YieldSurface>("Yield surface", yield),
+                                   law_entries<BackStress>("Backstress", back),
+                                   law_entries<RateFactor>("Rate factor", rate)})
+            entries.insert(entries.end(), more.begin(), more.end());
+          entries = drawn(entries, generator);
+          entries.insert(entries.end(), fixed.begin(), fixed.end());
+          cases.push_back({yield + ", " + hardening + ", " + back + ", " + rate + ", heat, " + softening,
+                           make_material("elastoplastic", hardening, entries),
+                           yield == "mises"});
+          ++next;
+        }
+    }
+
     /// All materials that the conformance tests ask: registered ones and those that the interfaces have to carry.
     template <typename Body>
     void for_all_cases(const Body &body)
@@ -247,6 +285,7 @@ namespace deltaform
       add_registered_cases(cases);
       add_composed_cases(cases);
       add_combinations(cases);
+      add_combinations_with_heat(cases);
       for (const auto &one : cases)
         BOOST_TEST_CONTEXT(one.name)
       body(one);

@@ -2,6 +2,7 @@
 
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
+#include <deltaform/materials/rate_factor.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/registry.h>
 
@@ -32,6 +33,16 @@ namespace deltaform
       auto hardening = Registry<Hardening>::make(law, section);
       tree.check_unused();
       return hardening;
+    }
+
+    /// Registered hardening laws whose flow stress depends on the strain alone.
+    inline std::vector<std::string> laws_of_strain()
+    {
+      std::vector<std::string> result;
+      for (const auto &name : Registry<Hardening>::names())
+        if (!make_hardening(name)->own_rate_factor(0.))
+          result.push_back(name);
+      return result;
     }
 
     /// What the documentation of a law amounts to as assignments "A/B/entry=value".

@@ -240,11 +240,12 @@ namespace deltaform
       }
 
       FlowStress evaluate(const FlowStress &slow,
-                          const double x,
-                          const double duration,
+                          const PointFlow &flow,
                           const double *start,
                           double *end) const override
       {
+        const auto [strain, x, duration] = flow;
+        (void) strain;
         const double relative = x / duration / D_, power = std::pow(relative, 1. / p_), rate = 1. + power;
         const double rate_slope = x > 0. ? power / (p_ * x) : std::numeric_limits<double>::infinity();
         // s = slow rate (1 - c (T_n + b s x)), linear in s

@@ -5,6 +5,8 @@
 
 namespace deltaform
 {
+  class RateFactor;
+
   /// Flow stress and its slope at one equivalent plastic strain.
   struct FlowStress
   {
@@ -22,7 +24,15 @@ namespace deltaform
   public:
     virtual ~Hardening() = default;
 
+    /// A law that knows rate and temperature answers for a vanishing rate and the temperature at the start.
     virtual FlowStress evaluate(double equivalent_plastic_strain) const = 0;
+
+    /**
+     * What rate and temperature make of the flow stress, of a law that knows them itself; null: a matter of other laws.
+     * The result outlives the law.
+     * @param heating rise of temperature per plastic work of a volume (temperature/stress); 0: none is counted
+     */
+    virtual std::unique_ptr<RateFactor> own_rate_factor(double heating) const;
   };
 
 

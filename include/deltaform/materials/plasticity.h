@@ -14,7 +14,8 @@
 
 namespace deltaform
 {
-  /// What a metal is composed of. @p back_stress and @p rate_factor may be null: there is none.
+  /// What a metal is composed of. @p back_stress and @p rate_factor may be null: there is none; a hardening that knows
+  /// rate and temperature has its own, which a rate factor that is given replaces.
   struct FlowLaws
   {
     std::unique_ptr<Hardening> hardening;
@@ -96,6 +97,7 @@ namespace deltaform
     Integration integration_;
     HistoryLayout history_;
     double initial_flow_stress_;
+    unsigned int rate_first_; ///< where the history of the rate factor begins
     std::array<std::unique_ptr<ReturnMap>, 2> general_; ///< for each ThirdDirection; null: there is a closed form
     std::array<const ReturnMap *, 2> map_{}; ///< closed form or general; null: the question cannot be answered
   };

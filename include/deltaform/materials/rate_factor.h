@@ -8,6 +8,14 @@
 
 namespace deltaform
 {
+  /// The flow of a point in an increment.
+  struct PointFlow
+  {
+    double strain; ///< equivalent plastic strain at the end
+    double growth; ///< x: by how much it grows
+    double duration; ///< time that the increment takes (time)
+  };
+
   /**
    * What the rate of flow and the temperature make of the flow stress. A law that heats the metal by its own flow
    * (adiabatic) keeps the rise of temperature in its own field of the history and solves for it within evaluate().
@@ -46,12 +54,17 @@ namespace deltaform
 
     /**
      * @param slow flow stress at a vanishing rate and the initial temperature, and its slope, after @p flow
-     * @param flow growth x of the equivalent plastic strain in this increment
-     * @param duration time that the increment takes (time)
-     * @return flow stress and its slope in x; must not fall under @p slow at x = 0 by more than heat softens. Writes
-     *   the history at the end.
+     * @return flow stress and its slope in the growth x; must not fall under @p slow at x = 0 by more than heat
+     *   softens. Writes the history at the end.
      */
     virtual FlowStress
-    evaluate(const FlowStress &slow, double flow, double duration, const double *start, double *end) const = 0;
+    evaluate(const FlowStress &slow, const PointFlow &flow, const double *start, double *end) const = 0;
+
+    /// Flow stress of a point at rest, at a vanishing rate and the temperature of its @p history, after the equivalent
+    /// plastic @p strain.
+    virtual double at_rest(const double slow, const double /*strain*/, const double * /*history*/) const
+    {
+      return slow;
+    }
   };
 } // namespace deltaform

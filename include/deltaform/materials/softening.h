@@ -17,6 +17,12 @@ namespace deltaform
   public:
     virtual ~Softening() = default;
 
+    /// false: the temperature leaves the flow stress as it is.
+    virtual bool acts() const
+    {
+      return true;
+    }
+
     /// @p rise over the temperature at the start; negative where the metal has been cooled.
     virtual Softened evaluate(double rise) const = 0;
 
