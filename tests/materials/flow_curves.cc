@@ -209,6 +209,9 @@ BOOST_AUTO_TEST_CASE(what_is_refused)
   refused({"Rate factor/Law=power", "Rate factor/Overstress=50", "Rate factor/Rate exponent=2"}, "Rate factor/Law");
   refused({"Heat/Adiabatic=true", "Heat/Heat capacity=3", "Heat/Softening=linear", "Heat/Softening coefficient=.001"},
           "Heat/Softening");
+  refused({"Heat/Adiabatic=true", "Heat/Heat capacity=3", "Heat/Softening=none", "Heat/Conductivity=20",
+           "Heat/Initial temperature=20"},
+          "Heat/Conductivity");
   BOOST_CHECK_EXCEPTION(
     make_material("elastoplastic",
                   "sum",
