@@ -57,20 +57,4 @@ namespace deltaform
     std::vector<std::optional<FlowCurve>> curves_; ///< rate by rate; none: molten
   };
 
-
-  /// Flow curves as a hardening law. It knows rate and temperature itself; by itself it is that of a vanishing rate.
-  class FlowCurvesHardening final : public Hardening
-  {
-  public:
-    /// @param initial_temperature of the metal, on the scale of the curves
-    /// @throws std::invalid_argument if the metal is molten there
-    FlowCurvesHardening(FlowCurves curves, double initial_temperature);
-
-    FlowStress evaluate(double equivalent_plastic_strain) const override;
-    std::unique_ptr<RateFactor> own_rate_factor(double heating) const override;
-
-  private:
-    FlowCurves curves_;
-    double initial_temperature_;
-  };
 } // namespace deltaform

@@ -1,0 +1,144 @@
+#include <deltaform/materials/flow_curves.h>
+#include <deltaform/materials/rate_factor.h>
+#include <deltaform/parameters/registry.h>
+
+#include "heat_balance.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// What flow curves make of rate and temperature. Where heat is counted, it is that of the flow itself (adiabatic).
+    class FlowCurvesFactor final : public RateFactor
+    {
+    public:
+      FlowCurvesFactor(FlowCurves curves, const double initial_temperature, const double heating)
+        : curves_(std::move(curves)), initial_temperature_(initial_temperature), heating_(heating)
+      {
+      }
+
+      HistoryLayout history_layout() const override
+      {
+        return heating_ > 0. ? HistoryLayout{{"temperature_rise", HistoryKind::positive, "temperature"}}
+                             : HistoryLayout();
+      }
+
+      bool acts() const override
+      {
+        return curves_.knows_rate() || heating_ > 0.;
+      }
+
+      bool needs_duration() const override
+      {
+        return curves_.knows_rate();
+      }
+
+      bool softens() const override
+      {
+        return heating_ > 0.;
+      }
+
+      FlowStress
+      evaluate(const FlowStress &, const PointFlow &flow, const double *start, double *end) const override
+      {
+        const double per_growth = curves_.knows_rate() ? 1. / flow.duration : 0.;
+        FlowCurves::Stress at{};
+        const auto stress = [&](const double rise) -> FlowStress {
+          at = curves_(flow.strain, per_growth * flow.growth, initial_temperature_ + rise);
+          return {at.value, at.by_temperature};
+        };
+        if (!(heating_ > 0.))
+        {
+          stress(0.);
+          return {at.value, at.by_strain + per_growth * at.by_rate};
+        }
+        const double k = heating_ * flow.growth;
+        const HeatedStress hot = balance_heat(stress, std::fmax(*start, 0.), k);
+        *end = hot.rise;
+        // ds = s_e dx + s_rate dx/dt + s_T (heating s dx + k ds)
+        const double cold = at.by_strain + per_growth * at.by_rate;
+        return {hot.value, (cold + hot.slope * heating_ * hot.value) / (1. - hot.slope * k)};
+      }
+
+      double at_rest(double, const double strain, const double *const history) const override
+      {
+        return curves_(strain, 0., initial_temperature_ + (heating_ > 0. ? std::fmax(*history, 0.) : 0.)).value;
+      }
+
+    private:
+      FlowCurves curves_;
+      double initial_temperature_, heating_;
+    };
+
+
+    /// Flow curves as a hardening law. It knows rate and temperature itself; by itself it is that of a vanishing rate.
+    class FlowCurvesHardening final : public Hardening
+    {
+    public:
+      /// @param initial_temperature of the metal, on the scale of the curves
+      /// @throws std::invalid_argument if the metal is molten there
+      FlowCurvesHardening(FlowCurves curves, const double initial_temperature)
+        : curves_(std::move(curves)), initial_temperature_(initial_temperature)
+      {
+        if (!(FlowCurvesHardening::evaluate(0.).value > 0.))
+          throw std::invalid_argument("the metal would be molten from the start.");
+      }
+
+      FlowStress evaluate(const double equivalent_plastic_strain) const override
+      {
+        const FlowCurves::Stress at = curves_(equivalent_plastic_strain, 0., initial_temperature_);
+        return {at.value, at.by_strain};
+      }
+
+      std::unique_ptr<RateFactor> own_rate_factor(const double heating) const override
+      {
+        return std::make_unique<FlowCurvesFactor>(curves_, initial_temperature_, heating);
+      }
+
+    private:
+      FlowCurves curves_;
+      double initial_temperature_;
+    };
+
+
+    std::unique_ptr<Hardening> read(Section &section)
+    {
+      const std::string rows_entry = "Flow curves", start_entry = "Initial temperature";
+      const auto rows = section.rows(
+        rows_entry,
+        required("0.001 20 0 200; 0.001 20 0.1 339; 0.001 20 0.3 400; 0.001 20 1 489; "
+                 "0.001 300 0 120; 0.001 300 0.1 170; 0.001 300 0.3 190; 0.001 300 1 200; "
+                 "10 20 0 240; 10 20 0.1 350; 10 20 0.3 420; 10 20 1 500; "
+                 "10 300 0 170; 10 300 0.1 230; 10 300 0.3 250; 10 300 1 260"),
+        4,
+        "1/time, temperature, 1, stress",
+        "Rows of rate, temperature, plastic strain and flow stress, sorted in this order; four or more of each rate "
+        "and temperature. Linear in log rate and in temperature; outside as at the nearest rate, temperature and "
+        "strain. Stress 0 is molten metal.");
+      const double start = section.number(
+        start_entry, required(20.), Range::any(), "temperature", "Of the metal, on the scale of the curves.");
+      try
+      {
+        FlowCurves curves(rows);
+        try
+        {
+          return std::make_unique<FlowCurvesHardening>(std::move(curves), start);
+        }
+        catch (const std::invalid_argument &error)
+        {
+          section.fail(start_entry, error.what());
+        }
+      }
+      catch (const std::invalid_argument &error)
+      {
+        section.fail(rows_entry, error.what());
+      }
+    }
+
+    const Registry<Hardening>::Entry entry("flow curves", "Curves over strain, rate and temperature", read);
+  } // namespace
+} // namespace deltaform
