@@ -106,6 +106,7 @@ namespace deltaform
       Point2 place; ///< relative to the tool
       double distance = -1;
       unsigned int segment = invalid_index;
+      unsigned int filler = 0; ///< saved as bytes: each one is set
     };
 
     const ContactSurface &surface_;

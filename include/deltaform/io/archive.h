@@ -9,8 +9,8 @@
 
 namespace deltaform
 {
-  /// Save or load a vector of plain values as its bytes, so that a member that is added later is not forgotten. For
-  /// archives that are read by the program that wrote them.
+  /// Save or load a vector of plain values as its bytes, so that a member that is added later is not forgotten; a type
+  /// with gaps between its members fills them. For archives that are read by the program that wrote them.
   template <typename Archive, typename Values>
   void archive_plain(Archive &archive, Values &values)
   {
