@@ -159,6 +159,7 @@ namespace deltaform
     {
       if (duration > 0.)
         duration_ = duration;
+      share_of_duration_ = duration > 0. ? 1. : at_the_same_time;
       return carried_.carry(ratio);
     }
 
@@ -260,7 +261,10 @@ namespace deltaform
     std::vector<Mandel> stress_by_angle_;
     ThirdDirection third_ = ThirdDirection::strain_given;
     PointHistory history_;
-    double duration_ = 1.; ///< of the increment (time)
+    /// Equilibrium is sought anew at the same time: so short that a flow stress that grows with the rate does not relax.
+    static constexpr double at_the_same_time = 1e-6;
+    double duration_ = 1.; ///< of the last increment that took time (time)
+    double share_of_duration_ = 1.; ///< of it, that the present one takes
     CarriedFlow carried_; ///< of no points if the law does not want it
     std::vector<Mandel> strain_, stress_, committed_stress_;
     std::optional<BlankEnergy> energy_ = BlankEnergy();

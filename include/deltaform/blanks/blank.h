@@ -128,7 +128,7 @@ namespace deltaform
     /**
      * The increment to come.
      * @param duration time that it takes (time), for materials that want to know; 0, where equilibrium is sought anew
-     *   at the same time: as long as the last one
+     *   at the same time: a moment, too short for a rate-dependent flow stress to relax
      * @param ratio of its length to that of the last accepted one; 0: there is none that it continues
      */
     virtual void begin_increment(double duration, double ratio) = 0;
