@@ -211,7 +211,9 @@ namespace deltaform
     // Cut twice, or as short as it may be: the length of the increment is not the reason.
     if (model_.releases_at_once() || (next - time()) * settings_.steps.shrink < stage().smallest_increment)
       return Effort::all;
-    return cost_.cutbacks >= 2 || control_->leaping() ? Effort::last_resorts : Effort::usual;
+    if (cost_.cutbacks >= 2 || control_->leaping())
+      return Effort::last_resorts;
+    return cost_.cutbacks == 0 && state_.last_length > 0. ? Effort::first : Effort::usual;
   }
 
 

@@ -68,7 +68,7 @@ namespace deltaform
     const unsigned int linear_iterations = problem_.n_linear_iterations();
     for (const auto &strategy : ladder_)
     {
-      if (strategy->is_last_resort() && effort == Effort::usual)
+      if (strategy->least_effort() > effort)
         continue;
       if (is_pointless(*strategy, solved))
         continue;
@@ -82,7 +82,7 @@ namespace deltaform
       result.cost.iterations += solved.iterations;
       result.cost.rounds += solved.rounds;
       result.cost.correction_iterations += solved.correction_iterations;
-      may_be_snap = strategy->is_last_resort();
+      may_be_snap = strategy->least_effort() == Effort::last_resorts;
       if (!failed(solved))
         break;
     }

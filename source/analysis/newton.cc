@@ -28,6 +28,12 @@ namespace deltaform
     constexpr unsigned int settling_iterations = 25;
     constexpr double settled_share = .01;
 
+    // As close to equilibrium the tangent of the blank is good for all sets that the solve may meet; so many of them
+    // are tried with it. In the first iterations of an increment the start, which extrapolation has pressed into the
+    // tools, is put on their surfaces.
+    constexpr double near_equilibrium = 3e-3;
+    constexpr unsigned int most_sets = 60, first_iterations = 2;
+
     constexpr unsigned int slack_iterations = 4; ///< before slack is allowed; three times as many: more
   } // namespace
 
@@ -213,9 +219,28 @@ namespace deltaform
         if (!assemble() || !solve(1e-6))
           return false;
       }
+      if (!settle_active_set())
+        return false;
       return variant_ == NewtonVariant::plain || pending_ != 0. ||
              damping_.descend(
                d_, [&]() { return assemble(); }, [&](const double shift) { return solve(shift); });
+    }
+
+    /// Solve again for the set that the step leads to, until it leads to its own: with the tangent of the blank, which
+    /// changes little close to equilibrium. Else a zone of contact grows or shrinks by a point in an iteration.
+    bool settle_active_set()
+    {
+      const bool first = result_.rounds == 0 && iteration_ < first_iterations;
+      if (active_set_ == nullptr || variant_ != NewtonVariant::plain || !(first || residual_ <= near_equilibrium))
+        return true;
+      for (unsigned int k = 0; k < most_sets && active_set_->foresee(d_); ++k)
+      {
+        if (!equations_.assemble_foreseen(q_))
+          return true;
+        if (!solve(0.) && !(equations_.assemble_foreseen(q_) && solve(1e-6)))
+          return false;
+      }
+      return true;
     }
 
     /// To the start of the step plus a share of it.

@@ -18,6 +18,11 @@ namespace deltaform
         return problem.committed();
       }
 
+      Effort least_effort() const override
+      {
+        return Effort::usual;
+      }
+
       NewtonVariant variant() const override
       {
         return NewtonVariant::plain;

@@ -6,7 +6,7 @@
 namespace deltaform
 {
   StepSettings::StepSettings(Section &section)
-    : target_iterations(section.integer("Target iterations", 8, 1, 1000,
+    : target_iterations(section.integer("Target iterations", 5, 1, 1000,
                                         "Newton iterations aimed at: more shorten the next increment, fewer lengthen "
                                         "it.")),
       growth(section.number("Growth", 1.5, Range{1., 10., false, false}, "1",

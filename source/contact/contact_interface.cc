@@ -16,6 +16,13 @@ namespace deltaform
       auto law = make_friction_law(tool_section);
       return law ? std::make_unique<InterfaceFriction>(std::move(law), projector) : nullptr;
     }
+
+    /// A point has touched or let go, with this @p gap where it was free.
+    void add_event(IncrementWork &work, const double gap, const ContactPointState &before, const ContactPointState &now)
+    {
+      if (std::isfinite(gap) && gap > 0)
+        work.add_event(now.touching, now.touching ? now.force : before.force, gap);
+    }
   } // namespace
 
 
@@ -110,14 +117,15 @@ namespace deltaform
         state.penalty_factor = state.tangential_factor = state.stiffness = state.shift = state.last_penetration = 0.;
       if (!state.touching && !(before.touching && counts_energy_))
         continue;
-      double slip = 0.;
-      if (friction_)
-        slip = friction_->slip_of_increment(
-          i, before, state, state.touching ? iteration_.touching_point(i).offset : point(q, i).offset);
+      const double offset = state.touching ? iteration_.touching_point(i).offset : point(q, i).offset;
+      const double slip = friction_ ? friction_->slip_of_increment(i, before, state, offset) : 0.;
       if (friction_ && state.touching && !state.sticking)
         state.slip += std::abs(slip);
-      if (counts_energy_)
-        friction_work_[i] = work.add(before, state, slip);
+      if (!counts_energy_)
+        continue;
+      friction_work_[i] = work.add(before, state, slip);
+      if (state.touching != before.touching)
+        add_event(work, projector_.look(i, (state.touching ? before : state).position).distance - offset, before, state);
     }
     trial_.step = trial_.time - committed_.time;
     if (counts_energy_)

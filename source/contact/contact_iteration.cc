@@ -37,19 +37,22 @@ namespace deltaform
       const double residual = -tool_load, zero = 0.;
       target.add(&travel_dof_, 1, target.wants_tangent() ? &zero : nullptr, &residual);
     }
-    ContactPoint point;
     for (unsigned int i = 0; i < trial.size(); ++i)
     {
+      Work &work = work_[i];
+      ContactPoint &point = work.point;
       projector_.describe(q, i, point);
       ContactPointState &state = trial[i];
       state.position = point.x - shift;
       state.area = point.area;
       state.thickness = point.thickness;
-      if (!(point.area > 0) ||
-          (law_.is_free_when_clear(state) && projector_.certainly_clear(i, state.position, point.offset)))
-        leave(i, point, q, state, target);
-      else
+      work.is_near =
+        point.area > 0 && (work.foreseen || !law_.is_free_when_clear(state) ||
+                           !projector_.certainly_clear(i, state.position, point.offset));
+      if (work.is_near)
         meet(i, point, q, committed, trial, target);
+      else
+        leave(i, point, q, state, target);
     }
   }
 
@@ -91,7 +94,8 @@ namespace deltaform
     const Projection projection = projector_.project(i, state.position);
     state.gap = gap(projection, point, state);
     state.arc_length = projection.arc_length;
-    if (law_.is_concerned(state) && !(state.stiffness > 0))
+    const Work &work = work_[i];
+    if ((law_.is_concerned(state) || work.foreseen.value_or(false)) && !(state.stiffness > 0))
     {
       factors_.touch(i, point, projection, committed, trial);
       if (friction_)
@@ -100,7 +104,7 @@ namespace deltaform
     law_.read_unknown(q, first_multiplier_ + i, state);
 
     const NormalResponse normal = law_.respond(
-      state, {state.gap, point.compliance, factors_.share(before), slack_, at_start_ && before.touching});
+      state, {state.gap, point.compliance, factors_.share(before), slack_, work.foreseen, at_start_ && before.touching});
     state.gap = normal.gap;
     FrictionResponse friction;
     if (friction_ && normal.touching)
@@ -110,12 +114,9 @@ namespace deltaform
     state.force = normal.force;
     state.tangential_force = friction.force;
     state.sticking = friction.sticking;
+    work_[i].normal = projection.normal;
     if (normal.touching)
-    {
       state.compliance = point.compliance;
-      work_[i].point = point;
-      work_[i].normal = projection.normal;
-    }
     if (law_.acts(normal))
       add(i, point, projection, normal, friction, state, target);
   }
@@ -147,33 +148,61 @@ namespace deltaform
   }
 
 
-  void ContactIteration::prepare_step(const Vector &d, const Points &committed, const Points &trial)
+  Tensor1 ContactIteration::motion(const unsigned int i, const Vector &d) const
   {
-    at_start_ = false;
-    const Tool &tool = projector_.tool();
-    const Tensor1 tool_step = tool.force_driven() ? d[travel_dof_] * tool.direction() : Tensor1();
+    const Work &work = work_[i];
+    Tensor1 dx;
+    if (projector_.tool().force_driven())
+      dx -= d[travel_dof_] * projector_.tool().direction();
+    for (unsigned int k = 0; k < work.point.n_dofs; ++k)
+      dx += d[work.point.dofs[k]] * work.point.jacobian[k];
+    return dx;
+  }
+
+
+  bool ContactIteration::foresee(const Vector &d, const Points &trial)
+  {
+    bool other = false;
     for (unsigned int i = 0; i < trial.size(); ++i)
     {
       const ContactPointState &state = trial[i];
       Work &work = work_[i];
-      double opening = 0.;
-      if (state.touching)
+      if (work.is_near)
       {
-        Tensor1 dx = -tool_step;
-        for (unsigned int k = 0; k < work.point.n_dofs; ++k)
-          dx += d[work.point.dofs[k]] * work.point.jacobian[k];
-        opening = work.normal * dx;
+        work.foreseen = law_.foresee(state, work.normal * motion(i, d), work.point.compliance);
+        other |= *work.foreseen != state.touching;
       }
+      else if (state.area > 0 && motion(i, d).norm() > state.gap)
+      {
+        // It was not projected. If it may come to the tool it has to be, and is free until that is known.
+        work.foreseen = false;
+        other = true;
+      }
+    }
+    return other;
+  }
+
+
+  void ContactIteration::prepare_step(const Vector &d, const Points &committed, const Points &trial)
+  {
+    at_start_ = false;
+    for (unsigned int i = 0; i < trial.size(); ++i)
+    {
+      const ContactPointState &state = trial[i];
+      Work &work = work_[i];
       work.base_multiplier = state.multiplier;
-      work.step_multiplier = law_.estimate(state, opening, factors_.share(committed[i])) - state.multiplier;
+      work.step_multiplier = law_.estimate(state, state.touching ? work.normal * motion(i, d) : 0., factors_.share(committed[i])) - state.multiplier;
     }
   }
 
 
-  void ContactIteration::advance(const double factor, Points &trial) const
+  void ContactIteration::advance(const double factor, Points &trial)
   {
     for (unsigned int i = 0; i < trial.size(); ++i)
+    {
+      work_[i].foreseen.reset();
       trial[i].multiplier = work_[i].base_multiplier + factor * work_[i].step_multiplier;
+    }
   }
 
 

@@ -51,6 +51,16 @@ namespace deltaform
       return friction;
     }
 
+    /**
+     * A point has touched or let go on the way. The trapezoidal rule lets half of its force work over the open gap, over
+     * which it had none.
+     * @param force where it touched @param gap where it did not (length)
+     */
+    void add_event(const bool touched, const double force, const double gap)
+    {
+      energy_.epsilon += (touched ? -.5 : .5) * force * gap;
+    }
+
     void finish()
     {
       // The force has changed by the growth somewhere within the increment; the trapezoidal rule has put it in the

@@ -31,10 +31,13 @@ namespace deltaform
   {
     if (!std::isfinite(left))
       return {};
+    constexpr double certainly = std::numeric_limits<double>::infinity();
+    if (situation.foreseen)
+      return *situation.foreseen ? respond(state, left, certainly) : NormalResponse();
     // The gap at the start is wrong by what extrapolation leaves out, and an equilibrium that hangs on a few nodes is
     // lost if one of them lets go for that: the step then goes where nothing holds the blank.
     if (situation.held && state.multiplier > 0)
-      return respond(state, left, std::numeric_limits<double>::infinity());
+      return respond(state, left, certainly);
     const NormalResponse response = respond(state, left, state.multiplier);
     if (situation.slack > 0 && response.touching != state.touching && is_idle(state, left, situation.slack))
       return state.touching ? spring(state, left) : NormalResponse();
@@ -83,5 +86,13 @@ namespace deltaform
       return 0.;
     const double factor = share * state.penalty_factor;
     return state.shift - factor * (state.gap + state.spring_share(state.compliance) * opening);
+  }
+
+
+  bool SpringLaw::foresee(const ContactPointState &state, const double opening, const double compliance) const
+  {
+    // The gap of a touching point is what the face leaves of it.
+    const double gap = state.gap + (state.touching ? state.spring_share(compliance) : 1.) * opening;
+    return state.penalty_factor > 0 ? state.penalty_factor * gap <= state.shift : gap <= 0;
   }
 } // namespace deltaform

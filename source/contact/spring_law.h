@@ -12,6 +12,7 @@ namespace deltaform
     bool uses_penalty() const override;
     bool is_free_when_clear(const ContactPointState &state) const override;
     bool is_concerned(const ContactPointState &state) const override;
+    bool foresee(const ContactPointState &state, double opening, double compliance) const override;
     double estimate(const ContactPointState &state, double opening, double share) const override;
 
   protected:

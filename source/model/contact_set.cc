@@ -341,6 +341,15 @@ namespace deltaform
   }
 
 
+  bool ContactSet::foresee(const Vector &d)
+  {
+    unsigned int n_others = 0;
+    for (auto *interface : active_)
+      n_others += interface->foresee(d);
+    return n_others > 0;
+  }
+
+
   void ContactSet::prepare_step(const Vector &d)
   {
     for (auto *interface : active_)

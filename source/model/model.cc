@@ -53,12 +53,27 @@ namespace deltaform
       term->read_body(q, system(), tangent);
     for (Term *const term : terms_)
     {
-      if (term == &contact_ && tangent && before_contact_)
-        before_contact_(system());
+      if (term == &contact_ && tangent)
+      {
+        system().keep();
+        if (before_contact_)
+          before_contact_(system());
+      }
       if (term != &body_ && status.good())
         status = term->assemble(q, time_, system());
     }
     return status;
+  }
+
+
+  bool Model::assemble_foreseen(const Vector &q)
+  {
+    const Timers::Scope timer(timers_.all, timers_.contact);
+    if (!system().go_back())
+      return false;
+    for (auto *interface : contact_.interfaces())
+      interface->assemble(q, system());
+    return true;
   }
 
 

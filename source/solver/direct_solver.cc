@@ -38,6 +38,11 @@ namespace deltaform
         return *matrix_->crs;
       }
 
+      bool is_cheap() const override
+      {
+        return keeps_pivots_;
+      }
+
       void forget() override
       {
         factored_.clear();

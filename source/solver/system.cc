@@ -14,6 +14,13 @@
 
 namespace deltaform
 {
+  struct System::Kept
+  {
+    TangentCopy tangent;
+    Vector residual, magnitude;
+  };
+
+
   System::System(dealii::DynamicSparsityPattern &&pattern,
                  const unsigned int n_border,
                  const LinearSolverSettings &settings,
@@ -64,6 +71,7 @@ namespace deltaform
     common_ = tangent_->distributed() == nullptr;
     residual_ = 0.;
     magnitude_ = 0.;
+    kept_.reset();
     if (constant_)
       constant_->begin();
     if (tangent && !(constant_ && constant_->restore()))
@@ -107,6 +115,27 @@ namespace deltaform
     }
     if (constant_)
       constant_->complete(wanted_);
+  }
+
+
+  bool System::keep()
+  {
+    kept_.reset();
+    if (!wanted_ || constant_ || tangent_->distributed() != nullptr || !factorization_->solver().is_cheap())
+      return false;
+    kept_ = std::make_unique<Kept>(Kept{tangent_->copy(), residual_, magnitude_});
+    return true;
+  }
+
+
+  bool System::go_back()
+  {
+    if (!kept_)
+      return false;
+    tangent_->go_back(kept_->tangent);
+    residual_ = kept_->residual;
+    magnitude_ = kept_->magnitude;
+    return true;
   }
 
 

@@ -80,6 +80,20 @@ namespace deltaform
   }
 
 
+  TangentCopy Tangent::copy() const
+  {
+    return {std::vector<double>(values_, values_ + n_values()), border_, places_.position()};
+  }
+
+
+  void Tangent::go_back(const TangentCopy &copy)
+  {
+    std::copy(copy.values.begin(), copy.values.end(), values_);
+    border_ = copy.border;
+    places_.go_back(copy.position);
+  }
+
+
   int Tangent::place(const DofIndex row, const DofIndex column) const
   {
     if (row >= n_sparse_ || column >= n_sparse_)

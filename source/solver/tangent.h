@@ -29,6 +29,14 @@ namespace deltaform
     std::vector<DofIndex> bordered; ///< unknowns that the border couples with
   };
 
+  /// What was added to a tangent up to some moment of a pass.
+  struct TangentCopy
+  {
+    std::vector<double> values;
+    Border border;
+    EntryPlaces::Position position;
+  };
+
   /**
    * The tangent [K B; C D] of a Newton iteration: K, of the sparse unknowns, in rows of fixed pattern; the border, of a
    * few unknowns behind them, in full columns B, rows C and the block D. This process has all rows of K, or with
@@ -86,6 +94,12 @@ namespace deltaform
      * own @param update notes it, if there is one
      */
     void add(const DofIndex *dofs, unsigned int n, const double *matrix, bool common, TangentUpdate *update);
+
+    /// What this pass has added so far, where all rows are here.
+    TangentCopy copy() const;
+
+    /// Go on with the pass from there.
+    void go_back(const TangentCopy &copy);
 
     /// Add @p factor scale^2 to the diagonal of K.
     void add_to_diagonal(double factor, const std::vector<double> &scale, TangentUpdate *update);

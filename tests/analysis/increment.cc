@@ -196,6 +196,20 @@ BOOST_AUTO_TEST_CASE(a_ladder_is_a_list_of_names)
   BOOST_TEST(result.rejected->sentence == "no strategy applies to this increment");
 }
 
+BOOST_AUTO_TEST_CASE(strategies_wait_for_their_effort)
+{
+  const auto effort = [](const char *name) { return make_ladder({name}).front()->least_effort(); };
+  BOOST_TEST((effort("plain") == Effort::first));
+  BOOST_TEST((effort("soft first touch") == Effort::usual));
+  BOOST_TEST((effort("damped") == Effort::last_resorts));
+  BOOST_TEST((effort("damped with slack") == Effort::last_resorts));
+  // The first attempt is Newton's method alone.
+  Fixture fixture;
+  Increment both(fixture.problem, fixture.newton, fixture.steps, make_ladder({"damped", "plain"}));
+  BOOST_TEST(!both.attempt({.1, 0., true, fixture.before}, .1, Effort::first).rejected.has_value());
+  BOOST_TEST(fixture.problem.n_begun == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(it_starts_from_the_last_velocity)
 {
   Fixture fixture;

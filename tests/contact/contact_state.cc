@@ -81,6 +81,56 @@ BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
   BOOST_TEST(fixture.contact.energy().friction == energy.friction);
 }
 
+BOOST_AUTO_TEST_CASE(a_step_tells_who_will_touch)
+{
+  const FakeSurface surface = row(4);
+  InterfaceFixture fixture(surface, constant, flat);
+  fixture.contact.begin_stage(place(fixture, 0., .1), 0.);
+  fixture.begin_increment(place(fixture, 0., .1), 1., stiffness);
+  Vector q = place(fixture, 0., -.01);
+  q[5] = .002; // free, and near
+  q[7] = 3.; // free, and so far away that it is not looked at
+  fixture.assemble(q); // from here on the distance of the last one is known
+  const auto before = fixture.assemble(q);
+  const auto touches = [&](const unsigned int i) { return fixture.contact.trial()[i].touching; };
+  BOOST_TEST((touches(0) && touches(1) && !touches(2) && !touches(3)));
+
+  Vector d(fixture.n);
+  d[1] = .009;
+  d[5] = -.001;
+  BOOST_TEST(!fixture.contact.foresee(d));
+  d[3] = .011; // lets go
+  d[5] = -.003; // meets
+  BOOST_TEST(fixture.contact.foresee(d));
+  // What was not near has to be looked at first.
+  fixture.assemble(q);
+  BOOST_TEST(!touches(2));
+  BOOST_TEST(fixture.contact.foresee(d));
+  // Assembled at the same place: the force of what lets go is gone, what meets is tied to the tool by its spring.
+  const auto foreseen = fixture.assemble(q);
+  BOOST_TEST((touches(0) && !touches(1) && touches(2) && !touches(3)));
+  BOOST_TEST(foreseen.residual[1] == before.residual[1]);
+  BOOST_TEST(std::abs(before.residual[3] + 50. * .01) < 1e-12);
+  BOOST_TEST(foreseen.residual[3] == 0.);
+  BOOST_TEST(std::abs(foreseen.residual[5] - 50. * .002) < 1e-12);
+  BOOST_TEST(!fixture.contact.foresee(d));
+  // What was far away is free until it has been looked at.
+  d[7] = -3.001;
+  BOOST_TEST(fixture.contact.foresee(d));
+  fixture.assemble(q);
+  BOOST_TEST(!touches(3));
+  BOOST_TEST(fixture.contact.foresee(d));
+  fixture.assemble(q);
+  BOOST_TEST(touches(3));
+  // The step is taken: from here on the forces decide, as ever.
+  fixture.contact.prepare_step(d);
+  fixture.contact.advance(1.);
+  q = place(fixture, 0., .1);
+  fixture.assemble(q);
+  for (unsigned int i = 0; i < 4; ++i)
+    BOOST_TEST(!touches(i));
+}
+
 BOOST_AUTO_TEST_CASE(what_happened_before_does_not_matter)
 {
   // Warm starts and the skipping of distant nodes change no force: random walks against fresh interfaces.
@@ -347,6 +397,9 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
     go(-.02, -2.4e-3 + 5e-4 * i);
   go(-.02, 0.);
   go(-.02, .1);
+  // From an open gap into contact and out of it, each in one increment.
+  go(-.02, -5e-4);
+  go(-.02, .07);
   BOOST_TEST(corrected > 0u);
   BOOST_TEST(sliding > 10u);
   const auto energy = fixture.contact.energy();

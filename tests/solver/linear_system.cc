@@ -134,6 +134,47 @@ BOOST_AUTO_TEST_CASE(solutions_are_those_of_dense_algebra)
     });
 }
 
+BOOST_AUTO_TEST_CASE(a_pass_goes_on_from_what_was_kept_in_it)
+{
+  std::mt19937 generator(7);
+  Assembled assembled("klu", 1), other("mumps", 1);
+  System &system = assembled.system;
+  assembled.fill(generator, false);
+  BOOST_TEST(!system.keep()); // no tangent
+  other.fill(generator);
+  BOOST_TEST(!other.system.keep()); // a factorization is dear
+  assembled.fill(generator);
+  BOOST_TEST(system.keep());
+  const auto spring = [&](const DofIndex row, const double stiffness) {
+    const DofIndex dofs[] = {row, n_sparse};
+    const double block[] = {stiffness, -stiffness, -stiffness, stiffness}, force[] = {stiffness, -stiffness};
+    system.add(dofs, 2, block, force);
+  };
+  const std::vector<bool> free(assembled.n, false);
+  system.set_prescribed(free);
+  spring(3, 10.);
+  BOOST_TEST(system.factorize());
+  for (unsigned int time = 0; time < 2; ++time)
+  {
+    system.go_back();
+    spring(5 + time, 20.);
+  }
+  assembled.matrix(6, 6) += 20.;
+  assembled.matrix(6, n_sparse) -= 20.;
+  assembled.matrix(n_sparse, 6) -= 20.;
+  assembled.matrix(n_sparse, n_sparse) += 20.;
+  assembled.residual[6] += 20.;
+  assembled.residual[n_sparse] -= 20.;
+  assembled.magnitude[6] += 20.;
+  assembled.magnitude[n_sparse] += 20.;
+  for (unsigned int i = 0; i < assembled.n; ++i)
+  {
+    BOOST_TEST(system.residual()[i] == assembled.residual[i]);
+    BOOST_TEST(system.magnitude()[i] == assembled.magnitude[i]);
+  }
+  compare(assembled, free, generator);
+}
+
 BOOST_AUTO_TEST_CASE(prescribed_unknowns_of_the_border)
 {
   for_all_solvers(

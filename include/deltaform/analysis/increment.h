@@ -36,14 +36,6 @@ namespace deltaform
     double strain_at_rest = 0; ///< of a point, if more than allowed, in a new equilibrium at the same time
   };
 
-  /// What may be tried to find an equilibrium.
-  enum class Effort : unsigned char
-  {
-    usual,
-    last_resorts, ///< shorter increments did not help
-    all ///< the shortest increment: where the blank snaps through, rotations may be large
-  };
-
   /**
    * One increment: tries the strategies of its ladder, each from the committed state of the problem, until one finds an
    * equilibrium, and judges whether it can be accepted. The committed state stays as it is.

@@ -20,6 +20,16 @@ namespace deltaform
     const Vector &before; ///< the unknowns one increment before the committed state
   };
 
+  /// What may be tried to find an equilibrium, each more than the one before.
+  enum class Effort : unsigned char
+  {
+    first, ///< of an increment that continues others: if it fails, a shorter one is cheaper than another strategy
+    usual,
+    last_resorts, ///< shorter increments did not help
+    all ///< the shortest increment: where the blank snaps through, rotations may be large
+  };
+
+
   /// One way to solve an increment. An increment tries those of its ladder in turn, each from the committed state.
   class Strategy
   {
@@ -31,11 +41,11 @@ namespace deltaform
 
     virtual NewtonVariant variant() const = 0;
 
-    /// Is it worth its cost only where shorter increments do not help? There the blank may snap to another equilibrium,
-    /// however short the increment is.
-    virtual bool is_last_resort() const
+    /// From which effort on it is worth its cost. Damped steps are last resorts: where shorter increments do not help
+    /// the blank may snap to another equilibrium, however short the increment is.
+    virtual Effort least_effort() const
     {
-      return variant() != NewtonVariant::plain;
+      return variant() == NewtonVariant::plain ? Effort::first : Effort::last_resorts;
     }
   };
 

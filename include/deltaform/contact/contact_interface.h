@@ -144,6 +144,13 @@ namespace deltaform
     /// Residual and tangent of all points at @p q.
     void assemble(const Vector &q, AssemblyTarget &target);
 
+    /// Who will touch after the step @p d from the last assembled state, if gaps are linear? Until the step is taken,
+    /// assembly at the same place goes by it. @return are they others than those of the last assembly?
+    bool foresee(const Vector &d)
+    {
+      return iteration_.foresee(d, trial_.points);
+    }
+
     /// A Newton step @p d was computed from the last assembled state. It is taken by a factor; the next assembly is at
     /// the new place.
     void prepare_step(const Vector &d)

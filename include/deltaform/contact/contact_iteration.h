@@ -7,6 +7,7 @@
 #include <deltaform/contact/normal_law.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace deltaform
@@ -55,6 +56,8 @@ namespace deltaform
     void begin_increment()
     {
       at_start_ = true;
+      for (auto &work : work_)
+        work.foreseen.reset();
       slack_ = 0.;
     }
 
@@ -68,8 +71,9 @@ namespace deltaform
 
     /// See ContactInterface.
     ///@{
+    bool foresee(const Vector &d, const Points &trial);
     void prepare_step(const Vector &d, const Points &committed, const Points &trial);
-    void advance(double factor, Points &trial) const;
+    void advance(double factor, Points &trial);
 
     void allow_slack(const double force)
     {
@@ -99,10 +103,15 @@ namespace deltaform
     /// What is computed of a point in an iteration and forgotten.
     struct Work
     {
-      ContactPoint point; ///< a touching one, at the last assembly
-      Tensor1 normal; ///< the same
+      ContactPoint point; ///< at the last assembly
+      Tensor1 normal; ///< the same, of a point that may have contact
+      bool is_near = false; ///< it may have contact: it was projected
+      std::optional<bool> foreseen; ///< will it touch? See ContactInterface::foresee()
       double base_multiplier = 0, step_multiplier = 0; ///< estimates of lambda along a Newton step
     };
+
+    /// Of a point relative to the tool in the step @p d.
+    Tensor1 motion(unsigned int i, const Vector &d) const;
 
     /// A point that has no contact, whatever its force was.
     void leave(

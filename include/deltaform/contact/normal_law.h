@@ -3,6 +3,7 @@
 #include <deltaform/assembly/assembly_target.h>
 #include <deltaform/contact/contact_point_state.h>
 
+#include <optional>
 #include <vector>
 
 namespace deltaform
@@ -28,6 +29,7 @@ namespace deltaform
     double compliance = 0; ///< [length/force] of the face: the through-thickness compliance
     double share = 1; ///< of the stiffness that counts: less than 1 while a first touch is stiffened step by step
     double slack = 0; ///< a smaller force, pressure or tension, does not change whether the point touches
+    std::optional<bool> foreseen; ///< the set of touching points is given, and the point belongs to it or not
     bool held = false; ///< the point touched in the accepted state, and no step has been made since: it still does
   };
 
@@ -87,6 +89,15 @@ namespace deltaform
 
     /// Estimate of lambda after a step that opens the gap by @p opening (length), with this share of the stiffness.
     virtual double estimate(const ContactPointState &state, double opening, double share) const = 0;
+
+    /**
+     * Will a point touch after a step that opens the distance between tool and face by @p opening (length), if that is
+     * linear? @p compliance of the face [length/force]. A law that does not foresee answers that nothing changes.
+     */
+    virtual bool foresee(const ContactPointState &state, const double /*opening*/, const double /*compliance*/) const
+    {
+      return state.touching;
+    }
 
     /// Is an equilibrium with this @p state a solution? @p allowed_tension: force; @p final: no first touch is soft any
     /// more

@@ -14,6 +14,13 @@ namespace deltaform
   public:
     virtual ~ActiveSet() = default;
 
+    /// Which inequalities will be active after the step @p d, if everything is linear? @return is it another set than
+    /// that of the last assembly? Then Equations::assemble_foreseen() takes it
+    virtual bool foresee(const Vector & /*d*/)
+    {
+      return false;
+    }
+
     /// A step @p d was computed from the state that was assembled last.
     virtual void prepare_step(const Vector &d) = 0;
 
@@ -50,6 +57,15 @@ namespace deltaform
     /// Shorten components of the step @p d that nothing resists. @return the largest factor in (0, 1] of the step
     /// that is admissible from @p q
     virtual double limit_step(const Vector &q, Vector &d) const = 0;
+
+    /**
+     * After an assembly with tangent at @p q: assemble it again at the same place, for the set that
+     * ActiveSet::foresee() found; what the inequalities have no part in stays. @return false if that saves nothing
+     */
+    virtual bool assemble_foreseen(const Vector & /*q*/)
+    {
+      return false;
+    }
 
     /// The inequalities among the equations; null: there are none.
     virtual ActiveSet *active_set() = 0;

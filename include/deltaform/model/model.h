@@ -36,6 +36,7 @@ namespace deltaform
       return actors_.blank->typical_length();
     }
     Status assemble(const Vector &q, bool tangent) override;
+    bool assemble_foreseen(const Vector &q) override;
     double limit_step(const Vector &q, Vector &d) const override
     {
       return std::min(contact_.limit_travels(d, typical_length()), actors_.blank->admissible_step(q, d));

@@ -21,6 +21,24 @@ namespace deltaform
     /// The place of an entry that is not in the matrix.
     static constexpr int nowhere = -1;
 
+    /// Where a pass is.
+    struct Position
+    {
+      std::size_t key = 0, place = 0;
+    };
+
+    Position position() const
+    {
+      return {key_, place_};
+    }
+
+    /// Go on from a position of this pass.
+    void go_back(const Position position)
+    {
+      key_ = position.key;
+      place_ = position.place;
+    }
+
     /// Begin a pass.
     void restart()
     {

@@ -80,6 +80,13 @@ namespace deltaform
     /// Call after the values of the matrix have changed. @return false if it is singular, on all processes alike
     virtual bool factorize() = 0;
 
+    /// Does a factorization cost less than a pass over the elements? So it is on thin strips with the pivots of the
+    /// last one.
+    virtual bool is_cheap() const
+    {
+      return false;
+    }
+
     /// @param right_side, solution own rows. @return success, on all processes alike
     virtual bool solve(const double *right_side, double *solution) = 0;
 

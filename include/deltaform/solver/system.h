@@ -74,6 +74,16 @@ namespace deltaform
 
     bool wants_tangent() const override;
 
+    /**
+     * Remember what this pass has added so far, so that parts behind it can be added differently without doing the rest
+     * again. @return false: it is not worth it, because a factorization is dearer than a pass, or not possible (several
+     * processes, a constant part)
+     */
+    bool keep();
+
+    /// Go on with the pass from what was kept in it. @return false: nothing was
+    bool go_back();
+
     void block(const DofIndex *dofs, unsigned int n, double *result) const override;
 
     void multiply(const Vector &direction, Vector &result) const override;
@@ -135,6 +145,8 @@ namespace deltaform
     unsigned int n_compliances() const;
 
   private:
+    struct Kept;
+
     bool factorize_whole(double shift);
 
     std::unique_ptr<Tangent> tangent_;
@@ -144,5 +156,6 @@ namespace deltaform
     bool wanted_ = true; ///< the tangent is assembled in this pass
     bool common_ = false; ///< what is added now is the same on all processes
     Vector residual_, magnitude_;
+    std::unique_ptr<Kept> kept_; ///< null: nothing was kept
   };
 } // namespace deltaform
