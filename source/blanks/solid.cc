@@ -28,6 +28,10 @@ namespace deltaform
       refinement_(refinement_settings_, body_, surface_, material_, transfer_),
       fields_(body_, surface_, material_, motion_)
   {
+    if (refinement_settings_.active && surface_.points_per_edge() > 0)
+      section.fail("Contact points", "points inside the edges stay where they are: use 'nodes' with refinement");
+    if (ranks::count() > 1 && surface_.points_per_edge() > 0)
+      section.fail("Contact points", "points inside the edges want all of the solid in one process: use 'nodes'");
     if (section.documentation() && body_.space().mesh().boundaries().empty())
       return;
     if (material_.law().traits().symmetry != Symmetry::isotropic && !body_.space().mesh().is_strip())

@@ -4,6 +4,16 @@
 
 namespace deltaform
 {
+  EdgePoint edge_point(const unsigned int degree, const double xi)
+  {
+    if (degree == 1)
+      return {{{1 - xi, xi, 0.}}, {{-1., 1., 0.}}, 1.};
+    return {{{(1 - xi) * (1 - 2 * xi), xi * (2 * xi - 1), 4 * xi * (1 - xi)}},
+            {{4 * xi - 3, 4 * xi - 1, 4 - 8 * xi}},
+            1.};
+  }
+
+
   namespace
   {
     std::array<EdgePoint, 3> make_rule(const unsigned int degree)
@@ -13,17 +23,8 @@ namespace deltaform
       for (unsigned int k = 0; k < 3; ++k)
       {
         const double x = .5 + (k - 1.) * distance;
+        result[k] = edge_point(degree, x);
         result[k].weight = k == 1 ? 4. / 9. : 5. / 18.;
-        if (degree == 1)
-        {
-          result[k].shape = {{1 - x, x, 0.}};
-          result[k].gradient = {{-1., 1., 0.}};
-        }
-        else
-        {
-          result[k].shape = {{(1 - x) * (1 - 2 * x), x * (2 * x - 1), 4 * x * (1 - x)}};
-          result[k].gradient = {{4 * x - 3, 4 * x - 1, 4 - 8 * x}};
-        }
       }
       return result;
     }

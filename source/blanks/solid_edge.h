@@ -16,6 +16,9 @@ namespace deltaform
     double weight;
   };
 
+  /// Shape functions at a place of an edge, @p xi from 0 to 1; the weight is 1.
+  EdgePoint edge_point(unsigned int degree, double xi);
+
   /// Gauss rule with three points: exact for shape function, radius and length of a straight edge of degree 2.
   const std::array<EdgePoint, 3> &edge_quadrature(unsigned int degree);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace deltaform
 {
@@ -116,6 +117,35 @@ namespace deltaform
     result.arc_coordinate = arc_[node];
     result.jacobian[0] = Tensor1({1., 0.});
     result.jacobian[1] = Tensor1({0., 1.});
+  }
+
+
+  void SolidFace::contact_place(const Vector &q, const unsigned int edge, const double xi, ContactPoint &result) const
+  {
+    const EdgePoint at = edge_point(space_.degree(), xi);
+    result = ContactPoint();
+    result.n_nodes = space_.degree() + 1;
+    result.n_dofs = 2 * result.n_nodes;
+    // The node with the largest share comes first.
+    std::array<unsigned int, 3> order{{0, 1, 2}};
+    std::swap(order[0], order[std::max_element(at.shape.begin(), at.shape.end()) - at.shape.begin()]);
+    Tensor1 along;
+    for (unsigned int i = 0; i < result.n_nodes; ++i)
+    {
+      const unsigned int a = order[i], node = edges_[edge][a], own = nodes_[node];
+      const Point2 x = space_.position(q, own);
+      result.nodes[i] = {own, at.shape[a]};
+      for (unsigned int d = 0; d < 2; ++d)
+      {
+        result.dofs[2 * i + d] = space_.dofs()[own][d];
+        result.x[d] += at.shape[a] * x[d];
+        along[d] += at.gradient[a] * x[d];
+        result.jacobian[2 * i + d][d] = at.shape[a];
+      }
+      result.reference_coordinate += at.shape[a] * space_.nodes()[own][0];
+      result.arc_coordinate += at.shape[a] * arc_[node];
+    }
+    result.area = along.norm() * (space_.axisymmetric() ? 2. * dealii::numbers::PI * result.x[0] : 1.);
   }
 
 

@@ -60,6 +60,9 @@ namespace deltaform
     /// See ContactSurface; all but the thickness.
     void contact_point(const Vector &q, unsigned int node, ContactPoint &result) const;
 
+    /// Any place of an edge, @p xi from 0 to 1, carried by its nodes; its area is that of the edge per xi.
+    void contact_place(const Vector &q, unsigned int edge, double xi, ContactPoint &result) const;
+
     /// Distance of a point from the chords of the edges; infinite if there are none.
     double distance(const Vector &q, const Point2 &x) const;
 

@@ -2,6 +2,8 @@
 
 #include <deltaform/parameters/text.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,6 +22,24 @@ namespace deltaform
               section.names("Contact top", "top", "Parts of the boundary that tools with Side = top touch.")}},
       faces_{{SolidFace(body.space()), SolidFace(body.space())}}
   {
+    read_points(section);
+  }
+
+
+  void SolidSurface::read_points(Section &section)
+  {
+    const bool inside =
+      section.choice("Contact points", "nodes", {"nodes", "gauss"},
+                     "What touches: the nodes, or Gauss points of the edges of the cells.") == "gauss";
+    const int n_points =
+      section.integer("Gauss points", static_cast<int>(body_.space().degree()), 1, 5,
+                      "Contact points of an edge ('Contact points = gauss'); the degree of the cells is what gives a "
+                      "uniform pressure.");
+    if (!inside)
+      return;
+    const dealii::QGauss<1> rule(n_points);
+    rule_ = rule.get_points();
+    weights_ = rule.get_weights();
   }
 
 
@@ -61,8 +81,21 @@ namespace deltaform
   void SolidSurface::update(const Vector &q)
   {
     const Vector none(q.size());
-    for (auto &face : faces_)
+    for (unsigned int side = 0; side < 2; ++side)
+    {
+      SolidFace &face = faces_[side];
       face.update_areas(moves_ ? q : none);
+      if (rule_.empty())
+        continue;
+      point_areas_[side].clear();
+      ContactPoint place;
+      for (unsigned int e = 0; e < face.edges().size(); ++e)
+        for (unsigned int g = 0; g < rule_.size(); ++g)
+        {
+          face.contact_place(moves_ ? q : none, e, rule_[g][0], place);
+          point_areas_[side].push_back(weights_[g] * place.area);
+        }
+    }
 
     const SolidSpace &space = body_.space();
     smallest_thickness_ = std::numeric_limits<double>::infinity();
@@ -92,7 +125,8 @@ namespace deltaform
 
   unsigned int SolidSurface::n_contact_points(const Side side) const
   {
-    return faces_[static_cast<unsigned int>(side)].nodes().size();
+    const SolidFace &face = faces_[static_cast<unsigned int>(side)];
+    return rule_.empty() ? face.nodes().size() : face.edges().size() * rule_.size();
   }
 
 
@@ -109,8 +143,14 @@ namespace deltaform
       values[p] = material_.flow_stress(p);
     values = body_.points().to_nodes(values);
     std::vector<double> result;
-    for (const auto node : faces_[static_cast<unsigned int>(side)].nodes())
-      result.push_back(values[node]);
+    const SolidFace &face = faces_[static_cast<unsigned int>(side)];
+    if (rule_.empty())
+      for (const auto node : face.nodes())
+        result.push_back(values[node]);
+    else
+      for (const auto &edge : face.edges())
+        for (const auto &xi : rule_)
+          result.push_back((1. - xi[0]) * values[face.ends(edge)[0]] + xi[0] * values[face.ends(edge)[1]]);
     return result;
   }
 
@@ -121,8 +161,35 @@ namespace deltaform
                                    ContactThickness,
                                    ContactPoint &result) const
   {
-    faces_[static_cast<unsigned int>(side)].contact_point(q, node, result);
+    const auto number = static_cast<unsigned int>(side);
+    if (rule_.empty())
+      faces_[number].contact_point(q, node, result);
+    else
+    {
+      const unsigned int n = rule_.size();
+      faces_[number].contact_place(q, node / n, rule_[node % n][0], result);
+      result.area = point_areas_[number][node];
+    }
     result.thickness = shortest_edge_;
+  }
+
+
+  unsigned int SolidSurface::points_per_edge() const
+  {
+    return rule_.size();
+  }
+
+
+  void SolidSurface::contact_place(const Vector &q,
+                                   const Side side,
+                                   const unsigned int edge,
+                                   const double xi,
+                                   ContactThickness,
+                                   ContactPoint &result) const
+  {
+    faces_[static_cast<unsigned int>(side)].contact_place(q, edge, xi, result);
+    result.thickness = shortest_edge_;
+    result.area = 0.;
   }
 
 

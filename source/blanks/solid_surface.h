@@ -8,6 +8,8 @@
 #include <deltaform/io/keyed_arrays.h>
 #include <deltaform/parameters/section.h>
 
+#include <deal.II/base/point.h>
+
 #include <array>
 #include <string>
 #include <vector>
@@ -41,6 +43,13 @@ namespace deltaform
                        ContactThickness thickness,
                        ContactPoint &result) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
+    unsigned int points_per_edge() const override;
+    void contact_place(const Vector &q,
+                       Side side,
+                       unsigned int edge,
+                       double xi,
+                       ContactThickness thickness,
+                       ContactPoint &result) const override;
 
     const SolidFace &face(const unsigned int side) const
     {
@@ -66,14 +75,25 @@ namespace deltaform
       action("area of nodes, bottom", surface.faces_[0].areas());
       action("area of nodes, top", surface.faces_[1].areas());
       action("smallest thickness", surface.smallest_thickness_);
+      if (!surface.rule_.empty())
+      {
+        action("area of contact points, bottom", surface.point_areas_[0]);
+        action("area of contact points, top", surface.point_areas_[1]);
+      }
     }
 
   private:
+    /// Read where the contact points are.
+    void read_points(Section &section);
+
     const SolidDiscretization &body_;
     const MaterialPoints &material_;
     bool moves_;
     std::array<std::vector<std::string>, 2> parts_; ///< of the boundary: bottom, top
     std::array<SolidFace, 2> faces_;
+    std::vector<dealii::Point<1>> rule_; ///< contact points of an edge; none: the nodes are
+    std::vector<double> weights_; ///< of the rule
+    std::array<std::vector<double>, 2> point_areas_; ///< of the contact points inside edges, accepted
     double shortest_edge_ = 0;
     double smallest_thickness_ = 0;
   };

@@ -1,0 +1,139 @@
+// The face of a solid as contact sees it when its points lie inside the edges.
+#include "any_blank.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <set>
+
+using namespace deltaform;
+using namespace deltaform::testing;
+
+namespace
+{
+  std::unique_ptr<Blank> strip(const unsigned int degree, const unsigned int n_elements, const unsigned int n_points,
+                               const Entries &more = {})
+  {
+    Entries entries{"Blank/Points=0 0; 1 0",
+                    "Blank/Thickness=.1",
+                    "Blank/Symmetry=plane strain",
+                    "Blank/Degree=" + std::to_string(degree),
+                    "Blank/Elements=" + std::to_string(n_elements),
+                    "Blank/Contact points=gauss",
+                    "Blank/Gauss points=" + std::to_string(n_points),
+                    "Material/Young's modulus=2e3"};
+    entries.insert(entries.end(), more.begin(), more.end());
+    return make_blank("solid", entries);
+  }
+
+  ContactPoint point(const Blank &blank, const Vector &q, const unsigned int i)
+  {
+    ContactPoint result;
+    blank.surface().contact_point(q, Side::top, i, ContactThickness::current, result);
+    return result;
+  }
+
+  unsigned int count(const Blank &blank)
+  {
+    return blank.surface().n_contact_points(Side::top);
+  }
+
+  /// Rows of all points, to the vertical direction, over the root of their areas, of the unknowns that move the face.
+  Eigen::MatrixXd rows(const Blank &blank)
+  {
+    const Vector zero(blank.n_dofs());
+    std::set<DofIndex> concerned;
+    for (unsigned int i = 0; i < count(blank); ++i)
+    {
+      const ContactPoint p = point(blank, zero, i);
+      for (unsigned int k = 1; k < p.n_dofs; k += 2)
+        concerned.insert(p.dofs[k]);
+    }
+    const std::vector<DofIndex> order(concerned.begin(), concerned.end());
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count(blank), order.size());
+    for (unsigned int i = 0; i < count(blank); ++i)
+    {
+      const ContactPoint p = point(blank, zero, i);
+      for (unsigned int k = 1; k < p.n_dofs; k += 2)
+        result(i, std::lower_bound(order.begin(), order.end(), p.dofs[k]) - order.begin()) +=
+          p.jacobian[k][1] * std::sqrt(p.area);
+    }
+    return result;
+  }
+
+  /// Singular values of the rows, in L2 norms of face and multipliers, that are not zero.
+  std::vector<double> singular_values(const unsigned int degree, const unsigned int n_elements,
+                                      const unsigned int n_points)
+  {
+    const Eigen::MatrixXd C = rows(*strip(degree, n_elements, n_points)), F = rows(*strip(degree, n_elements, 5));
+    const Eigen::LLT<Eigen::MatrixXd> mass(F.transpose() * F);
+    const Eigen::MatrixXd scaled = mass.matrixL().solve(C.transpose());
+    const Eigen::VectorXd all = Eigen::JacobiSVD<Eigen::MatrixXd>(scaled).singularValues();
+    std::vector<double> result;
+    for (const double value : all)
+      if (value > 1e-9)
+        result.push_back(value);
+    return result;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(solid_edge_points)
+
+BOOST_AUTO_TEST_CASE(points_lie_on_the_edges_and_share_their_area)
+{
+  std::mt19937 generator(31);
+  for (const unsigned int degree : {1u, 2u})
+    for (const std::string symmetry : {"plane strain", "axisymmetric"})
+      BOOST_TEST_CONTEXT("degree " << degree << ", " << symmetry)
+      {
+        const auto blank = strip(degree, 4, 3, {"Blank/Symmetry=" + symmetry});
+        const Vector zero(blank->n_dofs());
+        BOOST_TEST(count(*blank) == 12u);
+        BOOST_TEST(blank->surface().points_per_edge() == 3u);
+        double area = 0.;
+        const Vector q = random_state(*blank, generator, .01);
+        for (unsigned int i = 0; i < count(*blank); ++i)
+        {
+          const ContactPoint undeformed = point(*blank, zero, i), here = point(*blank, q, i);
+          area += undeformed.area;
+          BOOST_TEST(std::abs(undeformed.x[1] - .05) < 1e-14);
+          double shares = 0.;
+          for (unsigned int a = 0; a < here.n_nodes; ++a)
+            shares += here.nodes[a].share;
+          BOOST_TEST(std::abs(shares - 1.) < 1e-14);
+          // The place is linear in the displacements.
+          Tensor1 moved;
+          for (unsigned int k = 0; k < here.n_dofs; ++k)
+            moved += q[here.dofs[k]] * here.jacobian[k];
+          BOOST_TEST((here.x - undeformed.x - moved).norm() < 1e-15);
+        }
+        BOOST_TEST(std::abs(area - (symmetry == "axisymmetric" ? dealii::numbers::PI : 1.)) < 1e-13);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(how_many_points_are_stable)
+{
+  // By an independent program: one point of a straight edge and two of a parabola leave a wave of the face that they
+  // hardly see, one more is one equation too many for every element but one.
+  const auto least = [](const unsigned int degree, const unsigned int n_elements, const unsigned int n_points) {
+    return singular_values(degree, n_elements, n_points).back();
+  };
+  const auto close = [](const double a, const double b) { return std::abs(a - b) < 1e-3; };
+  BOOST_TEST(close(least(1, 5, 1), .490));
+  BOOST_TEST(close(least(1, 40, 1), .068));
+  BOOST_TEST(close(least(1, 40, 2), 1.));
+  BOOST_TEST(singular_values(1, 40, 2).size() == 41u);
+  BOOST_TEST(close(least(2, 5, 1), 1.376));
+  BOOST_TEST(close(least(2, 40, 1), 1.369));
+  BOOST_TEST(close(least(2, 5, 2), .381));
+  BOOST_TEST(close(least(2, 40, 2), .051));
+  BOOST_TEST(close(least(2, 40, 3), 1.));
+  BOOST_TEST(singular_values(2, 40, 3).size() == 81u);
+}
+
+BOOST_AUTO_TEST_CASE(a_refined_solid_keeps_its_nodes)
+{
+  BOOST_CHECK_THROW(strip(1, 4, 2, {"Blank/Refinement/Criterion=contact"}), SceneError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
