@@ -65,6 +65,16 @@ namespace deltaform
   }
 
 
+  std::vector<std::vector<LineNode>> ShellBoundary::lines() const
+  {
+    const auto &mesh = space_.mesh();
+    std::vector<LineNode> line;
+    for (unsigned int i = 0; i < space_.n_nodes(); ++i)
+      line.push_back({mesh.arc_length()[i], mesh.nodes()[i][0], space_.dofs()[i][0]});
+    return {line};
+  }
+
+
   void ShellBoundary::cell_pressure(const std::array<Point2, 3> &x,
                                     const double pressure,
                                     const bool tangent,

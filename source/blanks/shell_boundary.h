@@ -29,6 +29,7 @@ namespace deltaform
                            bool following,
                            AssemblyTarget &target) const override;
     std::vector<std::pair<DofIndex, double>> volume_weights(Component component) const override;
+    std::vector<std::vector<LineNode>> lines() const override;
 
   private:
     using Residual = std::array<double, 9>;

@@ -142,6 +142,30 @@ namespace deltaform
   }
 
 
+  std::vector<std::vector<LineNode>> SolidBoundary::lines() const
+  {
+    std::vector<std::vector<LineNode>> result;
+    for (const std::string part : {"bottom", "top"})
+    {
+      if (!space_.mesh().is_strip() || !has(part))
+        return {};
+      std::vector<unsigned int> along = nodes(part);
+      std::sort(along.begin(), along.end(),
+                [&](const unsigned int a, const unsigned int b) { return space_.station(a) < space_.station(b); });
+      std::vector<LineNode> line;
+      double arc = 0.;
+      for (unsigned int i = 0; i < along.size(); ++i)
+      {
+        const Point2 &x = space_.nodes()[along[i]];
+        arc += i > 0 ? x.distance(space_.nodes()[along[i - 1]]) : 0.;
+        line.push_back({arc, x[0], space_.dofs()[along[i]][0]});
+      }
+      result.push_back(line);
+    }
+    return result;
+  }
+
+
   std::vector<double> SolidBoundary::weights(const std::string &part) const
   {
     const auto on_part = nodes(part);

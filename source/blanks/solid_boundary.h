@@ -50,6 +50,7 @@ namespace deltaform
                            bool following,
                            AssemblyTarget &target) const override;
     std::vector<std::pair<DofIndex, double>> volume_weights(Component component) const override;
+    std::vector<std::vector<LineNode>> lines() const override;
 
     /// The own cell with an edge between two nodes of the boundary; invalid_index if another process has it.
     unsigned int cell(unsigned int a, unsigned int b) const;

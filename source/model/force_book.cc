@@ -117,6 +117,7 @@ namespace deltaform
 
   void ForceBook::release(const std::string &next_stage, ModelState &state) const
   {
+    begin_loads(next_stage, state);
     const auto ends = [&](const auto &acts_in) { return acts_in(state.stage) && !acts_in(next_stage); };
     Collector ending(state.unknowns.size());
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
@@ -152,8 +153,33 @@ namespace deltaform
   }
 
 
+  void ForceBook::begin_loads(const std::string &next_stage, const ModelState &state) const
+  {
+    for (const auto &load : actors_.loads)
+      if (load->acts_in(next_stage) && !load->acts_in(state.stage))
+        load->begin(state.unknowns);
+  }
+
+
+  void ForceBook::save_histories(ModelState &state) const
+  {
+    state.load_histories.clear();
+    for (const auto &load : actors_.loads)
+      state.load_histories.push_back(load->history());
+  }
+
+
+  void ForceBook::load_histories(const ModelState &state) const
+  {
+    for (unsigned int i = 0; i < actors_.loads.size(); ++i)
+      actors_.loads[i]->set_history(state.load_histories[i]);
+  }
+
+
   void ForceBook::release_inherited(Body &body, const Stage &stage, ModelState &state) const
   {
+    for (const auto &load : actors_.loads)
+      load->begin(state.unknowns);
     actors_.blank->begin_increment(stage.end - stage.begin, 0.);
     Collector inside(state.unknowns.size());
     if (!body.assemble(state.unknowns, stage.begin, inside).good())

@@ -55,6 +55,24 @@ namespace deltaform
       return pulled(tool, stage, time);
     }
 
+    /// A load that lifts a tool leaves some of its force to the blank.
+    Wrong wrong_lift(const Load &load, const Actors &actors, const Stage &stage, const double time)
+    {
+      for (const auto &tool : actors.tools)
+        if (tool->name() == load.lifted_tool() && tool->force_driven() && tool->exists_in(stage.name))
+        {
+          const double lift = load.lift(time), force = tool->force(time);
+          if (!std::isfinite(lift) || lift < 0.)
+            return WrongValue{"Loads", load.name(), "Closing force",
+                              "must be a number that is not negative" + at(time)};
+          if (lift > 0. && lift >= force)
+            return WrongValue{"Loads", load.name(), "Closing force",
+                              "takes " + text::rounded(lift) + at(time) + ", and tool '" + tool->name() +
+                                "' presses with " + text::rounded(force) + ": the bead would open it"};
+        }
+      return {};
+    }
+
     Wrong wrong_support(const Support &support, const Stage &stage, const double time)
     {
       if (!support.acts_in(stage.name) || support.hold)
@@ -91,8 +109,12 @@ namespace deltaform
         return wrong;
     for (const auto &load : actors_.loads)
       if (load->acts_in(stage.name))
+      {
         if (auto wrong = not_finite(load->value()(time), time, "Loads", load->name(), "Value"))
           return wrong;
+        if (auto wrong = wrong_lift(*load, actors_, stage, time))
+          return wrong;
+      }
     return actors_.tools.empty() ? std::nullopt : wrong_contact(stage, time);
   }
 

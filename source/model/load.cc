@@ -44,6 +44,11 @@ namespace deltaform
   Status Load::assemble(const Vector &q, const double time, AssemblyTarget &target)
   {
     add(q, size(q, time), target);
+    if (tool_unknown_ != invalid_index)
+    {
+      const double residual = lift(time), zero = 0.;
+      target.add(&tool_unknown_, 1, target.wants_tangent() ? &zero : nullptr, &residual);
+    }
     if (follows_way_)
       LoadWay(*this, q).assemble(skipped_.value(value_, time) * (is_mean_ ? unit_force(q.size()) : 1.), target);
     return {};

@@ -38,8 +38,13 @@ namespace deltaform
       }
     }
     for (const auto &load : actors.loads)
+    {
       if (load->follows_way())
         load->set_unknown(n_sparse + n_border++);
+      for (const auto &interface : actors.interfaces)
+        if (interface->tool().force_driven() && interface->tool().name() == load->lifted_tool())
+          load->set_tool_unknown(interface->travel_dof());
+    }
     is_fixed.assign(n(), false);
     for (const auto dof : blank.fixed_dofs())
       is_fixed[dof] = true;

@@ -120,6 +120,22 @@ namespace deltaform
   }
 
 
+  void describe_wrinkling(Columns &columns)
+  {
+    columns.add({{"wrinkling_factor", "1",
+                  "by which the stresses of the flange would have to grow until it wrinkles without a holder; empty: "
+                  "it does not, or there is none"},
+                 {"wrinkling_waves", "1", "around the circumference, of that wrinkling"},
+                 {"wrinkling_pressure", "stress", "of a holder that keeps waves of the height `Wrinkle height` down"},
+                 {"holder_pressure", "stress", "mean normal contact stress on the top of the flange"}},
+                [](const Increment &increment, Row &row) {
+                  const auto &[wrinkles, pressure] = increment.wrinkling();
+                  row.insert(row.end(), {Columns::if_known(wrinkles.factor), number(wrinkles.waves),
+                                         wrinkles.pressure, pressure});
+                });
+  }
+
+
   void describe_linear_solver(Columns &columns)
   {
     columns.add({{"linear_iterations", "1", "iterations of the linear solver, failed attempts included"}},

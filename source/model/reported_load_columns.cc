@@ -67,6 +67,23 @@ namespace deltaform
   }
 
 
+  void describe_beads(const std::vector<std::string> &names, Columns &columns)
+  {
+    for (const auto &name : names)
+      columns.add({{column_name(name) + "_restraint", "force/length",
+                    "force of a draw bead on the sheet per length of the bead, positive against a sheet that is drawn "
+                    "towards its start"},
+                   {column_name(name) + "_path", "length",
+                    "of undeformed sheet that has passed the draw bead, to and fro"},
+                   {column_name(name) + "_work", "force*length",
+                    "of the sheet against the draw bead; `load_work` holds it with the other sign"}},
+                  [name](const Increment &increment, Row &row) {
+                    const auto restraint = find(increment.model, name)->restraint().value();
+                    row.insert(row.end(), {restraint.force, restraint.path, restraint.work});
+                  });
+  }
+
+
   void describe_probes(const std::vector<Probe> &probes, Columns &columns)
   {
     for (const Probe &probe : probes)

@@ -18,8 +18,11 @@ namespace deltaform
       const std::size_t n = state.unknowns.size(), n_tools = actors.tools.size();
       bool fits = state.tool_forces.size() == n_tools && state.travels.size() == n_tools &&
                   state.load_resultants.size() == actors.loads.size() &&
+                  state.load_histories.size() == actors.loads.size() &&
                   state.interfaces.size() == actors.interfaces.size() &&
                   (actors.blank->adaptive() != nullptr || n == n_before);
+      for (unsigned int i = 0; fits && i < actors.loads.size(); ++i)
+        fits = state.load_histories[i].size() == actors.loads[i]->history().size();
       for (const Vector *const forces : {&state.hold, &state.load_forces, &state.reactions})
         fits = fits && forces->size() == n;
       if (!fits)
@@ -33,16 +36,16 @@ namespace deltaform
     ModelState result = state_;
     result.body = body_.state();
     result.interfaces = contact_.save();
+    book_.save_histories(result);
     return result;
   }
 
 
   void Model::set_state(const ModelState &state, const Stage &stage)
   {
-    const std::size_t n_before = state_.unknowns.size();
-    check(state, actors_, n_before);
+    check(state, actors_, state_.unknowns.size());
     body_.set_state(state.body);
-    if (state.unknowns.size() != n_before)
+    if (state.unknowns.size() != state_.unknowns.size())
     {
       contact_.resize();
       renumber();
@@ -53,6 +56,7 @@ namespace deltaform
     state_.body = KeyedArrays();
     state_.interfaces.clear();
     contact_.load(state.interfaces);
+    book_.load_histories(state);
     enter_stage(stage);
     discard(state_.time);
   }

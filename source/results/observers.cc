@@ -14,9 +14,10 @@ namespace deltaform
     /// What columns are named after.
     struct Names
     {
-      std::vector<std::string> tools, supports, loads, other_loads, pressures; ///< `loads`: all
+      std::vector<std::string> tools, supports, loads, other_loads, pressures, beads; ///< `loads`: all
       std::vector<Probe> probes;
       std::vector<LargestCriterion> criteria;
+      bool wrinkling; ///< is the flange watched?
     };
 
     template <typename Named>
@@ -35,18 +36,19 @@ namespace deltaform
                   names_of(actors.loads),
                   {},
                   {},
+                  {},
                   actors.probes,
-                  actors.blank->fields().largest_criteria()};
+                  actors.blank->fields().largest_criteria(),
+                  actors.wrinkling != nullptr};
       for (const auto &load : actors.loads)
+      {
         (load->pressed_face().empty() ? names.other_loads : names.pressures).push_back(load->name());
+        if (load->restraint())
+          names.beads.push_back(load->name());
+      }
       for (const auto &support : actors.supports)
         names.supports.push_back(support.name);
       return names;
-    }
-
-    bool has_criteria(const Model &model, const OutputSettings &, const ConditionReport *)
-    {
-      return !model.blank().fields().largest_criteria().empty();
     }
 
     bool has_heat(const Model &model, const OutputSettings &, const ConditionReport *)
@@ -89,9 +91,11 @@ namespace deltaform
            return model.blank().adaptive() != nullptr;
          },
          [](const Names &, const ConditionReport *, Columns &columns) { describe_mesh(columns); }},
-        {"With `Limits/Criteria`", has_criteria,
+        {"With `Limits/Criteria` and `Limits/Flange wrinkling`", always,
          [](const Names &names, const ConditionReport *, Columns &columns) {
            describe_criteria(names.criteria, columns);
+           if (names.wrinkling)
+             describe_wrinkling(columns);
          }},
         {"Works and energies since the start; not with `Output/Energies = false`",
          [](const Model &, const OutputSettings &output, const ConditionReport *) { return output.energies; },
@@ -104,6 +108,7 @@ namespace deltaform
            describe_loads(names.loads, columns);
            describe_balance(columns);
            describe_load_sizes(names.other_loads, columns);
+           describe_beads(names.beads, columns);
          }},
         {"Loads that press on a face",
          [](const Model &model, const OutputSettings &, const ConditionReport *) {
@@ -151,7 +156,8 @@ namespace deltaform
     {
       Columns columns;
       const LargestCriterion any{"<criterion>", "<criterion>", "its own", 0., {}};
-      group.describe({{"<tool>"}, {"<support>"}, {"<load>"}, {"<load>"}, {"<load>"}, {}, {any}}, nullptr, columns);
+      const std::vector<std::string> load{"<load>"};
+      group.describe({{"<tool>"}, {"<support>"}, load, load, load, load, {}, {any}, true}, nullptr, columns);
       if (columns.columns().empty())
         continue;
       out << "\n## " << group.title << "\n\n| column | unit | meaning |\n|---|---|---|\n";

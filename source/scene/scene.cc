@@ -59,6 +59,8 @@ namespace deltaform
       criteria.push_back(criterion.name);
     actors.limits = read_limits(root, criteria);
 
+    actors.wrinkling = FlangeWrinkling::read(root, *actors.blank);
+
     Section solver = root.sub("Solver");
     newton = std::make_unique<NewtonSettings>(solver);
     steps = std::make_unique<StepSettings>(solver);

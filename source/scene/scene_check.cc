@@ -19,6 +19,7 @@ namespace deltaform
     check_functions(root);
     check_columns(root);
     check_tools(root);
+    check_lifted_tools(root);
     check_stages(root);
     check_linear_solver(root);
     check_friction(root);
@@ -95,10 +96,27 @@ namespace deltaform
     for (const auto &support : actors.supports)
       take("Supports", support.name, {"_reaction"});
     for (const auto &load : actors.loads)
-      take("Loads", load->name(), {"_force_z", "_force_r", "_size", "_pressure", "_volume", "_height"});
+      take("Loads", load->name(),
+           {"_force_z", "_force_r", "_size", "_pressure", "_volume", "_height", "_restraint", "_path", "_work"});
     for (const auto &probe : actors.probes)
       for (const auto &field : probe.fields())
         take("Output/Probes", probe.name(), {"_" + field.name});
+  }
+
+
+  void Scene::check_lifted_tools(Section root) const
+  {
+    for (const auto &load : actors.loads)
+      if (const std::string name = load->lifted_tool(); !name.empty())
+      {
+        const auto tool = std::find_if(actors.tools.begin(), actors.tools.end(),
+                                       [&](const auto &candidate) { return candidate->name() == name; });
+        const Section section = root.sub("Loads").sub(load->name());
+        if (tool == actors.tools.end())
+          section.fail("Closes", "there is no tool '" + name + "'");
+        if (!(*tool)->force_driven())
+          section.fail("Closes", "tool '" + name + "' has a Motion, no Force that the bead could take a part of");
+      }
   }
 
 

@@ -10,7 +10,7 @@ using namespace deltaform::testing;
 namespace
 {
   const Entries curved_and_coarse = curved({"Material/Model=linear elastic", "Blank/Elements=3"});
-  const Entries on_the_outer_edge = {"load/Value=3*t", "load/Boundary=end"};
+  const Entries on_the_outer_edge = {"load/Value=3*t", "load/Boundary=end", "load/Place=.55"};
 
   std::unique_ptr<Load> make_load(const std::string &kind, const Blank &blank, const Entries &overrides)
   {
@@ -99,6 +99,8 @@ BOOST_AUTO_TEST_CASE(the_way_is_what_the_load_works_on)
   std::mt19937 generator(13);
   for_all_loads(curved_and_coarse,
                 [&](Load &load, Blank &blank) {
+                  if (!load.history().empty())
+                    return; // what it works on depends on its history
                   const Vector q = random_state(blank, generator, .02), d = random_state(blank, generator, 1.);
                   constexpr double h = 1e-5;
                   Vector before = q, after = q;

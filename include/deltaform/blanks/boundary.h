@@ -18,6 +18,15 @@ namespace deltaform
   };
 
 
+  /// A node of a sheet, in the order along it.
+  struct LineNode
+  {
+    double arc; ///< arc length along the undeformed sheet (length)
+    double r; ///< of the undeformed blank (length)
+    DofIndex unknown; ///< its displacement along r
+  };
+
+
   /// A blank as supports and loads see it: named parts of its boundary, and its volume.
   class Boundary
   {
@@ -55,5 +64,9 @@ namespace deltaform
 
     /// Unknowns of a displacement component with their consistent shares of the initial volume, for body loads.
     virtual std::vector<std::pair<DofIndex, double>> volume_weights(Component component) const = 0;
+
+    /// The nodes of a sheet from its start to its end: a line of the mid-surface (shell), or one of the bottom and one
+    /// of the top (solid). Neighbours belong to one cell. None if the blank is no sheet.
+    virtual std::vector<std::vector<LineNode>> lines() const = 0;
   };
 } // namespace deltaform

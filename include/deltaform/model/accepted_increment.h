@@ -64,6 +64,17 @@ namespace deltaform
       return *largest_criteria_;
     }
 
+    /// Of the flange; none where the scene does not ask.
+    const FlangeWrinkling::Result &wrinkling() const
+    {
+      if (!wrinkling_)
+      {
+        const FlangeWrinkling *const asked = model.actors().wrinkling.get();
+        wrinkling_ = asked != nullptr ? asked->judge(profile(), model.interfaces()) : FlangeWrinkling::Result();
+      }
+      return *wrinkling_;
+    }
+
     double smallest_thickness() const
     {
       if (!smallest_thickness_)
@@ -87,6 +98,7 @@ namespace deltaform
   protected: // what a test may know without a model
     mutable std::optional<EnergyAccount> energies_;
     mutable std::optional<ContactAccount> contact_;
+    mutable std::optional<FlangeWrinkling::Result> wrinkling_;
     mutable std::optional<std::vector<SheetSection>> sections_;
     mutable std::optional<Table> profile_;
     mutable std::optional<std::vector<LargestCriterion>> largest_criteria_;

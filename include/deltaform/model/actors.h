@@ -3,6 +3,7 @@
 #include <deltaform/blanks/blank.h>
 #include <deltaform/contact/contact_interface.h>
 #include <deltaform/heat/heat_flow.h>
+#include <deltaform/model/flange_wrinkling.h>
 #include <deltaform/model/limit.h>
 #include <deltaform/model/load.h>
 #include <deltaform/model/probe.h>
@@ -44,5 +45,6 @@ namespace deltaform
     std::vector<Stage> stages;
     std::vector<Probe> probes;
     std::vector<Limit> limits;
+    std::unique_ptr<FlangeWrinkling> wrinkling; ///< null: nobody asks
   };
 } // namespace deltaform

@@ -28,7 +28,12 @@ namespace deltaform
     void renew_loads(ModelState &state) const;
 
     /// What ends with the stage of @p state becomes forces that fade out; contact of tools that leave is forgotten.
+    /// Loads that act in the next stage for the first time begin.
     void release(const std::string &next_stage, ModelState &state) const;
+
+    /// What loads remember, into a state and back.
+    void save_histories(ModelState &state) const;
+    void load_histories(const ModelState &state) const;
 
     /// The first stage begins with a blank that an earlier operation has formed: what would hold it in its shape fades
     /// out, but for what the supports of this stage hold.
@@ -41,6 +46,7 @@ namespace deltaform
     double balance_error(const ModelState &state) const;
 
   private:
+    void begin_loads(const std::string &next_stage, const ModelState &state) const;
     void add_loads(const Vector &q, const ModelState &state, AssemblyTarget &target) const;
     void accept_loads(const Vector &q, ModelState &state) const;
     void accept_tools(const Vector &q, ModelState &state) const;

@@ -6,6 +6,7 @@
 #include <deltaform/parameters/skipped_time.h>
 #include <deltaform/parameters/time_function.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,56 @@ namespace deltaform
     {
     }
 
+    /// @name Of a load that remembers what it has met: its forces depend on its history
+    ///@{
+    /// Accepted; empty: it remembers nothing.
+    virtual std::vector<double> history() const
+    {
+      return {};
+    }
+
+    virtual void set_history(const std::vector<double> & /*values*/)
+    {
+    }
+
+    /// It begins to act, in the accepted state @p q.
+    virtual void begin(const Vector & /*q*/)
+    {
+    }
+    ///@}
+
+    /// @name Of a load that also pushes a tool under a force off the blank
+    ///@{
+    /// Its name; empty: there is none.
+    virtual std::string lifted_tool() const
+    {
+      return "";
+    }
+
+    /// By what force, against that of the tool.
+    virtual double lift(const double /*time*/) const
+    {
+      return 0.;
+    }
+
+    void set_tool_unknown(const DofIndex unknown)
+    {
+      tool_unknown_ = unknown;
+    }
+    ///@}
+
+    /// Of a draw bead: what it does to the sheet, accepted.
+    struct Restraint
+    {
+      double force; ///< per length of the bead, positive against a sheet that is drawn towards its start
+      double path; ///< length of undeformed sheet that has passed, to and fro
+      double work; ///< of the sheet against the bead
+    };
+    virtual std::optional<Restraint> restraint() const
+    {
+      return std::nullopt;
+    }
+
     /// The face on which it is a pressure, shown in pictures; empty: it is none.
     virtual std::string pressed_face() const
     {
@@ -108,6 +159,7 @@ namespace deltaform
     bool is_mean_; ///< is the way a mean displacement, the work over the unit force?
     std::vector<std::string> stages_;
     DofIndex unknown_ = invalid_index;
+    DofIndex tool_unknown_ = invalid_index; ///< travel of the lifted tool
   };
 
   /// Kinds of loads; their makers are also told the blank.

@@ -32,6 +32,7 @@ namespace deltaform
     std::vector<Tensor1> tool_forces; ///< of the blank on the tools
     std::vector<double> travels; ///< of the tools
     std::vector<Tensor1> load_resultants;
+    std::vector<std::vector<double>> load_histories; ///< of each load; empty: it remembers nothing
     Vector load_forces; ///< on the unknowns: loads, supports, released
     Vector reactions; ///< of the supports
     ///@}

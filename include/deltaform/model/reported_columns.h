@@ -30,6 +30,8 @@ namespace deltaform
   void describe_load_sizes(const std::vector<std::string> &names, Columns &columns);
   /// Of those that do.
   void describe_pressures(const std::vector<std::string> &names, Columns &columns);
+  void describe_wrinkling(Columns &columns);
+  void describe_beads(const std::vector<std::string> &names, Columns &columns);
   void describe_probes(const std::vector<Probe> &probes, Columns &columns);
   void describe_balance(Columns &columns);
   ///@}

@@ -46,6 +46,7 @@ namespace deltaform
     void check_functions(Section root) const;
     void check_columns(Section root) const;
     void check_tools(Section root) const;
+    void check_lifted_tools(Section root) const;
     void check_linear_solver(Section root) const;
     void check_stages(Section root) const;
     /// Does a function of time change within @p stage, or does something end with the stage @p before (null: none)?
