@@ -261,7 +261,7 @@ namespace deltaform
     std::vector<Mandel> stress_by_angle_;
     ThirdDirection third_ = ThirdDirection::strain_given;
     PointHistory history_;
-    /// Equilibrium is sought anew at the same time: so short that a flow stress that grows with the rate does not relax.
+    /// Equilibrium is sought anew at the same time: so short that a rate-dependent flow stress does not relax.
     static constexpr double at_the_same_time = 1e-6;
     double duration_ = 1.; ///< of the last increment that took time (time)
     double share_of_duration_ = 1.; ///< of it, that the present one takes

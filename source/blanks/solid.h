@@ -35,6 +35,10 @@ namespace deltaform
     const Adaptive *adaptive() const override;
     unsigned int n_dofs() const override;
     dealii::IndexSet locally_owned_dofs() const override;
+    bool may_be_distributed() const override
+    {
+      return true;
+    }
     void add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
     std::vector<DofIndex> fixed_dofs() const override;
     double dof_scale(DofIndex dof) const override;

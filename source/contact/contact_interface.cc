@@ -125,7 +125,10 @@ namespace deltaform
         continue;
       friction_work_[i] = work.add(before, state, slip);
       if (state.touching != before.touching)
-        add_event(work, projector_.look(i, (state.touching ? before : state).position).distance - offset, before, state);
+      {
+        const Point2 &open = (state.touching ? before : state).position;
+        add_event(work, projector_.look(i, open).distance - offset, before, state);
+      }
     }
     trial_.step = trial_.time - committed_.time;
     if (counts_energy_)

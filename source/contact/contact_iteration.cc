@@ -103,8 +103,9 @@ namespace deltaform
     }
     law_.read_unknown(q, first_multiplier_ + i, state);
 
-    const NormalResponse normal = law_.respond(
-      state, {state.gap, point.compliance, factors_.share(before), slack_, work.foreseen, at_start_ && before.touching});
+    const bool held = at_start_ && before.touching;
+    const NormalResponse normal =
+      law_.respond(state, {state.gap, point.compliance, factors_.share(before), slack_, work.foreseen, held});
     state.gap = normal.gap;
     FrictionResponse friction;
     if (friction_ && normal.touching)
@@ -191,7 +192,8 @@ namespace deltaform
       const ContactPointState &state = trial[i];
       Work &work = work_[i];
       work.base_multiplier = state.multiplier;
-      work.step_multiplier = law_.estimate(state, state.touching ? work.normal * motion(i, d) : 0., factors_.share(committed[i])) - state.multiplier;
+      const double opening = state.touching ? work.normal * motion(i, d) : 0.;
+      work.step_multiplier = law_.estimate(state, opening, factors_.share(committed[i])) - state.multiplier;
     }
   }
 

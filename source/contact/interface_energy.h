@@ -52,8 +52,8 @@ namespace deltaform
     }
 
     /**
-     * A point has touched or let go on the way. The trapezoidal rule lets half of its force work over the open gap, over
-     * which it had none.
+     * A point has touched or let go on the way. The trapezoidal rule lets half of its force work over the open gap,
+     * where it had none.
      * @param force where it touched @param gap where it did not (length)
      */
     void add_event(const bool touched, const double force, const double gap)

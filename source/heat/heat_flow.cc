@@ -60,7 +60,7 @@ namespace deltaform
       const ToolHeat &tool = tools_.at(&interface->tool());
       for (unsigned int i = 0; i < interface->n_points(); ++i)
       {
-        // A point that has let go may have slipped before. Blanks that conduct touch at their nodes.
+        // A point that has let go may have slipped before.
         const ContactPointState &state = interface->committed()[i];
         const double friction = interface->friction_work()[i];
         if (!state.touching && friction == 0.)
@@ -68,8 +68,12 @@ namespace deltaform
         const ContactPoint point = interface->point(q, i);
         const double joint =
           state.touching && point.area > 0. ? tool.conductance(state.force / point.area) * point.area : 0.;
-        result.push_back({point.nodes[0].node, duration * joint, tool.rise(), tool.blank_share() * friction});
-        touches[point.nodes[0].node] = touches[point.nodes[0].node] || state.touching;
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+        {
+          const auto [node, share] = point.nodes[a];
+          result.push_back({node, share * duration * joint, tool.rise(), share * tool.blank_share() * friction});
+          touches[node] = touches[node] || state.touching;
+        }
       }
     }
     return result;

@@ -31,11 +31,7 @@ namespace deltaform
                                       "this height ('Flange wrinkling').",
                                       {{"thickness", blank.initial_thickness()}})(0.);
     if (then == "no")
-    {
-      if (limits.given("Wrinkle height"))
-        limits.fail("Wrinkle height", "nobody watches the flange: state 'Flange wrinkling'");
       return nullptr;
-    }
     if (!(result->height_ > 0.) || !std::isfinite(result->height_))
       limits.fail("Wrinkle height", "must be positive");
     if (!blank.axisymmetric() || blank.fields().sections().empty())

@@ -55,7 +55,8 @@ namespace deltaform
     {
       if (term == &contact_ && tangent)
       {
-        system().keep();
+        if (!actors_.blank->may_be_distributed())
+          system().keep();
         if (before_contact_)
           before_contact_(system());
       }

@@ -176,8 +176,8 @@ namespace deltaform
                  {"epsilon_work", "force*length",
                   "work done on the springs by changing eps, half its change times the penetrations before and "
                   "after: a factor that is raised under load stores energy that no tool has supplied; and what the "
-                  "trapezoidal work of the tools is wrong by where a point touches or lets go within an increment, half "
-                  "its force over the open gap"},
+                  "trapezoidal work of the tools is wrong by where a point touches or lets go within an increment, "
+                  "half its force over the open gap"},
                  {"thickness_work", "force*length",
                   "work done by what is updated between increments: the thickness that keeps tools from the "
                   "mid-surface, the layers' distance to it, and the transverse normal stress"},

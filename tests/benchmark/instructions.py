@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Instructions of an iteration, counted by callgrind: a guard of the speed for machines whose clocks are noisy.
+"""Instructions of an increment, counted by callgrind: a guard of the speed for machines whose clocks are noisy.
 
     instructions.py DELTAFORM REFERENCE_KERNEL PRM_FOLDER [--scene NAME] [--set SECTION/ENTRY=VALUE]... [--renew]
 
 Runs small scenes under callgrind, which counts between the begin and the end of Analysis::run only: start-up is left out.
-The count over the number of unknowns and of Newton iterations, in units of the same program's count of a fixed kernel
+The count over the number of unknowns and of increments, whose size is given, in units of the same program's count of a fixed kernel
 (reference_kernel.cc), must not exceed the value in instructions.json by more than 10 %. --renew writes that file; do so after a
 change that makes deltaform faster, or slower for a reason.
 """
@@ -39,7 +39,7 @@ QUIET = ["Output/Pictures=0", "Output/Travels=", "Output/Checkpoint interval=1e6
 
 
 def count(program, prm, name, entries):
-    """Instructions per unknown and iteration."""
+    """Instructions per unknown and increment."""
     file, own = SCENES[name]
     with tempfile.TemporaryDirectory() as folder:
         sets = [word for entry in [*own, *QUIET, *entries] for word in ("--set", entry)]
@@ -47,7 +47,7 @@ def count(program, prm, name, entries):
                            options=["--collect-atstart=no", "--toggle-collect=deltaform::Analysis::run()"])
         with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
             summary = json.load(file)
-    return counts.total / summary["unknowns"] / summary["newton_iterations"]
+    return counts.total / summary["unknowns"] / summary["increments"]
 
 
 def main():
@@ -72,7 +72,7 @@ def main():
     for name in options.scene or SCENES:
         instructions = count(options.program, options.prm, name, options.set)
         units = instructions / unit
-        line = f"{name}: {instructions:.0f} instructions per unknown and iteration, {units:.4f} of the kernel ({unit:.0f})"
+        line = f"{name}: {instructions:.0f} instructions per unknown and increment, {units:.4f} of the kernel ({unit:.0f})"
         if options.renew:
             stored[name] = round(units, 4)
         elif not units > 0:

@@ -195,9 +195,9 @@ check(status == 0 and "history.csv keeps its columns, so that these are not writ
       f"condition numbers: exit status {status}, it said\n{said}")
 check(columns(folder / "history.csv")[:len(before)] == before, "condition numbers: rows from before have changed")
 
-# A sweep takes its runs along.
+# A sweep takes its runs along, which last some seconds.
 folder = work / "sweep"
-sweep = subprocess.Popen([program, "sweep", scene, *quick, "--output", str(folder), "--jobs", "2", "--vary",
+sweep = subprocess.Popen([program, "sweep", scene, *quick, "--set", "Blank/Elements=400", "--output", str(folder), "--jobs", "2", "--vary",
                           "Contact/Allowed penetration=1e-4,2e-4,3e-4,4e-4"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 until_rows(folder / "run_001", 3)
 sweep.send_signal(signal.SIGTERM)

@@ -69,6 +69,13 @@ namespace deltaform
       return dealii::complete_index_set(n_dofs());
     }
 
+    /// May its cells be shared among processes? Then what needs all of the matrix in one is left alone, so that the
+    /// iterations are the same on any number of them.
+    virtual bool may_be_distributed() const
+    {
+      return false;
+    }
+
     /// Enter the couplings between unknowns that the cells of this process make.
     virtual void add_couplings(dealii::DynamicSparsityPattern &pattern) const = 0;
 

@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+"""What a process costs: increments, cut-backs and Newton iterations of the shipped scenes with their own settings.
+
+    scripts/studies/process_cost.py [--program PROGRAM] [--output output/process_cost] [--write]
+
+Iterations count failed attempts as well. --write writes doc/measured/process_cost.csv. Two minutes.
+"""
+import argparse
+import json
+import os
+import subprocess
+
+from measured import ROOT, MeasuredTable
+
+TIGHT = ("--set", "Contact/Allowed penetration=1e-7*thickness")
+PROCESSES = (("cup", "cup", ()), ("cup, delta 1e-7 t", "cup", TIGHT), ("stretching", "osu_stretching", ()),
+             ("U-bend, 2.45 kN", "u_bend", ()), ("U-bend, 19.6 kN", "shop/u_bend_19600", ()),
+             ("cup, drawn through", "shop/cup_drawn_through", ()), ("cup that tears", "shop/cup_tears", ()),
+             ("first draw", "shop/redraw_1", ()), ("redrawing", "shop/redraw_2", ()), ("hydraulic bulge", "shop/hydraulic_bulge", ()),
+             ("tube bulge", "shop/tube_bulge", ()), ("air bending", "shop/air_bending", ()), ("bottoming", "shop/v_bottoming", ()),
+             ("wipe bending", "shop/wipe_bending", ()), ("hole flanging", "shop/hole_flanging", ()), ("flaring", "shop/flaring", ()),
+             ("nosing", "shop/nosing", ()), ("upsetting, friction", "shop/upsetting_friction", ()),
+             ("ring compression", "shop/ring_compression", ()), ("forward extrusion", "shop/forward_extrusion", ()),
+             ("coining", "shop/coining", ()))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
+    parser.add_argument("--output", default=os.path.join(ROOT, "output", "process_cost"))
+    parser.add_argument("--write", action="store_true")
+    options = parser.parse_args()
+    table = MeasuredTable(["process", "scene", "exit status", "increments", "cut-backs", "iterations", "energy error"])
+    for name, scene, settings in PROCESSES:
+        folder = os.path.join(options.output, os.path.basename(scene) + ("_tight" if settings else ""))
+        command = [options.program, os.path.join(ROOT, "prm", scene + ".prm"), "--quiet", "--force", "--output", folder, *settings]
+        if scene == "shop/redraw_2":
+            command += ["--set", "Start from=" + os.path.join(options.output, "redraw_1")]
+        status = subprocess.run(command, check=False).returncode  # 2 of a cup that tears is what is wanted
+        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+            summary = json.load(file)
+        table.add(name, scene + ".prm", status, summary["increments"], summary["cutbacks"], summary["newton_iterations"],
+                  f"{summary['energy_error']:.1e}")
+    print(table)
+    if options.write:
+        table.write("process_cost", "What a process costs: Newton iterations, with those of failed attempts")
+
+
+if __name__ == "__main__":
+    main()
