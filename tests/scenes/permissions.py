@@ -24,10 +24,11 @@ def expect(status, message, *words):
         print(f"{' '.join(map(str, words))}: exit status {done.returncode}, expected {status} and '{message}'; it said\n{said}")
 
 
-# Not below the folder of the build, which nobody may be unable to enter.
+# Not below the folder of the build, which may be closed to nobody; for the same reason the program is copied.
 work = pathlib.Path(tempfile.mkdtemp(prefix="deltaform_permissions_"))
 try:
     work.chmod(0o777)
+    program = shutil.copy(program, work / "deltaform")
     scene = work / "cup.prm"
     shutil.copy(cup, scene)
     scene.chmod(0o644)
