@@ -5,10 +5,10 @@
 
 namespace deltaform
 {
-  StepSettings::StepSettings(Section &section)
-    : target_iterations(section.integer("Target iterations", 5, 1, 1000,
+  StepSettings::StepSettings(Section &section, const unsigned int target)
+    : target_iterations(section.integer("Target iterations", static_cast<int>(target), 1, 1000,
                                         "Newton iterations aimed at: more shorten the next increment, fewer lengthen "
-                                        "it.")),
+                                        "it. Default is 5 for a shell, 8 for a solid.")),
       growth(section.number("Growth", 1.5, Range{1., 10., false, false}, "1",
                             "Largest factor from one increment to the next.")),
       shrink(section.number("Shrink", .5, Range::inside(0, 1), "1", "Factor of the increment after a failure.")),

@@ -10,7 +10,8 @@ namespace deltaform
   /// Entries of the step control.
   struct StepSettings
   {
-    explicit StepSettings(Section &section);
+    /// @param target iterations aimed at by default
+    explicit StepSettings(Section &section, unsigned int target = 5);
 
     unsigned int target_iterations;
     double growth, shrink;
