@@ -35,6 +35,12 @@ namespace deltaform
              " increments are done (Solver/Maximal increments). To go on, allow more and --resume";
     }
 
+    std::string cut_back_in_words(const Rejected &rejected, const unsigned int increment, const double end)
+    {
+      return "increment " + std::to_string(increment) + " to time " + text::format(end) + " cut back: " +
+             rejected.sentence + (rejected.residuals.empty() ? "" : ", relative residuals " + rejected.residuals);
+    }
+
     std::string in_words(const Rejected &rejected, const unsigned int increment, const Stage &stage)
     {
       const bool is_promise = rejected.kind == Rejected::Kind::promise_broken;
@@ -176,9 +182,7 @@ namespace deltaform
         break;
       }
       ++cost_.cutbacks;
-      journal_.detail("increment " + std::to_string(state_.n_increments + 1) + " to time " + text::format(next) +
-                      " cut back: " + result.rejected->sentence +
-                      (result.rejected->residuals.empty() ? "" : ", relative residuals " + result.rejected->residuals));
+      journal_.detail(cut_back_in_words(*result.rejected, state_.n_increments + 1, next));
       if (!control_->reject(next - time()))
         return give_up(*result.rejected);
     }

@@ -1,6 +1,8 @@
 #include <deltaform/analysis/increment.h>
 #include <deltaform/analysis/step_control.h>
 #include <deltaform/parameters/text.h>
+#include <deltaform/process/interruption.h>
+#include <deltaform/process/ranks.h>
 
 #include <cmath>
 #include <utility>
@@ -83,7 +85,7 @@ namespace deltaform
       result.cost.rounds += solved.rounds;
       result.cost.correction_iterations += solved.correction_iterations;
       may_be_snap = strategy->least_effort() == Effort::last_resorts;
-      if (!failed(solved))
+      if (!failed(solved) || ranks::max(interruption::signal()) != 0)
         break;
     }
     if (!any)

@@ -125,6 +125,18 @@ namespace deltaform
     }
 
 
+    /// The stiffness of a cell across and along differ by the square of the ratio of its edges: the digits of a double
+    /// are soon used up.
+    void require_aspect(const Section &section, const std::string &entry, const double one, const double other)
+    {
+      const double longest = std::max(one, other), shortest = std::min(one, other);
+      if (!(longest <= ceilings::cell_aspect * shortest))
+        section.fail(entry, "there is a cell with edges of " + text::rounded(longest) + " and " +
+                              text::rounded(shortest) + "; the ratio may be at most " +
+                              text::format(ceilings::cell_aspect));
+    }
+
+
     std::unique_ptr<dealii::Triangulation<2>> make_triangulation()
     {
       // Refinement leaves cells at a vertex that differ by one level at most, as p4est does: the mesh is that of
@@ -193,6 +205,13 @@ namespace deltaform
         stations_.push_back({line.nodes()[cell.nodes[2]] + strip.offset * thickness_ * middle, middle});
       }
     }
+    for (unsigned int c = 0; c < n; ++c)
+      for (unsigned int l = 0; l < strip.n_across; ++l)
+      {
+        const auto &[begin, direction] = stations_[c * degree];
+        require_aspect(section, "Thickness", begin.distance(stations_[(c + 1) * degree].point),
+                       thickness_ * direction.norm() * (strip.across[l + 1] - strip.across[l]));
+      }
     make_columns(n, strip.across, *triangulation_);
     boundaries_ = {"bottom", "top", "start", "end"};
   }
@@ -240,6 +259,12 @@ namespace deltaform
     if (section.documentation())
       return;
     const std::map<unsigned int, std::string> names = read_cells(section, name);
+    for (const auto &cell : triangulation_->active_cell_iterators())
+    {
+      const auto lengths = [&cell](const unsigned int f) { return cell->face(f)->measure(); };
+      const auto [shortest, longest] = std::minmax({lengths(0), lengths(1), lengths(2), lengths(3)});
+      require_aspect(section, "File", longest, shortest);
+    }
     double low = 1e300, high = -1e300;
     for (const auto &vertex : triangulation_->get_vertices())
     {

@@ -35,6 +35,36 @@ namespace deltaform
       }
       return false;
     }
+
+
+    /// Why the run cannot go on: the contact point @p i penetrates @p ratio times what is allowed.
+    std::string broken_promise_in_words(const ContactInterface &interface, const unsigned int i, const double ratio,
+                                        const bool at_nodes, const Vector &committed)
+    {
+      const ContactPointState &state = interface.trial()[i];
+      return "the promise penetration <= delta cannot be kept: tool '" + interface.tool().name() +
+             (at_nodes ? "', node " : "', contact point ") + std::to_string(i) +
+             " (R0 = " + text::rounded(interface.point(committed, i).reference_coordinate) + ") penetrates " +
+             text::rounded(state.penetration()) + ", " + text::rounded(ratio) + " times the allowed " +
+             text::rounded(state.delta) + ", with penalty factor " + text::rounded(state.penalty_factor);
+    }
+
+
+    /// What to try where the node of the contact point @p i also touches a tool on the other side; else empty.
+    std::string clamped_in_words(const ContactInterface &interface, const unsigned int i,
+                                 const std::vector<ContactInterface *> &active, const Vector &committed)
+    {
+      const ContactPoint point = interface.point(committed, i);
+      std::string sentence;
+      for (const auto *other : active)
+        if (other->tool().side() != interface.tool().side() && i < other->n_points() && other->trial()[i].touching &&
+            other->point(committed, i).nodes[0].node == point.nodes[0].node)
+          sentence += ". The node is clamped between '" + interface.tool().name() + "' and '" + other->tool().name() +
+                      "': its thickness is " + text::rounded(point.thickness) + ", the gap leaves " +
+                      text::rounded(point.thickness + interface.trial()[i].gap + other->trial()[i].gap) +
+                      ". Use Contact thickness = initial for the tool with the fixed gap, a wider gap, or a force";
+      return sentence;
+    }
   }
 
 
@@ -227,22 +257,9 @@ namespace deltaform
       const auto [i, ratio] = interface->broken_promise();
       if (i == invalid_index)
         continue;
-      const ContactPointState &state = interface->trial()[i];
-      const ContactPoint node = interface->point(committed, i);
       const bool at_nodes = actors_.blank->surface().points_per_edge() == 0;
-      std::string text = "the promise penetration <= delta cannot be kept: tool '" + interface->tool().name() +
-                         (at_nodes ? "', node " : "', contact point ") +
-                         std::to_string(i) + " (R0 = " + text::rounded(node.reference_coordinate) + ") penetrates " +
-                         text::rounded(state.penetration()) + ", " + text::rounded(ratio) + " times the allowed " +
-                         text::rounded(state.delta) + ", with penalty factor " + text::rounded(state.penalty_factor);
-      for (const auto *other : active_)
-        if (other->tool().side() != interface->tool().side() && i < other->n_points() && other->trial()[i].touching &&
-            other->point(committed, i).nodes[0].node == node.nodes[0].node)
-          text += ". The node is clamped between '" + interface->tool().name() + "' and '" + other->tool().name() +
-                  "': its thickness is " + text::rounded(node.thickness) + ", the gap leaves " +
-                  text::rounded(node.thickness + state.gap + other->trial()[i].gap) +
-                  ". Use Contact thickness = initial for the tool with the fixed gap, a wider gap, or a force";
-      return text;
+      return broken_promise_in_words(*interface, i, ratio, at_nodes, committed) +
+             clamped_in_words(*interface, i, active_, committed);
     }
     return "";
   }

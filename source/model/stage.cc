@@ -1,4 +1,5 @@
 #include <deltaform/model/stage.h>
+#include <deltaform/parameters/ceilings.h>
 #include <deltaform/parameters/text.h>
 
 #include <limits>
@@ -22,6 +23,8 @@ namespace deltaform
       stage.end = own.number("End time", begin + 1., Range::any(), "time", "Time at which the stage ends.");
       if (!(stage.end > begin))
         own.fail("End time", "must be later than the end of the stage before");
+      if (stage.end - begin < ceilings::smallest_size)
+        own.fail("End time", "the stage must last at least " + text::format(ceilings::smallest_size));
       const double length = stage.end - begin;
       stage.first_increment =
         own.number("First increment", length / 100, Range::positive(), "time", "Size of the first increment.");

@@ -39,17 +39,7 @@ namespace deltaform
     build_tools(root);
     actors.heat = HeatFlow::read(root, *actors.blank, actors.interfaces);
 
-    for (const auto &name : named(root.sub("Supports"), "Prescribed displacements, one subsection each."))
-      actors.supports.emplace_back(name, root.sub("Supports").sub(name), *actors.blank);
-    for (const auto &name : named(root.sub("Loads"), "Loads, one subsection each."))
-    {
-      Section own = root.sub("Loads").sub(name);
-      actors.loads.push_back(LoadRegistry::choose(own, "Kind", "pressure", "What kind of load it is.", *actors.blank));
-    }
-
-    const Section probes = root.sub("Output").sub("Probes");
-    for (const auto &name : named(probes, "Places of the blank that are watched over time, one subsection each."))
-      actors.probes.emplace_back(name, probes.sub(name), *actors.blank);
+    read_supports_and_loads(root);
 
     Section steps_section = root.sub("Steps");
     actors.stages = read_stages(steps_section);
@@ -88,6 +78,22 @@ namespace deltaform
   {
     return {*linear_solver, *newton, *steps, output->travel_times, output->energies,
             Checkpoint::entries(tree)};
+  }
+
+
+  void Scene::read_supports_and_loads(Section root)
+  {
+    for (const auto &name : named(root.sub("Supports"), "Prescribed displacements, one subsection each."))
+      actors.supports.emplace_back(name, root.sub("Supports").sub(name), *actors.blank);
+    for (const auto &name : named(root.sub("Loads"), "Loads, one subsection each."))
+    {
+      Section own = root.sub("Loads").sub(name);
+      actors.loads.push_back(LoadRegistry::choose(own, "Kind", "pressure", "What kind of load it is.", *actors.blank));
+    }
+
+    const Section probes = root.sub("Output").sub("Probes");
+    for (const auto &name : named(probes, "Places of the blank that are watched over time, one subsection each."))
+      actors.probes.emplace_back(name, probes.sub(name), *actors.blank);
   }
 
 

@@ -4,10 +4,14 @@
 #include <deltaform/analysis/increment.h>
 #include <deltaform/analysis/step_control.h>
 #include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/process/child_process.h>
+#include <deltaform/process/interruption.h>
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <csignal>
+#include <limits>
 
 using namespace deltaform;
 using namespace deltaform::testing;
@@ -256,6 +260,27 @@ BOOST_AUTO_TEST_CASE(a_snap_needs_the_last_resorts)
   const auto strained = fixture.to(.4049, Effort::all);
   BOOST_REQUIRE(strained.rejected.has_value());
   BOOST_TEST(strained.rejected->sentence.find("Largest strain increment") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_signal_ends_the_ladder)
+{
+  // As in the case before, but that no other strategy is tried after a signal has come.
+  const auto n_tried = [](const bool signal) {
+    start_process(
+      [signal]() {
+        interruption::watch();
+        if (signal)
+          std::raise(SIGTERM);
+        Fixture fixture({"Largest strain increment=1"});
+        fixture.problem.q[0] = .4;
+        fixture.to(.4049, Effort::all);
+        return static_cast<int>(fixture.problem.n_begun);
+      },
+      "/dev/null");
+    return wait_for_process(std::numeric_limits<double>::infinity())->exit_status;
+  };
+  BOOST_TEST(n_tried(true) == 1);
+  BOOST_TEST(n_tried(false) > 1);
 }
 
 BOOST_AUTO_TEST_CASE(slack_is_not_tried_far_from_equilibrium)

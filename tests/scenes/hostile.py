@@ -122,6 +122,9 @@ if "\\x1b[2J\\x07 and \\xff" not in said:
 file = work / "with_mark.prm"
 file.write_bytes(b"\xef\xbb\xbf" + cup.read_bytes())
 expect(0, "is a valid scene", "--check", scene=file)
+expect(1, "there is a cell with edges of", "--check", "--set", "Blank/Thickness=1e-8",
+       scene=cup.parent / "indentation.prm")
+check("the stage must last at least 1e-60", "Steps/form/End time=5e-324")
 check("cannot be a name: it becomes part of columns and of file names", "Steps/Stages=a/b", "Steps/a/b/End time=1")
 check("a formula has at most 10000 characters", "Tools/punch/Motion=t" + "+0" * 6000)
 

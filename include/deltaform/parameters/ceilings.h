@@ -19,6 +19,7 @@ namespace deltaform
     constexpr std::size_t mesh_bytes = 1u << 30; ///< of a mesh file
     constexpr std::size_t sweep_runs = 10000; ///< of a sweep
     constexpr double length_ratio = 1e12; ///< between the largest length and the smallest size of a scene
+    constexpr double cell_aspect = 1e6; ///< longest edge of a cell over its shortest
     constexpr double magnitude = 1e60; ///< of a number with a unit
     constexpr double smallest_size = 1e-60; ///< of one that is positive
   } // namespace ceilings

@@ -6,8 +6,8 @@ namespace deltaform
 {
   /**
    * A signal that asks the program to end: SIGINT, SIGTERM, SIGXFSZ (a file became larger than it may) and SIGPIPE
-   * (nobody reads what is written). It is remembered; who computes asks for it between two increments, saves the state
-   * and ends with status 128 + signal.
+   * (nobody reads what is written). It is remembered; who computes asks for it between two increments and between two
+   * attempts at one, saves the state and ends with status 128 + signal.
    */
   namespace interruption
   {

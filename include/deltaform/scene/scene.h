@@ -36,6 +36,7 @@ namespace deltaform
     AnalysisSettings analysis_settings() const;
 
   private:
+    void read_supports_and_loads(Section root);
     void build_tools(Section root);
 
     /// What a metal's name stands for (entry Material/Name). @throws SceneError
