@@ -1,4 +1,5 @@
 #include "adiabatic_heat.h"
+#include "conducted_heat.h"
 
 #include <deltaform/materials/plasticity.h>
 #include <deltaform/materials/read_law.h>
@@ -60,10 +61,13 @@ namespace deltaform
         return own ? std::move(own) : std::move(cold);
       if (own && softening->acts())
         section.fail("Softening", "must be none: the law of hardening knows the temperature itself.");
-      if (own && conducts)
-        section.fail("Conductivity", "must be 0: a law of hardening that knows the temperature does not conduct.");
+      if (own && conducts && conducts->initial_temperature != own->initial_temperature())
+        section.fail("Initial temperature", "must be that of the hardening: both are of the metal at its start.");
       if (own)
-        return hardening.own_rate_factor(share / capacity);
+      {
+        own = hardening.own_rate_factor(share / capacity);
+        return conducts ? std::make_unique<ConductedHeat>(std::move(own), *conducts) : std::move(own);
+      }
       return std::make_unique<AdiabaticHeat>(std::move(cold), std::move(softening), share / capacity, conducts);
     }
 

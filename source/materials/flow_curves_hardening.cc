@@ -4,7 +4,6 @@
 
 #include "heat_balance.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -12,7 +11,8 @@ namespace deltaform
 {
   namespace
   {
-    /// What flow curves make of rate and temperature. Where heat is counted, it is that of the flow itself (adiabatic).
+    /// What flow curves make of rate and temperature. Where heat is counted, that of an increment is the heat of its
+    /// flow.
     class FlowCurvesFactor final : public RateFactor
     {
     public:
@@ -42,6 +42,11 @@ namespace deltaform
         return heating_ > 0.;
       }
 
+      std::optional<double> initial_temperature() const override
+      {
+        return initial_temperature_;
+      }
+
       FlowStress
       evaluate(const FlowStress &, const PointFlow &flow, const double *start, double *end) const override
       {
@@ -57,7 +62,7 @@ namespace deltaform
           return {at.value, at.by_strain + per_growth * at.by_rate};
         }
         const double k = heating_ * flow.growth;
-        const HeatedStress hot = balance_heat(stress, std::fmax(*start, 0.), k);
+        const HeatedStress hot = balance_heat(stress, *start, k);
         *end = hot.rise;
         // ds = s_e dx + s_rate dx/dt + s_T (heating s dx + k ds)
         const double cold = at.by_strain + per_growth * at.by_rate;
@@ -66,7 +71,7 @@ namespace deltaform
 
       double at_rest(double, const double strain, const double *const history) const override
       {
-        return curves_(strain, 0., initial_temperature_ + (heating_ > 0. ? std::fmax(*history, 0.) : 0.)).value;
+        return curves_(strain, 0., initial_temperature_ + (heating_ > 0. ? *history : 0.)).value;
       }
 
     private:

@@ -210,8 +210,8 @@ BOOST_AUTO_TEST_CASE(what_is_refused)
   refused({"Heat/Adiabatic=true", "Heat/Heat capacity=3", "Heat/Softening=linear", "Heat/Softening coefficient=.001"},
           "Heat/Softening");
   refused({"Heat/Adiabatic=true", "Heat/Heat capacity=3", "Heat/Softening=none", "Heat/Conductivity=20",
-           "Heat/Initial temperature=20"},
-          "Heat/Conductivity");
+           "Heat/Initial temperature=25"},
+          "Heat/Initial temperature");
   BOOST_CHECK_EXCEPTION(
     make_material("elastoplastic",
                   "sum",

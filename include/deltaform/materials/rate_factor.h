@@ -52,6 +52,13 @@ namespace deltaform
       return std::nullopt;
     }
 
+    /// Temperature of the metal at its start, of a law whose curves are over the temperature itself; nothing: it knows
+    /// the rise only.
+    virtual std::optional<double> initial_temperature() const
+    {
+      return std::nullopt;
+    }
+
     /**
      * @param slow flow stress at a vanishing rate and the initial temperature, and its slope, after @p flow
      * @return flow stress and its slope in the growth x; must not fall under @p slow at x = 0 by more than heat

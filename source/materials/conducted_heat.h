@@ -1,0 +1,32 @@
+#pragma once
+
+#include <deltaform/materials/rate_factor.h>
+
+#include <memory>
+
+namespace deltaform
+{
+  /**
+   * A rate factor that counts the heat of the flow, of a metal that conducts: between the increments heat comes and
+   * goes, so that the metal may become colder than it was at its start. What the law makes of a temperature is its own
+   * affair.
+   */
+  class ConductedHeat final : public RateFactor
+  {
+  public:
+    /// @p law with the field `temperature_rise` in its history, which may be negative
+    ConductedHeat(std::unique_ptr<RateFactor> law, const MetalHeat &metal);
+
+    HistoryLayout history_layout() const override;
+    bool needs_duration() const override;
+    bool softens() const override;
+    std::optional<MetalHeat> heat() const override;
+    FlowStress
+    evaluate(const FlowStress &slow, const PointFlow &flow, const double *start, double *end) const override;
+    double at_rest(double slow, double strain, const double *history) const override;
+
+  private:
+    std::unique_ptr<RateFactor> law_;
+    MetalHeat metal_;
+  };
+} // namespace deltaform
