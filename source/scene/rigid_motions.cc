@@ -1,3 +1,4 @@
+#include <deltaform/model/load_way.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/scene/rigid_motions.h>
 
@@ -37,6 +38,16 @@ namespace deltaform
         std::vector<double> row(n_, 0.);
         for (unsigned int k = 0; k < 3; ++k)
           row[k] = motions_[k][dof] * scale;
+        rows_.push_back(row);
+      }
+
+      /// What a load works on is prescribed, and its size follows: as a support of the mean.
+      void hold_way(const LoadWay &way)
+      {
+        std::vector<double> row(n_, 0.);
+        const double size = way.gradient().l1_norm();
+        for (unsigned int k = 0; k < 3 && size > 0.; ++k)
+          row[k] = (way.gradient() * motions_[k]) / size;
         rows_.push_back(row);
       }
 
@@ -144,6 +155,9 @@ namespace deltaform
       if (support.acts_in(stage.name))
         for (const auto dof : support.dofs)
           conditions.hold(dof, actors.blank->dof_scale(dof));
+    for (const auto &load : actors.loads)
+      if (load->follows_way() && load->acts_in(stage.name))
+        conditions.hold_way(LoadWay(*load, zero));
     unsigned int travel = 0;
     for (const auto &interface : actors.interfaces)
     {

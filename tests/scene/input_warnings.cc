@@ -101,6 +101,14 @@ BOOST_AUTO_TEST_CASE(a_tool_under_a_force_holds_nothing_along_it)
   BOOST_TEST(motions(entries, 0) == Entries{"along z"}, boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(a_load_that_follows_a_displacement_holds_it)
+{
+  const Entries load{"Loads/Names=lift", "Loads/lift/Kind=edge", "Loads/lift/Component=z", "Loads/lift/Value=0",
+                     "Loads/lift/Stages=release"};
+  BOOST_TEST(motions(strip + symmetry + load, 1) == Entries{"along z"}, boost::test_tools::per_element());
+  BOOST_TEST(motions(strip + symmetry + load + Entries{"Loads/lift/Control=displacement"}, 1).empty());
+}
+
 BOOST_AUTO_TEST_CASE(doubtful_numbers_are_named)
 {
   const Entries sound = strip + symmetry + bottom;
