@@ -18,6 +18,8 @@ namespace deltaform
     }
     pattern = std::make_unique<dealii::DynamicSparsityPattern>(n_sparse, n_sparse);
     blank.add_couplings(*pattern);
+    for (const auto &load : actors.loads)
+      load->add_couplings(*pattern);
     share_rows(blank);
     for (const auto i : owned)
       pattern->add(i, i);

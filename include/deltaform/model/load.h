@@ -86,8 +86,13 @@ namespace deltaform
 
     Status assemble(const Vector &q, double time, AssemblyTarget &target) override;
 
-    /// Add the forces of a load of the size @p value at @p q, with their sign in the residual. Entries of the tangent
-    /// couple unknowns of one cell at most.
+    /// Enter the couplings between unknowns of the blank that no cell makes: the matrix has places for these entries
+    /// of the tangent and no others. Every process enters all of them.
+    virtual void add_couplings(dealii::DynamicSparsityPattern & /*pattern*/) const
+    {
+    }
+
+    /// Add the forces of a load of the size @p value at @p q, with their sign in the residual.
     virtual void add(const Vector &q, double value, AssemblyTarget &target) const = 0;
 
     /// The blank was refined: its unknowns have new numbers.
