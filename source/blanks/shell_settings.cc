@@ -26,7 +26,11 @@ namespace deltaform
                                   Range::positive(),
                                   "1",
                                   "Factor of the transverse shear stiffness.")),
-      n_layers(section.integer("Layers", 7, 1, most_layers, "Points through the thickness; 11 for springback."))
+      n_layers(section.integer("Layers",
+                               7,
+                               1,
+                               most_layers,
+                               "Points through the thickness; 15 for springback, 25 where the sheet is bent back."))
   {
     if (membrane)
       n_layers = 1;
