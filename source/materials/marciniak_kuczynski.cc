@@ -9,6 +9,8 @@
 // of the groove. The groove turns with the metal: tan(angle) grows as exp(e_major - e_minor).
 #include "marciniak_kuczynski.h"
 
+#include "plane_stress_points.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,48 +20,6 @@ namespace deltaform
   namespace
   {
     constexpr double root_2 = 1.41421356237309504880;
-
-    /// The law at one point in plane stress, from a strain to the next.
-    class Zone
-    {
-    public:
-      explicit Zone(const Material &law)
-        : law_(law), committed_(law.history_size(), 0.), trial_(committed_)
-      {
-      }
-
-      bool update(const Mandel &next)
-      {
-        strain_ = next;
-        MaterialBatch batch;
-        batch.n_points = 1;
-        batch.third_direction = ThirdDirection::stress_given;
-        batch.strain = &strain_;
-        batch.third_stress = &no_stress_;
-        batch.committed = committed_.data();
-        batch.duration = 1.;
-        batch.trial = trial_.data();
-        batch.stress = &stress;
-        batch.tangent = tangent.data();
-        return law_.update(batch).good();
-      }
-
-      void accept()
-      {
-        strain = strain_;
-        committed_ = trial_;
-      }
-
-      Mandel strain{}; ///< accepted
-      Mandel stress{}; ///< of the last update
-      std::array<double, 16> tangent{};
-
-    private:
-      const Material &law_;
-      double no_stress_ = 0.;
-      Mandel strain_{};
-      std::vector<double> committed_, trial_;
-    };
 
     /// Sheet and groove from step to step.
     class Localization
@@ -98,13 +58,13 @@ namespace deltaform
 
       FormingLimit::Point strains() const
       {
-        return {sheet_.strain[1], sheet_.strain[0]};
+        return {sheet_.accepted_strain()[1], sheet_.accepted_strain()[0]};
       }
 
     private:
       void turn()
       {
-        const double tangent = tan_0_ * std::exp(sheet_.strain[0] - sheet_.strain[1]);
+        const double tangent = tan_0_ * std::exp(sheet_.accepted_strain()[0] - sheet_.accepted_strain()[1]);
         c_ = 1. / std::sqrt(1. + tangent * tangent);
         s_ = tangent * c_;
         across_ = c_ * c_ + ratio_ * s_ * s_; // de_nn and de_tt of the sheet over the growth of its major strain
@@ -114,28 +74,30 @@ namespace deltaform
       /// Residual and jacobian with the growth of the sheet's major strain and of e_nt.
       bool solve(const double step, const double major, const double shear)
       {
-        Mandel of_sheet = sheet_.strain, of_groove = groove_.strain;
+        Mandel &of_sheet = sheet_.strain(), &of_groove = groove_.strain();
+        of_sheet = sheet_.accepted_strain();
+        of_groove = groove_.accepted_strain();
         of_sheet[0] += major;
         of_sheet[1] += ratio_ * major;
         of_groove[0] += step;
         of_groove[1] += along_ * major;
         of_groove[3] += root_2 * shear;
-        if (!sheet_.update(of_sheet) || !groove_.update(of_groove))
+        if (!sheet_.update() || !groove_.update())
           return false;
         const auto force = [&](const Mandel &t) {
           return std::array<double, 2>{{c_ * c_ * t[0] + s_ * s_ * t[1], c_ * s_ * (t[1] - t[0])}};
         };
         Mandel rate{};
         for (unsigned int i = 0; i < 2; ++i)
-          rate[i] = sheet_.tangent[4 * i] + ratio_ * sheet_.tangent[4 * i + 1];
+          rate[i] = sheet_.tangent()[4 * i] + ratio_ * sheet_.tangent()[4 * i + 1];
         const double thin_a = std::exp(-(across_strain_ + across_ * major));
-        const double thin_b = f_ * std::exp(-(groove_.strain[0] + step));
-        const auto a = force(sheet_.stress), a_rate = force(rate);
-        const std::array<double, 2> b{{groove_.stress[0], groove_.stress[3] / root_2}};
+        const double thin_b = f_ * std::exp(-(groove_.accepted_strain()[0] + step));
+        const auto a = force(sheet_.stress()), a_rate = force(rate);
+        const std::array<double, 2> b{{groove_.stress()[0], groove_.stress()[3] / root_2}};
         scale_ = std::abs(a[0]) + std::abs(a[1]);
         for (unsigned int i = 0; i < 2; ++i)
         {
-          const double *const moduli = &groove_.tangent[12 * i]; // rows nn and nt
+          const double *const moduli = groove_.tangent() + 12 * i; // rows nn and nt
           const double unit = i == 0 ? 1. : 1. / root_2;
           residual_[i] = thin_b * b[i] - thin_a * a[i];
           jacobian_[2 * i] = thin_b * unit * moduli[1] * along_ - thin_a * (a_rate[i] - across_ * a[i]);
@@ -154,7 +116,7 @@ namespace deltaform
         speed_ratio = step / (across_ * major);
       }
 
-      Zone sheet_, groove_;
+      PlaneStressPoints sheet_, groove_;
       double f_, tan_0_, ratio_;
       double c_ = 1., s_ = 0., across_ = 1., along_ = 0.;
       double across_strain_ = 0.; ///< e_nn of the sheet

@@ -1,3 +1,5 @@
+#include "plane_stress_points.h"
+
 #include <deltaform/materials/repeated_bending.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -13,10 +15,8 @@ namespace deltaform
     {
     public:
       StripSection(const Material &law, const double thickness, const StripThickness change)
-        : law_(law), rule_(n_points), initial_thickness_(thickness), change_(change), strain_(n_points),
-          stress_(n_points),
-          tangent_(16 * n_points), no_stress_(n_points, 0.), committed_(n_points * law.history_size(), 0.),
-          trial_(committed_)
+        : metal_(law, n_points), rule_(n_points), initial_thickness_(thickness), change_(change),
+          tolerance_(1e-9 * law.young_modulus() * thickness)
       {
       }
 
@@ -24,15 +24,14 @@ namespace deltaform
       bool bend(const double curvature, const double tension)
       {
         constexpr unsigned int most_iterations = 50;
-        const double tolerance = 1e-9 * law_.young_modulus() * initial_thickness_;
         for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
         {
           double stiffness = 0.;
           if (!evaluate(curvature, stiffness) || !(stiffness > 0.))
             return false;
-          if (std::abs(force_ - tension) < tolerance)
+          if (std::abs(force_ - tension) < tolerance_)
           {
-            committed_ = trial_;
+            metal_.accept();
             return true;
           }
           stretch_ += (tension - force_) / stiffness;
@@ -55,39 +54,27 @@ namespace deltaform
           initial_thickness_ * (change_ == StripThickness::follows ? std::exp(-stretch_) : 1.);
         const auto y = [&](const unsigned int p) { return thickness * (rule_.point(p)[0] - .5); };
         for (unsigned int p = 0; p < n_points; ++p)
-          strain_[p] = {{stretch_ + y(p) * curvature, 0., 0., 0.}};
-        MaterialBatch batch;
-        batch.n_points = n_points;
-        batch.third_direction = ThirdDirection::stress_given;
-        batch.strain = strain_.data();
-        batch.third_stress = no_stress_.data();
-        batch.committed = committed_.data();
-        batch.duration = 1.;
-        batch.trial = trial_.data();
-        batch.stress = stress_.data();
-        batch.tangent = tangent_.data();
-        if (!law_.update(batch).good())
+          metal_.strain(p) = {{stretch_ + y(p) * curvature, 0., 0., 0.}};
+        if (!metal_.update())
           return false;
         force_ = moment_ = 0.;
         for (unsigned int p = 0; p < n_points; ++p)
         {
           const double weight = thickness * rule_.weight(p);
-          force_ += weight * stress_[p][0];
-          moment_ += weight * stress_[p][0] * y(p);
-          stiffness += weight * tangent_[16 * p];
+          force_ += weight * metal_.stress(p)[0];
+          moment_ += weight * metal_.stress(p)[0] * y(p);
+          stiffness += weight * metal_.tangent(p)[0];
         }
         if (change_ == StripThickness::follows)
           stiffness -= force_;
         return true;
       }
 
-      const Material &law_;
+      PlaneStressPoints metal_;
       dealii::QGauss<1> rule_;
       double initial_thickness_;
       StripThickness change_;
-      double stretch_ = 0., force_ = 0., moment_ = 0.;
-      std::vector<Mandel> strain_, stress_;
-      std::vector<double> tangent_, no_stress_, committed_, trial_;
+      double tolerance_, stretch_ = 0., force_ = 0., moment_ = 0.;
     };
   } // namespace
 

@@ -1,7 +1,8 @@
+#include "plane_stress_points.h"
+
 #include <deltaform/materials/uniaxial_curve.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace deltaform
@@ -13,7 +14,7 @@ namespace deltaform
     {
     public:
       explicit Bar(const Material &law)
-        : law_(law), committed_(law.history_size(), 0.), trial_(committed_)
+        : metal_(law), tolerance_(1e-10 * law.young_modulus())
       {
       }
 
@@ -21,49 +22,30 @@ namespace deltaform
       bool pull(const double strain)
       {
         constexpr unsigned int most_iterations = 50;
-        const double tolerance = 1e-10 * law_.young_modulus();
         for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
         {
-          if (!evaluate(strain))
+          metal_.strain() = {{strain, lateral_, 0., 0.}};
+          if (!metal_.update())
             return false;
-          if (std::abs(stress_[1]) < tolerance)
+          if (std::abs(metal_.stress()[1]) < tolerance_)
           {
-            committed_ = trial_;
+            metal_.accept();
             return true;
           }
-          lateral_ -= stress_[1] / tangent_[5];
+          lateral_ -= metal_.stress()[1] / metal_.tangent()[5];
         }
         return false;
       }
 
       UniaxialPoint point() const
       {
-        return {law_.equivalent_plastic_strain(committed_.data()),
-                tangent_[0] - tangent_[1] * tangent_[4] / tangent_[5]};
+        const double *const C = metal_.tangent();
+        return {metal_.equivalent_plastic_strain(), C[0] - C[1] * C[4] / C[5]};
       }
 
     private:
-      bool evaluate(const double strain)
-      {
-        Mandel e{{strain, lateral_, 0., 0.}};
-        MaterialBatch batch;
-        batch.n_points = 1;
-        batch.third_direction = ThirdDirection::stress_given;
-        batch.strain = &e;
-        batch.third_stress = &no_stress_;
-        batch.committed = committed_.data();
-        batch.duration = 1.;
-        batch.trial = trial_.data();
-        batch.stress = &stress_;
-        batch.tangent = tangent_.data();
-        return law_.update(batch).good();
-      }
-
-      const Material &law_;
-      double lateral_ = 0., no_stress_ = 0.;
-      Mandel stress_{};
-      std::array<double, 16> tangent_{};
-      std::vector<double> committed_, trial_;
+      PlaneStressPoints metal_;
+      double tolerance_, lateral_ = 0.;
     };
   } // namespace
 
