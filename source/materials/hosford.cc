@@ -1,8 +1,12 @@
+#include "hosford_return.h"
+
 #include <deltaform/materials/yield_surface.h>
 #include <deltaform/parameters/registry.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace deltaform
 {
@@ -56,6 +60,17 @@ namespace deltaform
         return std::make_unique<Hosford>(a_, r_, weights, Symmetry::orthotropic);
       }
 
+      const ReturnMap *closed_form(const ThirdDirection third) const override
+      {
+        return third == ThirdDirection::stress_given ? in_sheet_.get() : nullptr;
+      }
+
+      /// Of a sheet; of the same surface.
+      void set_closed_form(std::unique_ptr<HosfordReturn> in_sheet)
+      {
+        in_sheet_ = std::move(in_sheet);
+      }
+
     private:
       /// Both principal stresses across the third axis and t_k, against the third stress, and cosine and sine of twice
       /// the angle of the first one.
@@ -89,6 +104,7 @@ namespace deltaform
       double a_, r_;
       Weights weights_;
       Symmetry symmetry_;
+      std::unique_ptr<HosfordReturn> in_sheet_;
     };
 
 
@@ -133,7 +149,12 @@ namespace deltaform
                                       "1",
                                       "Normal anisotropy: strain across over strain through the sheet in tension.");
       const Symmetry symmetry = r == 1. ? Symmetry::isotropic : Symmetry::about_third_axis;
-      return std::make_unique<Hosford>(exponent, r, Hosford::Weights{1., r, 0., 0}, symmetry);
+      const auto surface = [&]() {
+        return std::make_unique<Hosford>(exponent, r, Hosford::Weights{1., r, 0., 0}, symmetry);
+      };
+      auto result = surface();
+      result->set_closed_form(std::make_unique<HosfordReturn>(exponent, r, surface()));
+      return result;
     }
 
     const Registry<YieldSurface>::Entry entry("hosford", "Logan and Hosford: (1+r) q^a = |t1|^a + |t2|^a + r |t1-t2|^a",
