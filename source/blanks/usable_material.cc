@@ -24,7 +24,12 @@ namespace deltaform
       section.sub("Heat").fail("Conductivity",
                                "a shell has no temperature through its thickness, so that heat cannot go to the tools: "
                                "take Blank/Kind = solid, or leave the heat where it is made (0).");
-    if (traits.needs_duration && text::split(read_units_label(section), ',').size() != 4)
+    const auto n_units = text::split(read_units_label(section), ',').size();
+    if (traits.needs_duration && n_units > 4)
+      section.root().fail("Units",
+                          "must name length, force, stress and time, no more: a temperature has no unit of its own, "
+                          "all temperatures of a scene are on one scale.");
+    if (traits.needs_duration && n_units != 4)
       section.sub(material.heat() ? "Heat" : "Rate factor")
         .fail(material.heat() ? "Conductivity" : "Law",
               "it wants to know in which unit the time of the scene is: name it as the fourth one in Units, for "
