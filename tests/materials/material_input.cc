@@ -42,4 +42,31 @@ BOOST_AUTO_TEST_CASE(unknown_law)
                         });
 }
 
+BOOST_AUTO_TEST_CASE(negative_saturation)
+{
+  const auto refused = [](const std::string &hardening, const std::vector<std::string> &entries,
+                          const std::string &entry) {
+    BOOST_CHECK_EXCEPTION(make_material("elastoplastic", hardening, entries), SceneError, [&](const SceneError &error) {
+      return std::string(error.what()).find(entry) != std::string::npos;
+    });
+  };
+  refused("voce", {"Material/Hardening/Saturation stress=-715"}, "Saturation stress");
+  refused("voce", {"Material/Hardening/Saturation rate=-5"}, "Saturation rate");
+  refused("hockett-sherby", {"Material/Hardening/Saturation stress=-380"}, "Saturation stress");
+  refused("swift", {"Material/Backstress/Law=chaboche", "Material/Backstress/Terms=20000 -100"}, "Terms");
+  for (const std::string entry : {"Bounding backstress", "Saturation stress", "Bounding surface rate", "Stagnation"})
+    refused("perfectly plastic",
+            {"Material/Backstress/Law=yoshida-uemori",
+             "Material/Hardening/Flow stress=337",
+             "Material/Backstress/Yield stress=337",
+             "Material/Backstress/Bounding stress=620",
+             "Material/Backstress/Yield surface rate=500",
+             "Material/Backstress/Bounding surface rate=34",
+             "Material/Backstress/Bounding backstress=202",
+             "Material/Backstress/Stagnation=.772",
+             "Material/Backstress/Saturation stress=190",
+             "Material/Backstress/" + entry + "=-1"},
+            entry);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
