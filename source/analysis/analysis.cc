@@ -215,7 +215,7 @@ namespace deltaform
     // Cut twice, or as short as it may be: the length of the increment is not the reason.
     if (model_.releases_at_once() || (next - time()) * settings_.steps.shrink < stage().smallest_increment)
       return Effort::all;
-    if (cost_.cutbacks >= 2 || control_->leaping())
+    if (cost_.cutbacks >= 2 || control_->tries_longer())
       return Effort::last_resorts;
     return cost_.cutbacks == 0 && state_.last_length > 0. ? Effort::first : Effort::usual;
   }

@@ -1,4 +1,4 @@
-// Where the blank snaps through: it moves to the next equilibrium as in a viscous medium. With slack, points of contact
+// Where the blank snaps through: it moves to the next equilibrium as in a viscous medium. With a tolerance, points
 // that carry next to nothing need not decide whether they touch.
 #include <deltaform/analysis/strategy.h>
 
@@ -36,8 +36,8 @@ namespace deltaform
     }
 
     const StrategyMakers::Entry damped("damped", "as in a viscous medium", make<NewtonVariant::damped>);
-    const StrategyMakers::Entry with_slack("damped with slack",
-                                           "the same, and contact that carries next to nothing may be either",
-                                           make<NewtonVariant::with_slack>);
+    const StrategyMakers::Entry with_tolerance("damped with status tolerance",
+                                               "the same, and contact that carries next to nothing may be either",
+                                               make<NewtonVariant::with_tolerance>);
   } // namespace
 } // namespace deltaform

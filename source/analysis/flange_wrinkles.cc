@@ -21,7 +21,7 @@ namespace deltaform
       {
         if (wrinkling_ == nullptr || !stage_.empty())
           return;
-        // Stresses that fade out behind the tools are none of the process.
+        // Stresses that fade out after tools have left are none of the process.
         const bool released = increment.model.interfaces().empty() && !increment.model.actors().tools.empty();
         if (released || !increment.wrinkling().wrinkles_now())
           return;

@@ -17,12 +17,12 @@ namespace deltaform
       return !result.converged() && result.outcome != NewtonResult::Outcome::not_corrected;
     }
 
-    /// Slack is about forces of the size of the tolerances. A damped solve that ended far from equilibrium has not
+    /// The tolerance on the status is about small forces. A damped solve that ended far from equilibrium has not
     /// failed for want of it, and goes the same way with it.
     bool is_pointless(const Strategy &strategy, const NewtonResult &last)
     {
       constexpr double far_from_equilibrium = 1e-2;
-      return strategy.variant() == NewtonVariant::with_slack && last.outcome == NewtonResult::Outcome::diverged &&
+      return strategy.variant() == NewtonVariant::with_tolerance && last.outcome == NewtonResult::Outcome::diverged &&
              !last.residuals.empty() && last.residuals.back() > far_from_equilibrium;
     }
 
@@ -52,7 +52,7 @@ namespace deltaform
 
   Ladder usual_ladder()
   {
-    return make_ladder({"plain", "soft first touch", "damped", "damped with slack"});
+    return make_ladder({"plain", "soft first touch", "damped", "damped with status tolerance"});
   }
 
 

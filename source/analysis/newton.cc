@@ -34,7 +34,7 @@ namespace deltaform
     constexpr double near_equilibrium = 3e-3;
     constexpr unsigned int most_sets = 60, first_iterations = 2;
 
-    constexpr unsigned int slack_iterations = 4; ///< before slack is allowed; three times as many: more
+    constexpr unsigned int tolerant_after = 4; ///< iterations: a tolerance on the status; three times: a larger one
   } // namespace
 
 
@@ -164,9 +164,9 @@ namespace deltaform
       const bool late = iteration_ >= max_iterations_ || has_settled_;
       // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
       const double tolerance = late ? settings_.relaxed_tolerance : settings_.force_tolerance;
-      if (variant_ == NewtonVariant::with_slack && iteration_ >= slack_iterations && active_set_ != nullptr)
-        active_set_->allow_slack(
-          (iteration_ >= 3 * slack_iterations ? settings_.relaxed_tolerance : settings_.force_tolerance) * magnitude_);
+      if (variant_ == NewtonVariant::with_tolerance && iteration_ >= tolerant_after && active_set_ != nullptr)
+        active_set_->allow_status_tolerance(
+          (iteration_ >= 3 * tolerant_after ? settings_.relaxed_tolerance : settings_.force_tolerance) * magnitude_);
       const bool fresh = iteration_ == 0 && result_.rounds == 0; // forces of the extrapolated start
       if (fresh || pending_ != 0. || !(residual_ <= tolerance) ||
           (active_set_ != nullptr && !active_set_->consistent(tolerance * magnitude_)))

@@ -4,7 +4,7 @@ namespace deltaform
 {
   NewtonSettings::NewtonSettings(Section &section)
     : max_iterations(section.integer("Maximal iterations", 20, 2, 1000,
-                                     "Largest number of Newton iterations between two corrections of the factors.")),
+                                     "Most Newton iterations between two corrections of the penalty factors.")),
       max_rounds(
         section.integer("Maximal corrections", 100, 0, 1000, "Corrections of the penalty factors per increment.")),
       force_tolerance(

@@ -35,7 +35,7 @@ namespace deltaform
                        "Largest relative error of the plastic strain that an increment adds, estimated from the turn "
                        "of its direction; increments are made as long as this allows. 0: not used.")),
       extrapolate(section.flag("Extrapolate", true,
-                               "Predictor: Newton's method starts from the last increment's velocity."))
+                               "Predictor: an increment starts from the linear extrapolation of the last one."))
   {
   }
 
@@ -71,7 +71,7 @@ namespace deltaform
   void StepControl::accept(const unsigned int iterations, const double error)
   {
     constexpr double integral = .3, proportional = .4;
-    leaps_ = 0;
+    longer_tries_ = 0;
     const double last = error_ > 0. ? error_ : error;
     error_ = error;
     double by_error = settings_.growth;
@@ -100,15 +100,15 @@ namespace deltaform
   {
     const double shorter = tried * settings_.shrink;
     quiet_ = 1;
-    if (leaps_ == 0 && shorter >= smallest_)
+    if (longer_tries_ == 0 && shorter >= smallest_)
     {
       increment_ = shorter;
       return true;
     }
     // At a place where the blank snaps through a longer increment may lead to the equilibrium beyond.
-    if (leaps_ == most_leaps)
+    if (longer_tries_ == most_longer_tries)
       return false;
-    ++leaps_;
+    ++longer_tries_;
     increment_ = std::min(10. * tried, largest_);
     return true;
   }

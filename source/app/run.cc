@@ -40,22 +40,22 @@ namespace deltaform
   namespace
   {
     /// Has the earlier run in @p folder finished what the scene asks for? @throws SceneError if it had stopped, but
-    /// behind the end of the scene
+    /// after the end of the scene
     bool nothing_to_resume(const std::string &folder, const double saved, const double end, Journal &journal)
     {
       // One process asks for all: the first one removes the file when it goes on.
       constexpr int killed = -1;
       const int status = static_cast<int>(
         ranks::max(ranks::first() ? earlier_exit_status(folder).value_or(killed) : static_cast<double>(killed)));
-      const std::string behind =
-        "time " + text::format(saved) + ", behind the end " + text::format(end) + " that the scene asks for (Steps)";
+      const std::string place =
+        "time " + text::format(saved) + ", after the end " + text::format(end) + " that the scene asks for (Steps)";
       if (saved > end && status != exit_status::done)
-        throw SceneError("Cannot resume: the state saved in " + folder + " is at " + behind +
+        throw SceneError("Cannot resume: the state saved in " + folder + " is at " + place +
                          (status != killed ? "; the run had stopped there with status " + std::to_string(status) : "") +
                          ". Ask for a later end to go on from there, or start again without --resume.");
       if (saved < end || status != exit_status::done)
         return false;
-      journal.note("the run in " + folder + " is finished" + (saved > end ? ", at " + behind : "") +
+      journal.note("the run in " + folder + " is finished" + (saved > end ? ", at " + place : "") +
                    ": there is nothing to resume");
       return true;
     }

@@ -36,7 +36,7 @@ namespace deltaform
     /// The next word is this one. @throws std::invalid_argument
     void expect(const std::string &expected);
 
-    /// Go behind the word @p end. @throws std::invalid_argument if it does not come
+    /// Go after the word @p end. @throws std::invalid_argument if it does not come
     void skip_to(const std::string &end);
 
     [[noreturn]] void fail(const std::string &message) const;

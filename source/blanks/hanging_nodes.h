@@ -13,7 +13,7 @@ namespace deltaform
 {
   /**
    * Displacements of hanging nodes are those of the coarse edge on which they lie, so that they are no unknowns. They
-   * are numbered behind all unknowns. All other rooms see unknowns only; nodes of the boundary, and with them contact,
+   * are numbered after all unknowns. All other rooms see unknowns only; nodes of the boundary, and with them contact,
    * never hang.
    */
   class HangingNodes

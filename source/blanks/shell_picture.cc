@@ -28,7 +28,7 @@ namespace deltaform
         .5 * (fixed_power<2>(tau[0] - tau[1]) + fixed_power<2>(tau[1] - tau[2]) + fixed_power<2>(tau[2] - tau[0])));
     }
 
-    /// A new field with room for @p n entries. Its values stay where they are when fields are added behind it.
+    /// A new field with room for @p n entries. Its values stay where they are when fields are added after it.
     double *add_field(Drawing &drawing,
                       const std::string &name,
                       const std::string &unit,

@@ -66,13 +66,13 @@ namespace deltaform
     columns_.clear();
     if (!space_.mesh().is_strip())
       return;
-    std::map<long, std::array<unsigned int, 2>> stations;
+    std::map<long, std::array<unsigned int, 2>> cross_sections;
     for (unsigned int i = 0; i < space_.nodes().size(); ++i)
       for (const unsigned int side : {0, 1})
         if (std::abs(space_.parameter(i)[1] - (side - .5)) < 1e-9)
-          stations.insert({space_.station(i), {{invalid_index, invalid_index}}}).first->second[side] = i;
+          cross_sections.insert({space_.cross_section(i), {{invalid_index, invalid_index}}}).first->second[side] = i;
     // Where only one side is refined, there is no column.
-    for (const auto &[place, pair] : stations)
+    for (const auto &[place, pair] : cross_sections)
       if (pair[0] != invalid_index && pair[1] != invalid_index)
         columns_.push_back(pair);
   }
@@ -151,7 +151,9 @@ namespace deltaform
         return {};
       std::vector<unsigned int> along = nodes(part);
       std::sort(along.begin(), along.end(),
-                [&](const unsigned int a, const unsigned int b) { return space_.station(a) < space_.station(b); });
+                [this](const unsigned int a, const unsigned int b) {
+                  return space_.cross_section(a) < space_.cross_section(b);
+                });
       std::vector<LineNode> line;
       double arc = 0.;
       for (unsigned int i = 0; i < along.size(); ++i)

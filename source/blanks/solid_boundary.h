@@ -55,7 +55,7 @@ namespace deltaform
     /// The own cell with an edge between two nodes of the boundary; invalid_index if another process has it.
     unsigned int cell(unsigned int a, unsigned int b) const;
 
-    /// Strip: bottom and top node of every station where both sides have one.
+    /// Strip: bottom and top node of every cross-section where both sides have one.
     const std::vector<std::array<unsigned int, 2>> &columns() const
     {
       return columns_;

@@ -184,7 +184,7 @@ namespace deltaform
     };
 
     // At a kink, and where the meridian meets the axis at an angle, the director halves the angle (a mitre).
-    stations_per_cell_ = degree;
+    cross_sections_per_cell_ = degree;
     const unsigned int n = line.cells().size();
     for (unsigned int c = 0; c <= n; ++c)
     {
@@ -198,18 +198,18 @@ namespace deltaform
       const double half_turn = .5 * (after - before), angle = .5 * (after + before);
       const Tensor1 direction =
         height(cell.nodes[c < n ? 0 : 1]) / std::cos(half_turn) * Tensor1({-std::sin(angle), std::cos(angle)});
-      stations_.push_back({point + strip.offset * thickness_ * direction, direction});
+      cross_sections_.push_back({point + strip.offset * thickness_ * direction, direction});
       if (degree == 2 && c < n)
       {
         const Tensor1 middle = height(cell.nodes[2]) * Tensor1({-std::sin(cell.angle[2]), std::cos(cell.angle[2])});
-        stations_.push_back({line.nodes()[cell.nodes[2]] + strip.offset * thickness_ * middle, middle});
+        cross_sections_.push_back({line.nodes()[cell.nodes[2]] + strip.offset * thickness_ * middle, middle});
       }
     }
     for (unsigned int c = 0; c < n; ++c)
       for (unsigned int l = 0; l < strip.n_across; ++l)
       {
-        const auto &[begin, direction] = stations_[c * degree];
-        require_aspect(section, "Thickness", begin.distance(stations_[(c + 1) * degree].point),
+        const auto &[begin, direction] = cross_sections_[c * degree];
+        require_aspect(section, "Thickness", begin.distance(cross_sections_[(c + 1) * degree].point),
                        thickness_ * direction.norm() * (strip.across[l + 1] - strip.across[l]));
       }
     make_columns(n, strip.across, *triangulation_);
@@ -332,7 +332,7 @@ namespace deltaform
   {
     if (!is_strip())
       return point;
-    const auto i = static_cast<unsigned int>(std::lround(point[0] * stations_per_cell_));
-    return stations_[i].point + thickness_ * point[1] * stations_[i].director;
+    const auto i = static_cast<unsigned int>(std::lround(point[0] * cross_sections_per_cell_));
+    return cross_sections_[i].point + thickness_ * point[1] * cross_sections_[i].director;
   }
 } // namespace deltaform

@@ -24,7 +24,7 @@ namespace deltaform
     /// Read the entries of the section.
     SolidMesh(Section &section, unsigned int degree, bool axisymmetric);
 
-    /// The cells; a strip lies in its parameter plane (station along the meridian, coordinate across), see place().
+    /// The cells; a strip lies in its parameter plane (arc length along the meridian, coordinate across), see place().
     const dealii::Triangulation<2> &triangulation() const
     {
       return *triangulation_;
@@ -59,7 +59,7 @@ namespace deltaform
     /// Is the body a strip, whose nodes lie in columns of equal first coordinate of the triangulation?
     bool is_strip() const
     {
-      return !stations_.empty();
+      return !cross_sections_.empty();
     }
 
     /// Height of the strip, or of the box around the body.
@@ -70,7 +70,7 @@ namespace deltaform
 
   private:
     /// A place on the meridian: point, and where the top lies from it per unit of thickness.
-    struct Station
+    struct CrossSection
     {
       Point2 point;
       Tensor1 director;
@@ -86,8 +86,8 @@ namespace deltaform
     /// Distributed among the processes if there are several: a process then sees its own cells and those next to them.
     std::unique_ptr<dealii::Triangulation<2>> triangulation_;
     std::vector<std::string> boundaries_;
-    std::vector<Station> stations_;
-    unsigned int stations_per_cell_ = 1;
+    std::vector<CrossSection> cross_sections_;
+    unsigned int cross_sections_per_cell_ = 1;
     double thickness_ = 0;
     int first_level_ = 0;
   };

@@ -46,10 +46,10 @@ namespace deltaform
           groups_.push_back({node});
       return;
     }
-    std::map<long, Group> stations;
+    std::map<long, Group> cross_sections;
     for (unsigned int i = 0; i < space_.nodes().size(); ++i)
-      stations[space_.station(i)].push_back(i);
-    for (auto &[place, nodes] : stations)
+      cross_sections[space_.cross_section(i)].push_back(i);
+    for (auto &[place, nodes] : cross_sections)
     {
       std::sort(nodes.begin(),
                 nodes.end(),

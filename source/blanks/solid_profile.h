@@ -34,7 +34,7 @@ namespace deltaform
     /// Half way between bottom and top of a row.
     Point2 middle(const Group &nodes, bool deformed) const;
 
-    /// From the row before to the row behind: along the middle line.
+    /// From the row before to the row after: along the middle line.
     Tensor1 along(unsigned int group, bool deformed) const;
 
     double hoop_strain(unsigned int group) const;

@@ -87,7 +87,7 @@ namespace deltaform
     }
 
     /// Strip: number of the node's column. Nodes of refined cells lie at binary fractions.
-    long station(const unsigned int node) const
+    long cross_section(const unsigned int node) const
     {
       return std::lround((1 << 20) * parameters_[node][0]);
     }

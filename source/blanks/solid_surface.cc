@@ -33,7 +33,7 @@ namespace deltaform
                      "What touches: the nodes, or Gauss points of the edges of the cells.") == "gauss";
     const int n_points =
       section.integer("Gauss points", static_cast<int>(body_.space().degree()), 1, 5,
-                      "Contact points of an edge ('Contact points = gauss'); the degree of the cells is what gives a "
+                      "Contact points of an edge ('Contact points = gauss'); as many as the degree of the cells give a "
                       "uniform pressure.");
     if (!inside)
       return;

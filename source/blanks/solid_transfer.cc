@@ -17,7 +17,7 @@ namespace deltaform
   {
     using CellData = SolidTransfer::CellData;
 
-    /// Numbers of a point behind its history: ln C_p^-1 / 2, elastic strain, volume offset.
+    /// Numbers of a point after its history: ln C_p^-1 / 2, elastic strain, volume offset.
     constexpr std::size_t n_tensors = 9;
 
     /// A place of the unit cell of a child in its parent's.

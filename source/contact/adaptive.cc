@@ -1,7 +1,7 @@
 // Adaptive: eps_i = max(beta K_nn, lambda_i / (alpha delta_i)) with lambda_i of the last increment, frozen inside a
 // Newton solve; a converged point with p_i > delta_i gets eps_i min(10, p_i / (alpha delta_i)), alpha = .8. At
 // equilibrium the incremental eqn (7) of Bednarek, Kowalczyk has the only fixed point eps = lambda / delta; aiming at
-// .8 delta reaches the promise p <= delta from the safe side in a finite number of corrections. Derivation:
+// .8 delta reaches penetration <= delta from the safe side in a finite number of corrections. Derivation:
 // doc/theory/contact.md.
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/registry.h>
@@ -21,7 +21,7 @@ namespace deltaform
                            .01,
                            Range::not_negative(),
                            "1",
-                           "Smallest penalty factor in units of the nodal stiffness K_nn; keeps lightly loaded "
+                           "Lower bound of the penalty factor over the nodal stiffness K_nn; keeps lightly loaded "
                            "nodes from flipping in and out of contact.")),
           aim_(section.number("Aim",
                               .8,
@@ -32,7 +32,7 @@ namespace deltaform
                                          10.,
                                          Range{1., 1e6, true, false},
                                          "1",
-                                         "Limit of the factor's change per correction."))
+                                         "Largest change of a penalty factor by a correction, a ratio."))
       {
       }
 

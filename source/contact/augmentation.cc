@@ -16,11 +16,11 @@ namespace deltaform
   void Augmentation::restart()
   {
     rounds_ = 0;
-    forget();
+    discard();
   }
 
 
-  void Augmentation::forget()
+  void Augmentation::discard()
   {
     last_shift_.clear();
     shift_differences_.clear();
@@ -102,7 +102,7 @@ namespace deltaform
     for (unsigned int i = 0; i < n; ++i)
       loaded[i] = force[i] > 0;
     if (loaded != loaded_)
-      forget();
+      discard();
     loaded_ = loaded;
     if (depth_ > 0 && last_shift_.size() == n)
     {

@@ -75,7 +75,8 @@ namespace deltaform
   {
     // A blank that just rests on a tool touches it, whatever the last digit says.
     const double size =
-      state.position.norm() + point.offset + (projection.turning != 0 ? 1 / std::abs(projection.turning) : 0.);
+      state.position.norm() + point.offset +
+      (projection.turning != 0 ? 1 / std::abs(projection.turning) : 0.);
     state.noise = 8 * std::numeric_limits<double>::epsilon() * size;
     const double gap = projection.distance - point.offset;
     return gap > 0 && gap < 2 * state.noise ? 0. : gap;
@@ -105,7 +106,8 @@ namespace deltaform
 
     const bool held = at_start_ && before.touching;
     const NormalResponse normal =
-      law_.respond(state, {state.gap, point.compliance, factors_.share(before), slack_, work.foreseen, held});
+      law_.respond(state,
+                   {state.gap, point.compliance, factors_.share(before), status_tolerance_, work.foreseen, held});
     state.gap = normal.gap;
     FrictionResponse friction;
     if (friction_ && normal.touching)

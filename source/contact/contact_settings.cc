@@ -28,19 +28,19 @@ namespace deltaform
         section.function("Allowed elastic slip",
                          Default<std::string>("1e-3*thickness"),
                          "length",
-                         "delta_t: how far a sticking point may slide elastically; sets the tangential factor mu "
-                         "lambda / delta_t.",
+                         "delta_t: how far a sticking point may slide elastically; sets the tangential "
+                         "penalty factor mu lambda / delta_t.",
                          constants)),
       tangential_factor(section.number("Tangential factor",
                                        0.,
                                        Range::not_negative(),
                                        "force/length",
-                                       "Constant tangential factor per node; 0: from the allowed elastic slip.")),
+                                       "Constant tangential penalty factor; 0: from the allowed elastic slip.")),
       tangential_floor(section.number("Tangential floor factor",
                                       1e-3,
                                       Range::not_negative(),
                                       "1",
-                                      "Smallest tangential factor in units of the nodal stiffness K_tt."))
+                                      "Lower bound of the tangential penalty factor over the nodal stiffness K_tt."))
   {
   }
 } // namespace deltaform

@@ -7,8 +7,8 @@
 namespace deltaform
 {
   /**
-   * 1/(1 + k distance) with the mean curvature k of the tool over the thickness. With the curvature at the foot point
-   * the force would jump where a line meets an arc, and a node that comes to rest there would have no equilibrium.
+   * 1/(1 + k distance) with the mean curvature k of the tool over the thickness. With that at the closest point the
+   * force would jump where a line meets an arc, and a node that comes to rest there would have no equilibrium.
    */
   inline SlipTransfer slip_transfer(const Shape &shape, const double offset, const Projection &projection)
   {

@@ -7,11 +7,11 @@ namespace deltaform
 {
   namespace
   {
-    /// Is the force of the point, estimated and now, within the slack?
-    bool is_idle(const ContactPointState &state, const double gap, const double slack)
+    /// Is the force of the point, estimated and present, within the tolerance?
+    bool is_idle(const ContactPointState &state, const double gap, const double tolerance)
     {
-      return std::abs(state.multiplier) <= slack && std::abs(state.shift - state.penalty_factor * gap) <= slack &&
-             gap >= -state.delta;
+      const double force = state.shift - state.penalty_factor * gap;
+      return std::abs(state.multiplier) <= tolerance && std::abs(force) <= tolerance && gap >= -state.delta;
     }
   } // namespace
 
@@ -39,7 +39,8 @@ namespace deltaform
     if (situation.held && state.multiplier > 0)
       return respond(state, left, certainly);
     const NormalResponse response = respond(state, left, state.multiplier);
-    if (situation.slack > 0 && response.touching != state.touching && is_idle(state, left, situation.slack))
+    if (situation.status_tolerance > 0 && response.touching != state.touching &&
+        is_idle(state, left, situation.status_tolerance))
       return state.touching ? spring(state, left) : NormalResponse();
     return response;
   }

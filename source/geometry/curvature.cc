@@ -90,7 +90,7 @@ namespace deltaform
     const double whole = curve.slip(a, b);
     if (offset == 0. || whole == 0.)
       return whole;
-    // Where the integrand has kinks: the joints and their images, and the offset before and behind each.
+    // Where the integrand has kinks: the joints and their images, and the offset before and after each.
     const double first = std::min(a, a + whole), last = std::max(a, a + whole);
     std::vector<double> kinks{first, last};
     bool any = false;

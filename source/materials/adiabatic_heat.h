@@ -44,6 +44,6 @@ namespace deltaform
     std::unique_ptr<Softening> softening_;
     double heating_;
     std::optional<MetalHeat> conducts_;
-    unsigned int rise_; ///< its place in the history, behind that of the rate factor
+    unsigned int rise_; ///< its place in the history, after that of the rate factor
   };
 } // namespace deltaform

@@ -65,7 +65,7 @@ namespace deltaform
      * All start at zero. F. Yoshida, T. Uemori, A model of large-strain cyclic plasticity describing the Bauschinger
      * effect and workhardening stagnation, Int. J. Plasticity 18 (2002) 661. Their modulus: FallingModulus.
      *
-     * Backward Euler. The share of the increment in which the surface of stagnation moves is that behind the last point
+     * Backward Euler. The share of the increment in which the surface of stagnation moves is that beyond the last point
      * of the straight path of beta inside of it, so that R does not jump from one iteration to the next.
      */
     class YoshidaUemori final : public BackStress

@@ -28,11 +28,11 @@ namespace deltaform
       }
     };
 
-    RingStation at(const std::vector<RingStation> &ring, const double r)
+    RingPoint at(const std::vector<RingPoint> &ring, const double r)
     {
       auto above = std::upper_bound(ring.begin() + 1, ring.end() - 1, r,
-                                    [](const double value, const RingStation &station) { return value < station.r; });
-      const RingStation &a = *(above - 1), &b = *above;
+                                    [](const double value, const RingPoint &point) { return value < point.r; });
+      const RingPoint &a = *(above - 1), &b = *above;
       const double share = (r - a.r) / (b.r - a.r);
       const auto mean = [share](const double x, const double y) { return (1. - share) * x + share * y; };
       return {r, mean(a.radial, b.radial), mean(a.hoop, b.hoop), mean(a.stiffness, b.stiffness)};
@@ -42,7 +42,7 @@ namespace deltaform
     class PlateForms
     {
     public:
-      PlateForms(const std::vector<RingStation> &ring, const double nu)
+      PlateForms(const std::vector<RingPoint> &ring, const double nu)
         : nu_(nu)
       {
         const double inner = ring.front().r, h = (ring.back().r - inner) / n_elements;
@@ -88,7 +88,7 @@ namespace deltaform
         unsigned int element;
         double weight;
         Cubic shape;
-        RingStation ring;
+        RingPoint ring;
       };
 
       double nu_;
@@ -97,7 +97,7 @@ namespace deltaform
   } // namespace
 
 
-  Wrinkles wrinkle(const std::vector<RingStation> &ring, const double poisson_ratio, const double height)
+  Wrinkles wrinkle(const std::vector<RingPoint> &ring, const double poisson_ratio, const double height)
   {
     constexpr unsigned int most_waves = 60;
     const PlateForms forms(ring, poisson_ratio);

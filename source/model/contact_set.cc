@@ -405,9 +405,9 @@ namespace deltaform
   }
 
 
-  void ContactSet::allow_slack(const double force)
+  void ContactSet::allow_status_tolerance(const double force)
   {
     for (auto *interface : active_)
-      interface->allow_slack(force);
+      interface->allow_status_tolerance(force);
   }
 } // namespace deltaform

@@ -49,7 +49,7 @@ namespace deltaform
   }
 
 
-  std::vector<RingStation> FlangeWrinkling::flange(const Table &profile) const
+  std::vector<RingPoint> FlangeWrinkling::flange(const Table &profile) const
   {
     constexpr double largest_slope = .1;
     const std::size_t r = column(profile, "r"), z = column(profile, "z"), h = column(profile, "thickness"),
@@ -60,7 +60,7 @@ namespace deltaform
     const auto mean = [](const std::vector<double> &row, const std::size_t first) {
       return (row[first] + 4. * row[first + 1] + row[first + 2]) / 6.;
     };
-    std::vector<RingStation> result;
+    std::vector<RingPoint> result;
     for (std::size_t i = profile.rows.size(); i-- > 0;)
     {
       const auto &row = profile.rows[i];
@@ -81,7 +81,7 @@ namespace deltaform
     std::reverse(result.begin(), result.end());
     // On the axis there is no inner edge: a sheet that is flat as a whole has not begun.
     constexpr std::size_t fewest = 4;
-    return result.size() < fewest || !(result.front().r > 0.) ? std::vector<RingStation>() : result;
+    return result.size() < fewest || !(result.front().r > 0.) ? std::vector<RingPoint>() : result;
   }
 
 

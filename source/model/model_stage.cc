@@ -16,7 +16,7 @@ namespace deltaform
     time_ = state_.time = stage.begin;
     auto lost = contact_.begin_stage(stage.begin, discretization_.numbering().size[0], state_.unknowns);
     supports_.hold(state_);
-    if (std::exchange(inherits_, false))
+    if (std::exchange(starts_formed_, false))
       book_.release_inherited(body_, stage, state_);
     return lost;
   }
@@ -27,7 +27,7 @@ namespace deltaform
     actors_.blank->take_formed(formed, state_.unknowns);
     const BlankEnergy energy = actors_.blank->energy();
     state_.work.loads = energy.elastic + energy.plastic - energy.normal; // what the earlier operation has put in
-    inherits_ = true;
+    starts_formed_ = true;
   }
 
 

@@ -36,7 +36,7 @@ namespace deltaform
     if (steps >= most_values)
       throw std::invalid_argument("more than " + fmt::format("{:g}", most_values) + " values");
     std::vector<std::string> result;
-    // Sums of decimal steps end a little before or behind the last value.
+    // Sums of decimal steps end a little before or after the last value.
     for (int i = 0; i <= std::floor(steps * (1 + 1e-12) + 1e-9); ++i)
       result.push_back(fmt::format("{:.12g}", first + i * step));
     return result;

@@ -34,17 +34,17 @@ namespace deltaform
       void ended(const Model &, const RunOutcome &outcome) override
       {
         // Not before the other files are complete: until then, going on from the state before gives the same.
-        folder_.behind().wait();
+        folder_.writer().wait();
         if (outcome.state)
           save_state(*outcome.state);
-        folder_.behind().wait();
+        folder_.writer().wait();
       }
 
     private:
       /// After the pictures that it counts on.
       void save_state(Checkpoint state)
       {
-        folder_.behind().run([state = std::move(state), folder = folder_.name()]() { state.write(folder); });
+        folder_.writer().run([state = std::move(state), folder = folder_.name()]() { state.write(folder); });
         saved_at_ = folder_.timers().total();
       }
 

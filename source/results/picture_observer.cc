@@ -185,7 +185,7 @@ namespace deltaform
               drawings.push_back(outline(points, i));
             }
         last_picture_ = time;
-        folder_.behind().run([series = series_, folder = folder_.name(), units = folder_.units(), time, parts,
+        folder_.writer().run([series = series_, folder = folder_.name(), units = folder_.units(), time, parts,
                               drawings = std::move(drawings)]() {
           for (std::size_t part = 0; part < parts.size(); ++part)
             write_vtu(folder + "/" + parts[part].file, drawings[part], units);
@@ -195,7 +195,7 @@ namespace deltaform
 
       ResultsFolder &folder_;
       const OutputSettings &output_;
-      std::shared_ptr<PictureSeries> series_; ///< written by the tasks behind
+      std::shared_ptr<PictureSeries> series_; ///< written by the background tasks
       double time_ = 0.; ///< of the last accepted increment, and its stage
       std::string stage_;
       unsigned int n_pictures_ = 0, next_frame_ = 0;

@@ -53,6 +53,6 @@ namespace deltaform
     journal_.open_log(path("run.log"), resumed);
     // Before the first file of the same kind is written.
     if (!resumed)
-      behind_.run([folder = folder_]() { remove_earlier_results(folder); });
+      writer_.run([folder = folder_]() { remove_earlier_results(folder); });
   }
 } // namespace deltaform

@@ -35,7 +35,7 @@ namespace deltaform
 
       void ended(const Model &model, const RunOutcome &outcome) override
       {
-        folder_.behind().wait();
+        folder_.writer().wait();
         const std::string summary =
           summary_.json(model, outcome, folder_.title(), folder_.units_label(), folder_.timers().total());
         // The summary comes last: where it says that a run is done, nothing is missing.

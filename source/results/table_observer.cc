@@ -68,11 +68,11 @@ namespace deltaform
           labels_.insert(label += "_" + stage_);
         auto head = folder_.comments();
         head.push_back("stage " + stage_ + ", travel of the main tool (or time): " + text::format(now.travel));
-        folder_.behind().run([path = folder_.path("profile_" + label + ".csv"), profile = now.profile, head,
+        folder_.writer().run([path = folder_.path("profile_" + label + ".csv"), profile = now.profile, head,
                               units = folder_.units()]() { write_table(path, head, profile, units); });
         if (model.actors().tools.empty())
           return;
-        folder_.behind().run([contact_path = folder_.path("contact_" + label + ".csv"), contact = now.contact,
+        folder_.writer().run([contact_path = folder_.path("contact_" + label + ".csv"), contact = now.contact,
                               tools_path = folder_.path("tools_" + label + ".csv"), tools = now.outlines, head,
                               units = folder_.units()]() {
           write_table(contact_path, head, contact.columns, contact.rows, units);

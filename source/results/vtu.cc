@@ -8,7 +8,7 @@
 #include <ostream>
 
 // The format: https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html, arrays appended as raw bytes,
-// each behind its size in bytes (UInt64). Written here and not by deal.II's DataOutBase, which has them in base64: a
+// each after its size in bytes (UInt64). Written here and not by deal.II's DataOutBase, which has them in base64: a
 // third more bytes and most of the time.
 
 namespace deltaform

@@ -78,7 +78,7 @@ namespace deltaform
 
   void Scene::check_columns(Section root) const
   {
-    // What the columns of history.csv begin with, and the name behind it.
+    // What the columns of history.csv begin with, and the name after it.
     std::map<std::string, std::string> taken;
     const auto take = [&](const char *section, const std::string &name, const std::vector<std::string> &endings) {
       for (const auto &ending : endings)

@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(strategies_wait_for_their_effort)
   BOOST_TEST((effort("plain") == Effort::first));
   BOOST_TEST((effort("soft first touch") == Effort::usual));
   BOOST_TEST((effort("damped") == Effort::last_resorts));
-  BOOST_TEST((effort("damped with slack") == Effort::last_resorts));
+  BOOST_TEST((effort("damped with status tolerance") == Effort::last_resorts));
   // The first attempt is Newton's method alone.
   Fixture fixture;
   Increment both(fixture.problem, fixture.newton, fixture.steps, make_ladder({"damped", "plain"}));
@@ -283,7 +283,7 @@ BOOST_AUTO_TEST_CASE(a_signal_ends_the_ladder)
   BOOST_TEST(n_tried(false) > 1);
 }
 
-BOOST_AUTO_TEST_CASE(slack_is_not_tried_far_from_equilibrium)
+BOOST_AUTO_TEST_CASE(tolerance_is_not_tried_far_from_equilibrium)
 {
   // No step leads anywhere: plain, the soft first touch that the problem declines, damped, and nothing after it.
   Fixture fixture;

@@ -85,9 +85,9 @@ namespace
       return 0;
     }
 
-    void allow_slack(const double force) override
+    void allow_status_tolerance(const double force) override
     {
-      slack = force;
+      status_tolerance = force;
     }
 
     bool consistent(const double) const override
@@ -124,7 +124,7 @@ namespace
     }
 
     Function internal, slope;
-    double load, spring = 0., largest_step = 1e300, step = 0., slack = 0.;
+    double load, spring = 0., largest_step = 1e300, step = 0., status_tolerance = 0.;
     std::function<bool(double)> allowed = [](double) { return true; };
     unsigned int n_corrections = 0;
     mutable unsigned int n_inconsistent = 0;
@@ -376,20 +376,20 @@ BOOST_AUTO_TEST_CASE(damped_steps_snap_through)
   const auto &r = damped.residuals;
   BOOST_REQUIRE(r.size() > 3u);
   BOOST_TEST(r.back() < .1 * r[r.size() - 2]);
-  BOOST_TEST(problem.slack == 0.);
+  BOOST_TEST(problem.status_tolerance == 0.);
 }
 
-BOOST_AUTO_TEST_CASE(slack_is_allowed_only_when_asked_and_after_some_iterations)
+BOOST_AUTO_TEST_CASE(status_tolerance_is_allowed_only_when_asked_and_after_some_iterations)
 {
   Scalar problem = stiffening(1e6);
   BOOST_TEST(problem.solve(0., {}, 0., NewtonVariant::damped).converged());
-  BOOST_TEST(problem.slack == 0.);
-  const auto result = problem.solve(0., {}, 0., NewtonVariant::with_slack);
+  BOOST_TEST(problem.status_tolerance == 0.);
+  const auto result = problem.solve(0., {}, 0., NewtonVariant::with_tolerance);
   BOOST_TEST(result.converged());
   BOOST_REQUIRE(result.iterations > 4u);
   // In forces: the tolerance of the residual times the scale of the forces, which is near the load.
-  BOOST_TEST(problem.slack > 0.);
-  BOOST_TEST(problem.slack < 1e-4 * 1e6);
+  BOOST_TEST(problem.status_tolerance > 0.);
+  BOOST_TEST(problem.status_tolerance < 1e-4 * 1e6);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

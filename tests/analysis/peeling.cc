@@ -140,7 +140,7 @@ namespace
       return true;
     }
 
-    void allow_slack(double) override
+    void allow_status_tolerance(double) override
     {
     }
 

@@ -124,7 +124,7 @@ namespace deltaform
         return 2;
       }
 
-      void allow_slack(double) override
+      void allow_status_tolerance(double) override
       {
       }
 

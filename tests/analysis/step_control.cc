@@ -89,13 +89,13 @@ BOOST_AUTO_TEST_CASE(failures_cut_back)
   control.accept(1);
   BOOST_TEST(std::abs(control.increment() - .0225) < 1e-15);
   BOOST_TEST(control.reject(.02));
-  BOOST_TEST(!control.leaping());
+  BOOST_TEST(!control.tries_longer());
   // At the smallest increment longer ones are tried, up to the largest one, and then no more.
   for (const double expected : {.1, .1, .1, .1})
   {
     BOOST_TEST(control.reject(.01));
     BOOST_TEST(control.increment() == expected);
-    BOOST_TEST(control.leaping());
+    BOOST_TEST(control.tries_longer());
   }
   BOOST_TEST(!control.reject(.01));
 }

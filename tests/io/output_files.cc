@@ -1,7 +1,7 @@
 #include <deltaform/io/atomic_file.h>
+#include <deltaform/io/background_writer.h>
 #include <deltaform/io/csv_writer.h>
 #include <deltaform/io/result_error.h>
-#include <deltaform/io/write_behind.h>
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/process/timers.h>
 
@@ -94,9 +94,9 @@ BOOST_AUTO_TEST_CASE(files_are_written_behind)
   bool go = false;
   std::string order;
   std::thread::id writer;
-  WriteBehind behind;
-  behind.wait(); // nothing to wait for
-  behind.run(
+  BackgroundWriter files;
+  files.wait(); // nothing to wait for
+  files.run(
     [&]() {
       std::unique_lock<std::mutex> lock(mutex);
       said.wait(lock, [&]() { return go; });
@@ -109,17 +109,17 @@ BOOST_AUTO_TEST_CASE(files_are_written_behind)
     go = true;
   }
   said.notify_one();
-  behind.run([&]() { order += "b"; });
-  behind.wait();
+  files.run([&]() { order += "b"; });
+  files.wait();
   BOOST_TEST(order == "ab");
   BOOST_TEST((writer != std::this_thread::get_id()));
 
   // What goes wrong is heard of, and what was to follow is not done.
-  behind.run([]() { throw SceneError("the disk is full"); });
+  files.run([]() { throw SceneError("the disk is full"); });
   check_contains(message_of<SceneError>(
                    [&]() {
-                     behind.run([&]() { order += "c"; });
-                     behind.wait();
+                     files.run([&]() { order += "c"; });
+                     files.wait();
                    }),
                  {"the disk is full"});
   BOOST_TEST(order == "ab");
@@ -130,25 +130,25 @@ BOOST_AUTO_TEST_CASE(a_slow_disk_holds_up_nothing_until_four_tasks_wait)
   std::promise<void> disk;
   const auto ready = disk.get_future().share();
   std::string order;
-  WriteBehind behind;
+  BackgroundWriter files;
   std::promise<void> four;
   auto caller = std::async(std::launch::async,
                            [&]() {
                              for (const char *const name : {"a", "b", "c", "d"})
-                               behind.run(
+                               files.run(
                                  [&order, ready, name]() {
                                    ready.wait();
                                    order += name;
                                  });
                              four.set_value();
-                             behind.run([&order]() { order += "e"; });
+                             files.run([&order]() { order += "e"; });
                            });
   // Four were taken while nothing could be written; a fifth has to wait for the first.
   BOOST_TEST((four.get_future().wait_for(std::chrono::seconds(20)) == std::future_status::ready));
   BOOST_TEST((caller.wait_for(std::chrono::milliseconds(50)) == std::future_status::timeout));
   disk.set_value();
   caller.get();
-  behind.wait();
+  files.wait();
   BOOST_TEST(order == "abcde");
 }
 

@@ -11,10 +11,10 @@ namespace
 {
   /// A ring from @p inner to 1 of unit stiffness.
   template <typename Forces>
-  std::vector<RingStation> ring(const double inner, const Forces &forces)
+  std::vector<RingPoint> ring(const double inner, const Forces &forces)
   {
     constexpr unsigned int n = 400;
-    std::vector<RingStation> result;
+    std::vector<RingPoint> result;
     for (unsigned int i = 0; i <= n; ++i)
     {
       const double r = inner + (1. - inner) * i / n;

@@ -65,7 +65,7 @@ namespace
     {
       analysis.add(std::move(observer));
       const int status = analysis.run();
-      results.behind().wait();
+      results.writer().wait();
       return status;
     }
 
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_went_back_knows_where_it_is)
     run.analysis.advance();
   run.analysis.set_state(half);
   BOOST_TEST(run.analysis.run() == exit_status::done);
-  run.results.behind().wait();
+  run.results.writer().wait();
   const auto files = run.files();
   BOOST_TEST(files.count("profile_0.05_press.csv") == 1u);
   BOOST_TEST(files.count("profile_0.025_press.csv") == 0u);

@@ -59,9 +59,9 @@ run(0, "results in", *few, where=straight)
 run(2, "20 increments are done (Solver/Maximal increments)", *few, "--set", "Solver/Maximal increments=20", where=short)
 # Nobody goes back in time; what had stopped is not called finished, unless it stopped just where it is now to end.
 earlier = ["--set", "Steps/form/End time=0.1", "--resume"]
-run(1, "behind the end 0.1 that the scene asks for (Steps); the run had stopped there with status 2", *few, *earlier,
+run(1, "after the end 0.1 that the scene asks for (Steps); the run had stopped there with status 2", *few, *earlier,
     where=short)
-run(0, "is finished, at time 1, behind the end 0.1", *few, *earlier, where=straight)
+run(0, "is finished, at time 1, after the end 0.1", *few, *earlier, where=straight)
 copy = folder / "copy"
 shutil.copytree(short, copy)
 stopped_at = json.loads((copy / "summary.json").read_text())["time"]

@@ -22,7 +22,7 @@ namespace deltaform
     /// @param scale of every unknown
     Damping(System &system, const std::vector<double> &scale);
 
-    /// Forget the last solve.
+    /// Discard the last solve.
     void restart()
     {
       c_ = 0.;

@@ -53,7 +53,7 @@ namespace deltaform
   {
     plain,
     damped, ///< see Damping
-    with_slack ///< damped, and inequalities that carry next to nothing need not decide whether they are active
+    with_tolerance ///< damped; inequalities with forces below a tolerance keep their status
   };
 
   /**

@@ -57,9 +57,9 @@ namespace deltaform
     bool reject(double tried);
 
     /// Do shorter increments not help?
-    bool leaping() const
+    bool tries_longer() const
     {
-      return leaps_ > 0;
+      return longer_tries_ > 0;
     }
 
     double increment() const
@@ -87,8 +87,8 @@ namespace deltaform
 
   private:
     const StepSettings &settings_;
-    static constexpr unsigned int most_leaps = 4;
-    unsigned int leaps_ = 0; ///< tries of longer increments since the last one was accepted
+    static constexpr unsigned int most_longer_tries = 4;
+    unsigned int longer_tries_ = 0; ///< tries of longer increments since the last one was accepted
     double end_, smallest_, largest_, increment_;
     std::vector<double> meet_;
     unsigned int shortened_ = 0; ///< iterations of the increment that was the last to make the next one shorter

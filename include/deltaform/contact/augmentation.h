@@ -18,12 +18,12 @@ namespace deltaform
   public:
     /**
      * @param depth    number of earlier rounds that the acceleration looks back to; 0: plain Uzawa
-     * @param patience after every so many rounds ten times the gap is accepted, up to delta, which is the promise: a
+     * @param patience after every so many rounds ten times the gap is accepted, up to delta, which is allowed: a
      * node at the edge of the contact zone may come and go with the shifts for ever
      */
     explicit Augmentation(unsigned int depth, unsigned int patience = 12);
 
-    /// An increment begins: forget the earlier rounds.
+    /// An increment begins: discard the earlier rounds.
     void restart();
 
     /// New shifts for all points. @return how many points had to change; 0: all gaps are small enough
@@ -37,7 +37,7 @@ namespace deltaform
     static bool collect(const ContactInterface &interface, double relaxation, Values &shifts, Values &forces);
 
     /// The earlier rounds belong to another problem.
-    void forget();
+    void discard();
 
     /// Remember what has changed since the last round.
     void look_back(const Values &shift, const Values &change);

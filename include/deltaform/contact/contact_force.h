@@ -16,7 +16,7 @@ namespace deltaform
 
   /**
    * Force of a tool on a contact point, F = lambda N - t s tau with N the normal, tau the tangent of the tool and s =
-   * d(foot point)/d(point), averaged. Derivation with its derivatives: doc/theory/contact.md.
+   * d(closest point)/d(point), averaged. Derivation with its derivatives: doc/theory/contact.md.
    */
   class ContactForce
   {

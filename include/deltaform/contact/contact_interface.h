@@ -166,9 +166,9 @@ namespace deltaform
     /// Until the end of this increment a point with a smaller force than @p force, pressure or tension, stays what it
     /// is, touching or not. Where a flat part of the blank lies on a flat tool no point carries a force; all states are
     /// solutions, and the iteration would choose among them for ever.
-    void allow_slack(const double force)
+    void allow_status_tolerance(const double force)
     {
-      iteration_.allow_slack(force);
+      iteration_.allow_status_tolerance(force);
     }
 
     /// Did a point gain or lose contact in the last assembly?
@@ -186,7 +186,7 @@ namespace deltaform
       return trial_.free_travel();
     }
 
-    /// Set the forces at zero gap of all points, from @p next on. @return the position behind them
+    /// Set the forces at zero gap of all points, from @p next on. @return the position after them
     const double *set_shifts(const double *next);
 
     void commit(const Vector &q);
@@ -203,7 +203,7 @@ namespace deltaform
     /// work of changing factors.
     void transfer(const Vector &q, const std::vector<std::array<unsigned int, 2>> &parents);
 
-    /// The tool leaves: hand the forces of the accepted equilibrium over to @p target and forget all contact. They are
+    /// The tool leaves: hand the forces of the accepted equilibrium over to @p target and discard all contact. They are
     /// those that were in balance; the law evaluated again would find others, because the thickness was updated since.
     void release(const Vector &q, AssemblyTarget &target);
 

@@ -15,7 +15,7 @@ namespace deltaform
   /**
    * The iterations of an increment as an interface sees them: forces and status of its points at the present unknowns,
    * what they add to residual and tangent, and what a Newton step makes of the estimates of lambda. States come from
-   * the interface; what is kept here is forgotten when the next increment begins.
+   * the interface; what is kept here is discarded when the next increment begins.
    */
   class ContactIteration
   {
@@ -58,7 +58,7 @@ namespace deltaform
       at_start_ = true;
       for (auto &work : work_)
         work.foreseen.reset();
-      slack_ = 0.;
+      status_tolerance_ = 0.;
     }
 
     /// Residual and tangent of all points at @p q. @p shift: way of the tool. @p tool_load: force of a force-driven one
@@ -75,9 +75,9 @@ namespace deltaform
     void prepare_step(const Vector &d, const Points &committed, const Points &trial);
     void advance(double factor, Points &trial);
 
-    void allow_slack(const double force)
+    void allow_status_tolerance(const double force)
     {
-      slack_ = std::max(slack_, force);
+      status_tolerance_ = std::max(status_tolerance_, force);
     }
 
     bool status_changed() const
@@ -100,7 +100,7 @@ namespace deltaform
     }
 
   private:
-    /// What is computed of a point in an iteration and forgotten.
+    /// What is computed of a point in an iteration and discarded.
     struct Work
     {
       ContactPoint point; ///< at the last assembly
@@ -147,7 +147,7 @@ namespace deltaform
     std::vector<Work> work_;
     bool status_changed_ = false;
     bool at_start_ = false; ///< no step has been made in this increment: only the last one knows who touches
-    double slack_ = 0; ///< see ContactInterface::allow_slack()
+    double status_tolerance_ = 0; ///< see ContactInterface::allow_status_tolerance()
     Tensor1 tool_force_;
   };
 } // namespace deltaform

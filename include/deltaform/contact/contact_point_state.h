@@ -23,7 +23,7 @@ namespace deltaform
     double delta = 0; ///< allowed penetration
     double stiffness = 0; ///< K_nn of the blank when the penalty factor was set
     double compliance = 0; ///< through the thickness, of a touching point (ContactPoint::compliance)
-    double arc_length = 0; ///< of the foot point
+    double arc_length = 0; ///< of the closest point
     double tangential_force = 0; ///< along growing arc length of the tool, on the tool
     double tangential_factor = 0; ///< eps_t (force/length)
     double slip_start = 0; ///< arc length where the slip of a first touch starts

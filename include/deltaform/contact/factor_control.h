@@ -15,7 +15,7 @@ namespace deltaform
   /**
    * The factors of the springs between blank and tool: the normal ones by the penalty rule, the tangential ones by the
    * allowed elastic slip. They are predicted when an increment begins and when a point touches for the first time,
-   * frozen in a Newton solve, and corrected after it until the promise p <= delta is kept. Where a solve does not
+   * frozen in a Newton solve, and corrected after it until penetration <= delta is kept. Where a solve does not
    * converge those of first touches are softened for a while.
    */
   class FactorControl
@@ -73,7 +73,7 @@ namespace deltaform
       return softening_ < 1 && !before.touching ? softening_ : 1.;
     }
 
-    /// Is the floor larger than what delta asks for at point @p i?
+    /// Is the lower bound larger than what delta asks for at point @p i?
     bool governed_by_floor(unsigned int i, const Points &points) const;
 
     /// The point that breaks the promise most, beyond round-off, and its p/delta; invalid_index: none does.

@@ -23,7 +23,7 @@ namespace deltaform
   {
     double normal_force = 0; ///< lambda (force)
     double committed = 0; ///< t at the last accepted increment (force)
-    double slip_increment = 0; ///< change of the foot point's arc length since then
+    double slip_increment = 0; ///< change of the closest point's arc length since then
     double stiffness = 0; ///< eps_t > 0 (force/length)
     double area = 0; ///< tributary area
     double slip = 0; ///< path of sliding until the last accepted increment (length)

@@ -39,7 +39,7 @@ namespace deltaform
     /// First touch of point @p i within an increment: its slip starts where it was when the increment began.
     void start_slip(unsigned int i, const ContactPointState &before, ContactPointState &now) const;
 
-    /// Force of point @p i, whose face is @p offset away from its place, with its foot point @p foot, at the normal
+    /// Force of point @p i, whose face is @p offset away from its place, with its closest point @p foot, at the normal
     /// force @p normal_force.
     FrictionResponse respond(unsigned int i,
                              const ContactPointState &before,
@@ -64,7 +64,7 @@ namespace deltaform
                         const ContactPointState &now,
                         double normal_force) const;
 
-    /// Arc length of the foot point where the slip of this increment starts.
+    /// Arc length of the closest point where the slip of this increment starts.
     static double start(const ContactPointState &before, const ContactPointState &now)
     {
       return before.touching ? before.arc_length : now.slip_start;

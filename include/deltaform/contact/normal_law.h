@@ -28,7 +28,7 @@ namespace deltaform
     double gap = 0; ///< between the tool and the face, which has not yet given way
     double compliance = 0; ///< [length/force] of the face: the through-thickness compliance
     double share = 1; ///< of the stiffness that counts: less than 1 while a first touch is stiffened step by step
-    double slack = 0; ///< a smaller force, pressure or tension, does not change whether the point touches
+    double status_tolerance = 0; ///< a smaller force, pressure or tension, does not change whether the point touches
     std::optional<bool> foreseen; ///< the set of touching points is given, and the point belongs to it or not
     bool held = false; ///< the point touched in the accepted state, and no step has been made since: it still does
   };
@@ -122,7 +122,7 @@ namespace deltaform
     {
     }
 
-    /// Does a point with this response add anything?
+    /// Does a point with this response add to residual or tangent?
     virtual bool acts(const NormalResponse &response) const
     {
       return response.touching;
@@ -142,7 +142,7 @@ namespace deltaform
     {
     }
 
-    /// The equation of a point that is passed over.
+    /// The equation of a point that is too far away to be evaluated.
     virtual void close(const Vector & /*q*/, const DofIndex /*own*/, AssemblyTarget & /*target*/) const
     {
     }

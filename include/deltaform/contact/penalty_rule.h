@@ -31,10 +31,10 @@ namespace deltaform
     /// Factor after a converged solve. Returning previous_factor accepts the point as it is.
     virtual double correct(const PenaltyInput &input) const = 0;
 
-    /// Lower bound of the factor that does not come from delta (for the reported share of the floor); 0: none.
+    /// Lower bound of the factor that does not come from delta (for the column floor_share); 0: none.
     virtual double floor(const PenaltyInput &input) const = 0;
 
-    /// Does the rule promise p <= delta? If so, a violation ends the run with exit status 3.
+    /// Does the rule promise penetration <= delta? If so, a violation ends the run with exit status 3.
     virtual bool promises() const = 0;
 
     /// Is predict() called in every Newton iteration with the current force, penetration and coupling?

@@ -7,7 +7,7 @@ namespace deltaform
   /// At a place that is no joint of segments; of a corner 0. Convex positive (1/length), as all below.
   double curvature(const Curve &curve, double arc_length);
 
-  /// Mean curvature between the places @p reach before and behind @p arc_length: without the jumps of the curvature
+  /// Mean curvature between the places @p reach before and after @p arc_length: without the jumps of the curvature
   /// where lines and arcs join. Corners count as straight.
   double mean_curvature(const Curve &curve, double arc_length, double reach);
 
@@ -25,7 +25,7 @@ namespace deltaform
   /// Smallest radius of the arcs that is not zero (infinity without arcs).
   double smallest_radius(const Curve &curve);
 
-  /// Smallest radius of the arcs between two foot points, the short way round if the curve is closed; 0 if there is a
+  /// Smallest radius of the arcs between two places, the short way round if the curve is closed; 0 if there is a
   /// sharp corner that points to the blank; infinity if all is straight.
   double smallest_radius(const Curve &curve, double from, double to);
 } // namespace deltaform

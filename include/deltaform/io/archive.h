@@ -9,7 +9,7 @@
 
 namespace deltaform
 {
-  /// Save or load a vector of plain values as its bytes, so that a member that is added later is not forgotten; a type
+  /// Save or load a vector of plain values as its bytes, so that a member that is added later is not left out; a type
   /// with gaps between its members fills them. For archives that are read by the program that wrote them.
   template <typename Archive, typename Values>
   void archive_plain(Archive &archive, Values &values)

@@ -5,8 +5,8 @@
 
 namespace deltaform
 {
-  /// A station across a flat ring of sheet.
-  struct RingStation
+  /// A point across a flat ring of sheet.
+  struct RingPoint
   {
     double r; ///< radius (length)
     double radial, hoop; ///< membrane forces, positive in tension (force/length)
@@ -28,12 +28,12 @@ namespace deltaform
    *   int D {w''^2 + k^2 + 2 nu w'' k + 2 (1 - nu) n^2 (w'/r - w/r^2)^2} r dr,   k = w'/r - n^2 w/r^2,
    *   -int {N_r w'^2 + N_phi (n w/r)^2} r dr,
    *
-   * with cubic elements. A holder of the pressure p, which waves of the height h lift by all of it, keeps them down
+   * with cubic elements. A holder of the pressure p, which waves of the height h lift by h, keeps them down
    * where the energy that they set free is less than its work p A h. (S. P. Timoshenko, J. M. Gere, Theory of Elastic
    * Stability, McGraw-Hill 1961; of flanges: B. W. Senior, J. Mech. Phys. Solids 4 (1956) 235.)
    *
-   * @param ring from the inner edge to the outer one, two stations at least; linear between them
+   * @param ring from the inner edge to the outer one, two points at least; linear between them
    * @param height of the waves from trough to crest (length)
    */
-  Wrinkles wrinkle(const std::vector<RingStation> &ring, double poisson_ratio, double height);
+  Wrinkles wrinkle(const std::vector<RingPoint> &ring, double poisson_ratio, double height);
 } // namespace deltaform

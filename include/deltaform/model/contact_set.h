@@ -60,7 +60,7 @@ namespace deltaform
     std::vector<std::string> save() const;
     void load(const std::vector<std::string> &bytes);
 
-    /// An increment that ends at @p time begins; what was tried before is forgotten.
+    /// An increment that ends at @p time begins; what was tried before is discarded.
     void begin_increment(double time);
 
     /// Start the continuation of first touches. @return false if no interface exists
@@ -79,7 +79,7 @@ namespace deltaform
     /// After convergence: @return how many penalty factors and shifts were changed
     unsigned int correct();
 
-    /// Where the promise p <= delta is broken in the trial state, in words; empty if it is kept or none was made.
+    /// Where penetration <= delta is broken in the trial state, in words; empty if it is kept or none was made.
     std::string broken_promise(const Vector &committed) const;
 
     /// Longest allowed undeformed edges of both sides of the blank, edge by edge.
@@ -108,7 +108,7 @@ namespace deltaform
     bool changed() const override;
     unsigned int patience() const override;
     bool consistent(double allowed_tension) const override;
-    void allow_slack(double force) override;
+    void allow_status_tolerance(double force) override;
     ///@}
 
   private:

@@ -37,8 +37,8 @@ namespace deltaform
     /// pull by up to @p allowed_tension.
     virtual bool consistent(double allowed_tension) const = 0;
 
-    /// From now on constraints with forces up to @p force need not change between active and inactive.
-    virtual void allow_slack(double force) = 0;
+    /// From now on inequalities with forces up to @p force keep their status, active or not.
+    virtual void allow_status_tolerance(double force) = 0;
   };
 
 

@@ -46,7 +46,7 @@ namespace deltaform
     Result judge(const Table &profile, const std::vector<ContactInterface *> &interfaces) const;
 
     /// What of a profile lies flat, from its inner edge to the rim; empty: nothing.
-    std::vector<RingStation> flange(const Table &profile) const;
+    std::vector<RingPoint> flange(const Table &profile) const;
 
   private:
     FlangeWrinkling() = default;

@@ -27,7 +27,7 @@ namespace deltaform
     /// until then.
     void renew_loads(ModelState &state) const;
 
-    /// What ends with the stage of @p state becomes forces that fade out; contact of tools that leave is forgotten.
+    /// What ends with the stage of @p state becomes forces that fade out; contact of tools that leave is discarded.
     /// Loads that act in the next stage for the first time begin.
     void release(const std::string &next_stage, ModelState &state) const;
 

@@ -12,7 +12,7 @@ namespace deltaform
   class IncrementProblem : public Equations
   {
   public:
-    /// Look for the state at @p time from the committed one; what was tried before is forgotten. @param ratio of the
+    /// Look for the state at @p time from the committed one; what was tried before is discarded. @param ratio of the
     /// length of this increment to that of the one before; 0: there is none that it continues
     virtual void begin(double time, double ratio) = 0;
 
@@ -31,7 +31,7 @@ namespace deltaform
     /// Of the step @p dq from the committed state to the one that was assembled last.
     virtual IncrementSize increment_size(const Vector &dq) const = 0;
 
-    /// Where the promise p <= delta is broken in the state assembled last, in words; empty if it is kept.
+    /// Where penetration <= delta is broken in the state assembled last, in words; empty if it is kept.
     virtual std::string broken_promise() const = 0;
 
     /// Do forces of the last stage vanish in this increment?

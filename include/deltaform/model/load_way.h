@@ -13,7 +13,7 @@ namespace deltaform
    * f the forces of a unit load. Of a pressure it is the volume that its face sweeps, of an edge load the displacement
    * times the edge's length. f is a polynomial in q of second order at most, so that two Gauss points are exact.
    *
-   * A load that follows a way has its size p as an unknown behind those of the sparse matrix, with the equation
+   * A load that follows a way has its size p as an unknown after those of the sparse matrix, with the equation
    * V(q) = V*. With R = -p f in the rows of the blank, the sum of both is the derivative of -p (V - V*): the tangent is
    * symmetric, and regular where dp = 0. (Control by what grows: J. L. Batoz, G. Dhatt, Int. J. Numer. Meth. Eng. 14
    * (1979) 1262; here the displacement is a volume.)

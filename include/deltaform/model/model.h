@@ -104,7 +104,7 @@ namespace deltaform
     /// Before the first stage: the blank is what an earlier operation has formed. What had held it fades out.
     void start_from(const KeyedArrays &formed);
 
-    /// Forget what was tried since the last commit. @param time of the state that is looked for next
+    /// Discard what was tried since the last commit. @param time of the state that is looked for next
     void discard(double time);
 
     /// Mark what blank and contact want to be finer. @return is anything marked? Nothing while released forces fade out
@@ -241,7 +241,7 @@ namespace deltaform
     bool energies_wanted_ = true;
 
     ModelState state_; ///< committed; body and contact points are with the blank and the interfaces
-    bool inherits_ = false; ///< the forces that keep a blank in equilibrium which comes from an earlier operation
+    bool starts_formed_ = false; ///< the blank comes from an earlier operation, whose forces fade out
     double time_ = 0; ///< at the end of the increment that is tried
     std::function<void(const System &)> before_contact_; ///< mostly empty
   };

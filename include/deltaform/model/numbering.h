@@ -53,7 +53,7 @@ namespace deltaform
     std::vector<Vector> rigid_motions(const Blank &blank) const;
 
   private:
-    /// Multipliers live behind the last rows of the blank.
+    /// Multipliers come after the last rows of the blank.
     void share_rows(const Blank &blank);
     void couple_multipliers(const ContactInterface &interface);
     void measure(const Blank &blank);

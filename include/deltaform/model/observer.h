@@ -62,7 +62,7 @@ namespace deltaform
     {
     }
 
-    /// Asked behind before(): does it want the tangent without contact of every assembly of this increment?
+    /// Asked after before(): does it want the tangent without contact of every assembly of this increment?
     virtual bool wants_tangent() const
     {
       return false;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/io/write_behind.h>
+#include <deltaform/io/background_writer.h>
 #include <deltaform/process/folder_lock.h>
 #include <deltaform/process/journal.h>
 #include <deltaform/process/timers.h>
@@ -81,9 +81,9 @@ namespace deltaform
     }
 
     /// Does tasks one after the other; they must own what they need.
-    WriteBehind &behind()
+    BackgroundWriter &writer()
     {
-      return behind_;
+      return writer_;
     }
 
   private:
@@ -93,6 +93,6 @@ namespace deltaform
     std::vector<std::string> comments_;
     Journal &journal_;
     Timers &timers_;
-    WriteBehind behind_;
+    BackgroundWriter writer_;
   };
 } // namespace deltaform

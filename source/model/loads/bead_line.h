@@ -63,7 +63,7 @@ namespace deltaform
     BeadHistory history;
 
   private:
-    /// Sheet at the bead: the node before and behind, and where between them.
+    /// Sheet at the bead: the node before and after it, and where between them.
     struct Foot
     {
       unsigned int node = invalid_index; ///< and the next; invalid_index: no sheet

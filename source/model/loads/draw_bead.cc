@@ -118,11 +118,12 @@ namespace deltaform
       {
         const std::map<std::string, double> constants{{"thickness", blank.initial_thickness()}};
         BeadLengths result{};
-        result.place = section.number("Place", required(.5), Range::any(), "length", "r that the sheet passes.");
+        result.place =
+          section.number("Place", required(.5), Range::any(), "length", "r of the bead, which the sheet passes.");
         result.length = section.number("Length", required(.1), Range::positive(), "length",
-                                       "Sheet that must pass until the bead holds fully: the path through the bead.");
+                                       "Path through the bead: so much sheet must pass until it holds fully.");
         result.elastic_slip = section.function("Elastic slip", "thickness/100", "length",
-                                               "By which it holds fully where the sheet turns back, and lets go.",
+                                               "Slip over which the force reverses where the sheet turns back.",
                                                constants)(0.);
         if (!(result.elastic_slip > 0.) || !std::isfinite(result.elastic_slip) || result.elastic_slip > result.length)
           section.fail("Elastic slip", "must be positive, and at most the length of the bead");

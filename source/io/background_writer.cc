@@ -1,4 +1,4 @@
-#include <deltaform/io/write_behind.h>
+#include <deltaform/io/background_writer.h>
 #include <deltaform/process/ranks.h>
 
 #include <chrono>
@@ -6,7 +6,7 @@
 
 namespace deltaform
 {
-  void WriteBehind::run(std::function<void()> task)
+  void BackgroundWriter::run(std::function<void()> task)
   {
     if (!ranks::first())
       return;
@@ -30,7 +30,7 @@ namespace deltaform
   }
 
 
-  void WriteBehind::wait()
+  void BackgroundWriter::wait()
   {
     for (; !tasks_.empty(); tasks_.pop_front())
       tasks_.front().get();

@@ -11,7 +11,7 @@ namespace deltaform
    * wait, so that a disk that falters does not hold up the computation. A task must own all it needs and call nothing
    * of MPI. On the processes that write no files tasks are dropped.
    */
-  class WriteBehind
+  class BackgroundWriter
   {
   public:
     /// Do @p task when those before are done. @throws what one of them has thrown; those after it are not done
