@@ -261,7 +261,7 @@ subsection Supports
 end
 
 subsection Contact
-  set Allowed penetration = 1e-4*thickness
+  set Allowed penetration = 1e-4*edge
 end
 
 subsection Steps

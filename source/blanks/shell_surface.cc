@@ -68,8 +68,9 @@ namespace deltaform
     const int n_points = section.integer("Gauss points",
                                          2,
                                          1,
-                                         5,
-                                         "Contact points between two neighbouring nodes ('Contact points = gauss').");
+                                         16,
+                                         "Contact points between two neighbouring nodes ('Contact points = gauss'). "
+                                         "2 determine the force of each; 10 keep the whole face out of the tools.");
     if (!inside)
       return;
     if (space_.membrane())

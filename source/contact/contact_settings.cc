@@ -15,21 +15,25 @@ namespace deltaform
   } // namespace
 
 
-  ContactSettings::ContactSettings(Section &section, const std::map<std::string, double> &constants)
+  ContactSettings::ContactSettings(Section &section,
+                                   const std::map<std::string, double> &constants,
+                                   const std::string &natural_length)
     : normal_law(Registry<NormalLaw>::choose(section, "Enforcement", "penalty", "How gap >= 0 is imposed.")),
       rule(Registry<PenaltyRule>::choose(section, "Penalty rule", "adaptive", "Where the penalty factors come from.")),
       allowed_penetration(section.function("Allowed penetration",
-                                           Default<std::string>("1e-3*thickness"),
+                                           Default<std::string>("1e-3*" + natural_length),
                                            "length",
-                                           "delta: how far a node may penetrate a tool; expression of t and thickness. "
+                                           "delta: how far a contact point may penetrate a tool; expression of t, "
+                                           "thickness (of the blank) and edge (its shortest contact edge, of the first "
+                                           "mesh). Default of a solid: 1e-3*edge. "
                                            "'auto': a twentieth of the estimated discretisation error of the contact.",
                                            with_automatic_delta(constants))),
       allowed_slip(
         section.function("Allowed elastic slip",
-                         Default<std::string>("1e-3*thickness"),
+                         Default<std::string>("1e-3*" + natural_length),
                          "length",
                          "delta_t: how far a sticking point may slide elastically; sets the tangential "
-                         "penalty factor mu lambda / delta_t.",
+                         "penalty factor mu lambda / delta_t. Default of a solid: 1e-3*edge.",
                          constants)),
       tangential_factor(section.number("Tangential factor",
                                        0.,

@@ -1,4 +1,5 @@
 #include <deltaform/contact/contact_measures.h>
+#include <deltaform/contact/deepest_place.h>
 #include <deltaform/io/byte_stream.h>
 #include <deltaform/model/contact_set.h>
 #include <deltaform/parameters/text.h>
@@ -16,6 +17,13 @@ namespace deltaform
 {
   namespace
   {
+    unsigned int number_of(const ContactInterface &own, const std::vector<std::unique_ptr<ContactInterface>> &all)
+    {
+      const auto is_own = [&](const auto &other) { return other.get() == &own; };
+      return std::find_if(all.begin(), all.end(), is_own) - all.begin();
+    }
+
+
     constexpr unsigned int depth_of_augmentation = 8; ///< rounds that the acceleration looks back to
 
     /// Move a tool along its direction until it touches, by its unknown @p travel. @return has it found the blank?
@@ -327,6 +335,17 @@ namespace deltaform
   }
 
 
+  void ContactSet::add_deepest(const ContactInterface &interface, const Vector &q, ContactAccount &account) const
+  {
+    const DeepestPlaces found = deepest_places(interface, q);
+    account.max_penetration_between_nodes = std::max(account.max_penetration_between_nodes, found.anywhere.depth);
+    const auto [depth, place] = found.off_corners;
+    if (depth > 0. && depth > account.deepest.over_delta * interface.committed().front().delta)
+      account.deepest = {depth / interface.committed().front().delta, depth, place,
+                         number_of(interface, actors_.interfaces)};
+  }
+
+
   ContactAccount ContactSet::account(const Vector &q) const
   {
     ContactAccount account;
@@ -347,8 +366,7 @@ namespace deltaform
         account.max_epsilon = std::max(account.max_epsilon, state.penalty_factor);
         n_at_bound += interface->governed_by_floor(i);
       }
-      account.max_penetration_between_nodes =
-        std::max(account.max_penetration_between_nodes, penetration_between_nodes(*interface, q));
+      add_deepest(*interface, q, account);
     }
     if (account.n_touching == 0)
       account.min_epsilon = 0.;

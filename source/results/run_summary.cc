@@ -33,6 +33,7 @@ namespace deltaform
     cost_ += increment.cost;
     promise_ = std::max(promise_, increment.contact().max_penetration_over_delta);
     between_ = std::max(between_, increment.contact().max_penetration_between_nodes);
+    deepest_ = std::max(deepest_, increment.contact().deepest.over_delta);
     remember(increment);
     remember_forces(increment.model);
     const bool last_stage = &increment.stage == &increment.model.actors().stages.back();
@@ -107,6 +108,7 @@ namespace deltaform
     summary["min_thickness"] = thinnest_;
     summary["max_penetration_over_delta"] = promise_;
     summary["max_penetration_between_nodes"] = between_;
+    summary["max_penetration_between_nodes_over_delta"] = deepest_;
     if (output_.energies)
       summary["energy_error"] = energy_error_;
     summary["seconds"] = seconds;
@@ -128,8 +130,12 @@ namespace deltaform
                         outcome.increments,
                         outcome.iterations,
                         seconds);
-    if (model.actors().keeps_promise())
-      line += fmt::format("; max p/delta {:.3f}", promise_);
+    if (!model.actors().keeps_promise())
+      return line;
+    line += fmt::format("; max p/delta {:.3f}", promise_);
+    constexpr double worth_a_word = 1.5;
+    if (deepest_ > worth_a_word)
+      line += fmt::format(", between the points {:.3g}", deepest_);
     return line;
   }
 } // namespace deltaform

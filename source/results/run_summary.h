@@ -36,14 +36,14 @@ namespace deltaform
 
     void save(boost::archive::binary_oarchive &archive) const
     {
-      archive << cost_.rounds << cost_.correction_iterations << cost_.cutbacks << promise_ << between_ << forces_
-              << travels_ << formed_.names << formed_.units << formed_.rows;
+      archive << cost_.rounds << cost_.correction_iterations << cost_.cutbacks << promise_ << between_ << deepest_
+              << forces_ << travels_ << formed_.names << formed_.units << formed_.rows;
     }
 
     void load(boost::archive::binary_iarchive &archive)
     {
-      archive >> cost_.rounds >> cost_.correction_iterations >> cost_.cutbacks >> promise_ >> between_ >> forces_ >>
-        travels_ >> formed_.names >> formed_.units >> formed_.rows;
+      archive >> cost_.rounds >> cost_.correction_iterations >> cost_.cutbacks >> promise_ >> between_ >> deepest_ >>
+        forces_ >> travels_ >> formed_.names >> formed_.units >> formed_.rows;
     }
 
   private:
@@ -53,6 +53,7 @@ namespace deltaform
     const OutputSettings &output_;
     IncrementCost cost_; ///< of the run
     double promise_ = 0., between_ = 0.; ///< largest p/delta and penetration between nodes of the run
+    double deepest_ = 0.; ///< the same over delta, but for edges over sharp corners
     std::vector<double> forces_, travels_; ///< of each tool: the largest that it has pressed with, and where
     Table formed_; ///< profile at the end of the last stage but one; empty where nobody asks for it
     bool any_ = false; ///< was any increment accepted?

@@ -1,5 +1,7 @@
+#include <deltaform/parameters/percent.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/parameters/unit_system.h>
+#include <deltaform/scene/contact_edge.h>
 #include <deltaform/scene/doubtful_solid.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/overlapping_tools.h>
@@ -96,6 +98,33 @@ namespace deltaform
     }
 
 
+    /// A solid may have cells far shorter than it is thick: a thousandth of the thickness is no small part of them.
+    void loose_delta(const Actors &actors, Texts &result)
+    {
+      if (actors.blank->fields().is_sheet() || actors.tools.empty() || !actors.contact->rule->promises() ||
+          !actors.contact->normal_law->uses_penalty())
+        return;
+      constexpr double largest = .05;
+      const double edge = shortest_contact_edge(*actors.blank);
+      for (const auto &tool : actors.tools)
+      {
+        const TimeFunction *const own = tool->allowed_penetration();
+        const TimeFunction &chosen = own != nullptr ? *own : actors.contact->allowed_penetration;
+        const double delta = chosen(actors.stages.front().begin);
+        if (!(delta > largest * edge))
+          continue;
+        result.push_back((own != nullptr ? "Tools/" + tool->name() + "/" : std::string("Contact/")) +
+                         "Allowed penetration = " + chosen.text() + " is " + text::rounded(delta) + ", " +
+                         text::percent(delta / edge) + " of the shortest contact edge, which is " +
+                         text::rounded(edge) +
+                         " long: contact forces and places suffer. 'thickness' is the thickness of a solid, not of its "
+                         "cells: state 1e-3*edge.");
+        if (own == nullptr)
+          return;
+      }
+    }
+
+
     void gripped_solid(const Actors &actors, Texts &result)
     {
       if (actors.blank->fields().is_sheet())
@@ -126,6 +155,7 @@ namespace deltaform
     soft_material(*scene.actors.blank, result);
     doubtful_units(scene, result);
     doubtful_friction(scene.actors, result);
+    loose_delta(scene.actors, result);
     gripped_solid(scene.actors, result);
     for (auto &text : overlapping_tools(scene.actors))
       result.push_back(std::move(text));

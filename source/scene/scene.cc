@@ -2,6 +2,7 @@
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/parameters/unit_system.h>
 #include <deltaform/parameters/units_label.h>
+#include <deltaform/scene/contact_edge.h>
 #include <deltaform/scene/known_entries.h>
 #include <deltaform/scene/scene.h>
 
@@ -110,10 +111,12 @@ namespace deltaform
       return;
     }
     const std::map<std::string, double> constants{{"thickness", actors.blank->initial_thickness()}};
-    // Penetrations are measured by the thickness of a shell, by the shortest contact edge of a solid.
-    const std::map<std::string, double> contact_constants{{"thickness", actors.blank->typical_length()}};
+    auto contact_constants = constants;
+    contact_constants["edge"] = shortest_contact_edge(*actors.blank);
+    // The thickness of a solid may be any number of cells, and of Hertz's half-space it is none.
+    const std::string natural_length = actors.blank->fields().is_sheet() ? "thickness" : "edge";
     Section contact = root.sub("Contact");
-    actors.contact = std::make_unique<ContactSettings>(contact, contact_constants);
+    actors.contact = std::make_unique<ContactSettings>(contact, contact_constants, natural_length);
     for (const auto &name : names)
     {
       Section own = section.sub(name);

@@ -122,7 +122,8 @@ namespace deltaform
     allowed_penetration_ =
       read_optional(section,
                     "Allowed penetration",
-                    "delta of this tool (length, may use t and thickness, or auto); empty: that of section Contact.",
+                    "delta of this tool (length, may use t, thickness and edge, or auto); empty: that of section "
+                    "Contact.",
                     with_auto);
     stages_ = section.names("Stages", "", "Stages in which the tool takes part; empty: all.");
   }

@@ -1,5 +1,6 @@
 // What ends a run, or makes its result doubtful.
 #include <deltaform/analysis/conditions.h>
+#include <deltaform/analysis/worst_imbalance.h>
 #include <deltaform/model/accepted_increment.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/scene/scene.h>
@@ -30,6 +31,7 @@ namespace
     }
 
     using AcceptedIncrement::balance_error_;
+    using AcceptedIncrement::contact_;
     using AcceptedIncrement::sections_;
     using AcceptedIncrement::smallest_thickness_;
   };
@@ -125,6 +127,43 @@ BOOST_AUTO_TEST_CASE(forces_count_in_every_increment)
   fixture.increment.balance_error_ = 0.;
   fixture.increment.time = 2.;
   BOOST_TEST(one_has(fixture.warnings(), "at time 1"));
+}
+
+BOOST_AUTO_TEST_CASE(forces_are_judged_by_those_of_the_run)
+{
+  WorstImbalance imbalance;
+  BOOST_TEST(imbalance.worst() == nullptr);
+  // All of .1 N, where the run goes on to 37 kN: a tool alone at a blank that hangs free.
+  imbalance.tell(1., .1, .25);
+  BOOST_TEST_REQUIRE(imbalance.worst() != nullptr); // so far it is all there is
+  BOOST_TEST(imbalance.worst()->time == .25);
+  imbalance.tell(1e-9, 37e3, 46.);
+  BOOST_TEST(imbalance.worst() == nullptr);
+  // Half of 10 N is not: the curve of the force begins wrong.
+  imbalance.tell(.5, 10., 50.);
+  BOOST_TEST_REQUIRE(imbalance.worst() != nullptr);
+  BOOST_TEST(imbalance.worst()->time == 50.);
+  // The largest error counts, and one of a thousandth does not.
+  imbalance.tell(.2, 37e3, 51.);
+  imbalance.tell(.9, 37e3, 52.);
+  imbalance.tell(9e-4, 37e3, 53.);
+  BOOST_TEST(imbalance.worst()->time == 52.);
+}
+
+BOOST_AUTO_TEST_CASE(a_face_that_is_deep_in_a_tool_between_its_points)
+{
+  Fixture fixture;
+  auto &deepest = fixture.increment.contact_->deepest;
+  deepest = {49., .149, Point2(12., 1.), 0};
+  BOOST_TEST(fixture.warnings().empty());
+  deepest = {120., .36, Point2(12., 1.), 0};
+  BOOST_TEST(one_has(fixture.warnings(),
+                     "the blank is 0.36 deep in tool 'plate', 12 % of the thickness and 120 times delta, "
+                     "at r = 12, z = 1, time 1"));
+  // The worst stays, with its time.
+  deepest = {100., .31, Point2(13., 1.), 0};
+  fixture.increment.time = 2.;
+  BOOST_TEST(one_has(fixture.warnings(), "at r = 12, z = 1, time 1"));
 }
 
 BOOST_AUTO_TEST_CASE(a_third_of_the_thickness)

@@ -29,8 +29,12 @@ TWO_STEPS = {"Material/Integration": "two steps"}
 EULER = {"Material/Integration": "backward Euler"}
 
 
-def delta(share):
-    return {"Contact/Allowed penetration": f"{share:g}*thickness"}
+def delta(share, length="thickness"):
+    return {"Contact/Allowed penetration": f"{share:g}*{length}"}
+
+
+def delta_of_edge(share):
+    return delta(share, "edge")
 
 
 def elements(n, degree=1, **more):
@@ -99,16 +103,16 @@ def stretching_solid(friction):
         key=f"stretching_solid_{friction:g}".replace(".", ""), name=f"19: stretching, solid, mu = {friction:g}", scene="osu_stretching_solid",
         quantities=DRAWN, values=drawn((10., 20., 30., 40.), (20., 30., 40.)), slow=True,
         fixed={"Tools/punch/Friction coefficient": friction, "Tools/die/Friction coefficient": friction},
-        base={**elements(80, 2), "Blank/Elements through thickness": 1, **delta(1e-3), **step(50), **TWO_STEPS},
-        overkill=({**elements(80, 2), "Blank/Elements through thickness": 2, **delta(3e-4), **step(100)},
-                  {**elements(160, 2), "Blank/Elements through thickness": 2, **delta(1e-4), **step(200)}),
+        base={**elements(80, 2), "Blank/Elements through thickness": 1, **delta_of_edge(1e-3), **step(50), **TWO_STEPS},
+        overkill=({**elements(80, 2), "Blank/Elements through thickness": 2, **delta_of_edge(3e-4), **step(100)},
+                  {**elements(160, 2), "Blank/Elements through thickness": 2, **delta_of_edge(1e-4), **step(200)}),
         lines={
             "elements, degree 2, one across": labelled(elements, (20, 40, 80), 2),
             "elements, degree 1, two across": [(str(n), {**elements(n, 1), "Blank/Elements through thickness": 2}) for n in (40, 80, 160)],
             "across": [(str(n), {"Blank/Elements through thickness": n}) for n in (1, 2)],
             "increments": labelled(step, (12, 25, 50, 100)),
-            "delta/thickness": labelled(delta, (1e-1, 1e-2, 1e-3)),
-            "all together": [(f"{n}, {m}, {d:g}", {**elements(n, 2), **step(m), **delta(d)})
+            "delta/edge": labelled(delta_of_edge, (1e-1, 1e-2, 1e-3)),
+            "all together": [(f"{n}, {m}, {d:g}", {**elements(n, 2), **step(m), **delta_of_edge(d)})
                              for n, m, d in ((20, 12, 3e-2), (30, 16, 1e-2), (40, 25, 1e-2), (60, 25, 3e-3))],
         })
 
@@ -194,13 +198,13 @@ def upsetting(exact):
     return Problem(
         key="upsetting", name="18: upsetting, smooth", scene="upsetting", quantities=("force",),
         values=lambda run: [[run.at("die_force_z", travel, "die_travel") for travel in (6., 9.)]], reference=[[force(9.), force(6.)]],
-        base={**mesh(4, 1), **step(20), **delta(1e-5)},
+        base={**mesh(4, 1), **step(20), **delta_of_edge(1e-5)},
         lines={
             "elements, degree 1": labelled(mesh, (1, 2, 4, 8, 16), 1),
             "elements, degree 2": labelled(mesh, (1, 2, 4, 8), 2),
             "increments": labelled(step, (10, 20, 50)),
-            "delta/thickness": labelled(delta, (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)),
-            "all together": [(f"1, {m}, {d:g}", {**mesh(1, 1), **step(m), **delta(d)}) for m, d in ((10, 1e-2), (10, 1e-3), (10, 1e-4))],
+            "delta/edge": labelled(delta_of_edge, (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)),
+            "all together": [(f"1, {m}, {d:g}", {**mesh(1, 1), **step(m), **delta_of_edge(d)}) for m, d in ((10, 1e-2), (10, 1e-3), (10, 1e-4))],
         })
 
 

@@ -2,6 +2,7 @@
 #include "fake_surface.h"
 
 #include <deltaform/contact/contact_measures.h>
+#include <deltaform/contact/deepest_place.h>
 
 #include <deltaform/parameters/registry.h>
 

@@ -49,7 +49,7 @@ subsection Supports
   end
 end
 subsection Contact
-  set Allowed penetration = 1e-6*thickness
+  set Allowed penetration = 1e-6*edge
 end
 subsection Steps
   set Stages = press

@@ -292,7 +292,7 @@ def make(table_of, series):
     def stretching_refined(run):
         """OSU stretching, the mesh refined during the run; delta fixed and delta of the mesh."""
         rows = []
-        for delta in ("1e-3*thickness", "auto"):
+        for delta in ("1e-3*edge", "auto"):
             reference = None
             for title, sets in (
                     ("160 x 2", ["Blank/Elements=160"]), ("80 x 2", ["Blank/Elements=80"]),

@@ -10,9 +10,6 @@ namespace deltaform
   /// the tributary areas at @p q (stress). At other nodes 0.
   std::vector<double> contact_pressure(const ContactInterface &contact, const Vector &q, std::size_t n_nodes);
 
-  /// Largest penetration of the accepted contact anywhere along the edges, not only at the contact points (length).
-  double penetration_between_nodes(const ContactInterface &contact, const Vector &q);
-
   /// Estimate of the discretisation error in the contact surface, as an allowed penetration (doc/theory/contact.md).
   double automatic_delta(const ContactInterface &contact);
 

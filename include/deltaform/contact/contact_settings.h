@@ -14,7 +14,11 @@ namespace deltaform
   /// Entries of the Contact section, which all interfaces share.
   struct ContactSettings
   {
-    explicit ContactSettings(Section &section, const std::map<std::string, double> &constants);
+    /// @param constants what the allowed penetration and slip may use beside t: "thickness", "edge"
+    /// @param natural_length that of them whose thousandth they are by default
+    ContactSettings(Section &section,
+                    const std::map<std::string, double> &constants,
+                    const std::string &natural_length = "thickness");
 
     /// Are contact points springs that keep their penetration? Augmented ones end without, like exact constraints.
     bool stores_energy() const

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deltaform/assembly/types.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,5 +35,13 @@ namespace deltaform
     double max_penetration = 0, max_penetration_over_delta = 0, max_penetration_between_nodes = 0;
     double min_epsilon = 0, max_epsilon = 0; ///< penalty factors of what touches
     double floor_share = 0; ///< of what touches: penalty factor at its lower bound
+
+    /// The deepest place of the face in a tool, in units of delta; not where an edge bends over a sharp corner.
+    struct Deepest
+    {
+      double over_delta = 0, depth = 0;
+      Point2 place;
+      unsigned int tool = invalid_index;
+    } deepest;
   };
 } // namespace deltaform

@@ -112,6 +112,9 @@ namespace deltaform
     ///@}
 
   private:
+    /// The deepest place of one face.
+    void add_deepest(const ContactInterface &interface, const Vector &q, ContactAccount &account) const;
+
     Actors &actors_;
     std::vector<ContactInterface *> active_;
     Augmentation augmentation_;

@@ -26,8 +26,7 @@ namespace deltaform
      * Read the tool from its section.
      * @param name of the section, by which results and messages call the tool
      * @param constants what the expressions of the section may use beside t: "thickness"
-     * @param penetration_constants the same for the allowed penetration, whose "thickness" is the blank's typical
-     * length
+     * @param penetration_constants the same for the allowed penetration: also "edge", the shortest contact edge
      * @param axisymmetric is the blank a body of revolution? If not, r = 0 is no axis (Shape::set_plane_strain())
      */
     Tool(const std::string &name,
