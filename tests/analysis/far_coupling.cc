@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(the_ends_of_a_strip_share_a_force)
   BOOST_TEST(analysis.run() == exit_status::done, analysis.message());
   BOOST_TEST(n_iterations <= 2 * n_increments); // the tangent has all that it needs
 
-  // The strip, guided at both ends, is a spring of 12 E I/L^3 beside that between them; an error of 1/n^2 with n elements.
+  // The strip, guided at both ends, is a spring of 12 E I/L^3 beside that between them. n elements err by 1/n^2.
   const double between = k + 12. * E * h * h * h / 12. / (L * L * L);
   const Boundary &boundary = scene.actors.blank->boundary();
   const Vector &q = analysis.model().committed();

@@ -3,7 +3,8 @@
 
     point_cost.py POINT_COST [--write]
 
-Mises is one; what must not cost more than a limit fails. --write renews doc/measured/point_cost.csv.
+Mises is one; what costs more than its limit fails. Without --write only what has a limit is counted; --write renews
+doc/measured/point_cost.csv.
 """
 import argparse
 import os
@@ -48,6 +49,8 @@ def main():
     options = parser.parse_args()
     unit, failed, table = None, False, MeasuredTable(["law", "instructions", "over Mises"])
     for name, entries, most in LAWS:
+        if most is None and name != "mises" and not options.write:
+            continue  # most of the time is valgrind's start
         count = instructions(options.program, entries)
         if not count > 10:
             sys.exit("point_cost.py: callgrind has not found the points")
