@@ -55,7 +55,7 @@ namespace deltaform
   } // namespace
 
 
-  ShellMesh::ShellMesh(Section &section, const unsigned int degree)
+  ShellMesh::ShellMesh(Section &section, const unsigned int degree, const double element_bytes)
   {
     const auto rows =
       section.rows("Points",
@@ -85,7 +85,7 @@ namespace deltaform
       section.fail("Fillet radii",
                    "needs one radius per point: " + std::to_string(points.size()) + ", not " +
                      std::to_string(radii.size()));
-    memory::require(section, "Elements", n_cells, "elements", 2000. * degree);
+    memory::require(section, "Elements", n_cells, "elements", element_bytes);
     std::vector<MeridianPiece> pieces;
     try
     {

@@ -23,8 +23,9 @@ namespace deltaform
       std::array<double, 3> angle{}; ///< of the exact tangent at the nodes, per cell because of kinks
     };
 
-    /// Read the entries of the section (Points, Fillet radii, Elements, Grading).
-    ShellMesh(Section &section, unsigned int degree);
+    /// Read the entries of the section (Points, Fillet radii, Elements, Grading). @param element_bytes that an element,
+    /// with all that is built on it, takes at least: asked for before the elements are placed
+    ShellMesh(Section &section, unsigned int degree, double element_bytes);
 
     const std::vector<Point2> &nodes() const
     {

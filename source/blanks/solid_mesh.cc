@@ -172,9 +172,7 @@ namespace deltaform
   {
     const StripEntries strip(section, degree);
     thickness_ = strip.thickness;
-    const ShellMesh line(section, degree);
-    memory::require(section, "Elements through thickness", static_cast<double>(strip.n_across) * line.cells().size(),
-                    "cells", cell_bytes * degree * degree);
+    const ShellMesh line(section, degree, strip.n_across * cell_bytes * degree * degree);
     const double length = line.arc_length().back();
     const auto height = [&](const unsigned int node) {
       const double result = strip.variation(line.arc_length()[node] / length);

@@ -91,6 +91,11 @@ check("Tools/punch/Radius = 1e-20: is more than 1e12 times smaller than", "Tools
 check("Smallest increment = 1e-17: is lost in the round-off of the time", "Steps/form/Smallest increment=1e-17")
 check("need about", "Blank/Kind=solid", "Blank/Elements=100000", "Blank/Elements through thickness=100000")
 
+# Memory is asked for before a million elements are placed, and counts layers.
+check("Blank/Elements = 1000000: 1000000 elements need about", "Blank/Kind=solid", "Blank/Elements=1000000", "Blank/Grading=1+t",
+      "Blank/Elements through thickness=40")
+check("Blank/Elements = 1000000: 1000000 elements need about 35", "Blank/Degree=2", "Blank/Elements=1000000", "Blank/Layers=61")
+
 # Scenes that are none.
 nested = "".join(f"subsection s{i}\n" for i in range(20000)) + "end\n" * 20000
 refused("scene.prm:21: subsections are nested more than 20 deep", nested)
