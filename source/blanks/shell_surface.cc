@@ -70,7 +70,8 @@ namespace deltaform
                                          1,
                                          16,
                                          "Contact points between two neighbouring nodes ('Contact points = gauss'). "
-                                         "2 determine the force of each; 10 keep the whole face out of the tools.");
+                                         "With 2 the force of each is determinate; with 10 hardly any of the face "
+                                         "enters a tool.");
     if (!inside)
       return;
     if (space_.membrane())

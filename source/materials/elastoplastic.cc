@@ -40,7 +40,7 @@ namespace deltaform
     {
       auto own = hardening.own_rate_factor(0.);
       const bool adiabatic = section.flag(
-        "Adiabatic", false, "Compute the temperature; the heat of flow stays where it is made, but for Conductivity.");
+        "Adiabatic", false, "Compute the temperature. Without Conductivity the heat of flow stays where it is made.");
       if (!adiabatic && !section.documentation())
         return own ? std::move(own) : std::move(cold);
       const double capacity = section.number("Heat capacity",

@@ -23,8 +23,8 @@ namespace deltaform
     Section limits = scene.sub("Limits");
     const std::string then =
       limits.choice("Flange wrinkling", "no", {"no", "warn", "end stage", "end run"},
-                    "Is the flange of an axisymmetric shell watched for wrinkles, and what happens where it wrinkles "
-                    "and no holder keeps the waves down.");
+                    "What happens where the flange of an axisymmetric shell would wrinkle and no holder keeps the "
+                    "waves down. no: the flange is not looked at.");
     std::unique_ptr<FlangeWrinkling> result(new FlangeWrinkling());
     result->height_ = limits.function("Wrinkle height", "thickness", "length",
                                       "From trough to crest: the needed pressure of a holder is that for waves of "

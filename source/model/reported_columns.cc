@@ -169,15 +169,14 @@ namespace deltaform
                   "stored in the blank now: material, and the shell's transverse shear"},
                  {"plastic_energy", "force*length", "dissipated in the blank so far"},
                  {"friction_energy", "force*length",
-                  "dissipated by slip so far; of a node that touches or lets go within an increment, by half "
+                  "dissipated by slip so far; a node that touches or lets go within an increment counts with half "
                   "its force over the increment's slip ([how exact](theory/friction.md#friction-work))"},
                  {"contact_energy", "force*length",
                   "stored in the penalty springs now: eps p²/2, and t²/(2 eps_t) of sticking friction"},
                  {"epsilon_work", "force*length",
-                  "work done on the springs by changing eps, half its change times the penetrations before and "
-                  "after: a factor that is raised under load stores energy that no tool has supplied; and what the "
-                  "trapezoidal work of the tools is wrong by where a point touches or lets go within an increment, "
-                  "half its force over the open gap"},
+                  "work done on the springs by changed penalty factors: half the change times the penetrations "
+                  "before and after; and the error of the trapezoidal work where a point touches or lets go within an "
+                  "increment: half its force over the open gap"},
                  {"thickness_work", "force*length",
                   "work done by what is updated between increments: the thickness that keeps tools from the "
                   "mid-surface, the layers' distance to it, and the transverse normal stress"},

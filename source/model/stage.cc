@@ -47,9 +47,9 @@ namespace deltaform
       stage.release_at_once = own.choice("Release",
                                          "gradual",
                                          {"gradual", "at once"},
-                                         "How tools, supports and loads leave that ended with the stage before: their "
-                                         "forces fade out linearly over this stage, or are gone in its first "
-                                         "increment.") == "at once";
+                                         "How the tools, supports and loads of the stage before leave: their forces "
+                                         "fade out linearly over this stage (gradual), or are gone in its first "
+                                         "increment (at once).") == "at once";
       stage.ends_when =
         own.text("Ends when", Default<std::string>(""),
                  "Conditions, separated by semicolons, of which the first that holds ends the stage before its end "

@@ -55,7 +55,7 @@ namespace deltaform
       observers_.add(std::move(observer));
     }
 
-    /// Say what makes the input doubtful; it stands among the warnings of the outcome.
+    /// Add a warning about the input to those of the outcome.
     void warn(const std::vector<std::string> &texts);
 
     /// Begin with the blank that an earlier operation has left, see Blank::formed(). Belongs before begin().
@@ -106,7 +106,7 @@ namespace deltaform
     }
 
   private:
-    /// Begin the stages whose turn it is. @return false if there is none left
+    /// Begin the stages that are due. @return false if there is none left
     bool enter_stage();
 
     const Stage &stage() const

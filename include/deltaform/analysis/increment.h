@@ -17,7 +17,7 @@ namespace deltaform
     {
       not_solved, ///< no strategy found an equilibrium
       promise_broken, ///< there is one, but the blank penetrates a tool by more than delta
-      too_large ///< there is one, but it is too far away
+      too_large ///< there is one, but it strains or turns the blank too much
     };
 
     Kind kind;

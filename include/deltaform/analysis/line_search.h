@@ -8,7 +8,7 @@ namespace deltaform
   /**
    * A search along a Newton step d that made the residual grow. The potential falls as long as the work of the residual
    * along the step, w(a) = d.R(q + a d), is negative: a few steps of the Illinois variant of regula falsi go for the
-   * root of w. The root itself is not wanted, only that w has become small against w(0).
+   * root of w. It is enough that w has become small against w(0).
    */
   class LineSearch
   {

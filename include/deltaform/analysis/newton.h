@@ -48,7 +48,7 @@ namespace deltaform
     }
   };
 
-  /// How far a solve goes beyond Newton's method.
+  /// What a solve adds to Newton's method.
   enum class NewtonVariant : unsigned char
   {
     plain,

@@ -42,7 +42,7 @@ namespace deltaform
       return reached_;
     }
 
-    /// The end of the next increment: @p next, or the time before it at which a limit will be met if all goes on as in
+    /// The end of the next increment: @p next, or an earlier time at which a limit will be met at the rate of
     /// the last increment.
     double shorten(double next) const;
 

@@ -20,7 +20,7 @@ namespace deltaform
     const Vector &before; ///< the unknowns one increment before the committed state
   };
 
-  /// What may be tried to find an equilibrium, each more than the one before.
+  /// How much may be tried to find an equilibrium, from little to all.
   enum class Effort : unsigned char
   {
     first, ///< of an increment that continues others: if it fails, a shorter one is cheaper than another strategy
@@ -36,12 +36,12 @@ namespace deltaform
   public:
     virtual ~Strategy() = default;
 
-    /// Begin the increment. @return where Newton's method starts; nothing if this way is none for the problem
+    /// Begin the increment. @return where Newton's method starts; nothing if the strategy does not apply
     virtual std::optional<Vector> begin(IncrementProblem &problem, const IncrementStart &start) const = 0;
 
     virtual NewtonVariant variant() const = 0;
 
-    /// From which effort on it is worth its cost. Damped steps are last resorts: where shorter increments do not help
+    /// The least effort with which it is tried. Damped steps are last resorts: where shorter increments do not help
     /// the blank may snap to another equilibrium, however short the increment is.
     virtual Effort least_effort() const
     {

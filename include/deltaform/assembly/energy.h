@@ -17,12 +17,12 @@ namespace deltaform
   {
     double stored = 0; ///< now in the penalty springs: eps p^2 / 2, and t^2 / (2 eps_t) of sticking friction
     double friction = 0; ///< dissipated so far
-    /// Square of the error to be expected of it because increments are long, see friction_error()
+    /// Expected square of its error by long increments, see friction_error()
     double friction_variance = 0;
     double epsilon = 0; ///< work done on the springs by changing eps, so far: (eps_1 - eps_0) p_0 p_1 / 2 per increment
     double thickness = 0; ///< work done on the springs by the thickness that is updated between increments, so far
 
-    /// How far `friction` is to be expected from that of short increments, as a standard deviation: sqrt(sum of J^2/12)
+    /// Expected error of `friction` against short increments, a standard deviation: sqrt(sum of J^2/12)
     /// over increments and tools, J = sum of (t_1 - t_0) ds over the points of a tool (doc/theory/friction.md). About
     /// proportional to the length of the increments.
     double friction_error() const

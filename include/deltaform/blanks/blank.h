@@ -140,8 +140,8 @@ namespace deltaform
      */
     virtual void begin_increment(double duration, double ratio) = 0;
 
-    /// Estimated share of the plastic strain of this increment (committed to trial) that the integration of flow in one
-    /// step leads astray, mean over the blank.
+    /// Estimated relative error of this increment's plastic strain (committed to trial) by backward Euler, mean over
+    /// the blank.
     virtual double flow_error() const
     {
       return 0.;
@@ -153,8 +153,8 @@ namespace deltaform
     /// Accept the trial state that belongs to @p q: history, thickness, energies.
     virtual void commit(const Vector &q) = 0;
 
-    /// Contact pressure on the nodes of one side of the accepted state: the transverse stress of the next increments,
-    /// where the blank does not know it by itself.
+    /// Contact pressure on the nodes of one side in the accepted state: the transverse stress of a shell in the next
+    /// increments.
     virtual void set_contact_pressure(Side /*side*/, const std::vector<double> & /*pressure*/)
     {
     }

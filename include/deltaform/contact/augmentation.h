@@ -42,7 +42,7 @@ namespace deltaform
     /// Remember what has changed since the last round.
     void look_back(const Values &shift, const Values &change);
 
-    /// What the acceleration takes off the next shifts, after look_back().
+    /// What the acceleration subtracts from the next shifts, after look_back().
     Values correction(const Values &change) const;
 
     unsigned int depth_, patience_, rounds_ = 0;

@@ -144,8 +144,8 @@ namespace deltaform
     /// Residual and tangent of all points at @p q.
     void assemble(const Vector &q, AssemblyTarget &target);
 
-    /// Who will touch after the step @p d from the last assembled state, if gaps are linear? Until the step is taken,
-    /// assembly at the same place goes by it. @return are they others than those of the last assembly?
+    /// Which points will touch after the step @p d from the last assembled state, if gaps are linear? Until the step
+    /// is taken, assembly uses this set. @return does it differ from that of the last assembly?
     bool foresee(const Vector &d)
     {
       return iteration_.foresee(d, trial_.points);
@@ -163,9 +163,9 @@ namespace deltaform
       iteration_.advance(factor, trial_.points);
     }
 
-    /// Until the end of this increment a point with a smaller force than @p force, pressure or tension, stays what it
-    /// is, touching or not. Where a flat part of the blank lies on a flat tool no point carries a force; all states are
-    /// solutions, and the iteration would choose among them for ever.
+    /// Until the end of this increment a point with a smaller force than @p force, pressure or tension, keeps its
+    /// status, touching or not. Where a flat part of the blank lies on a flat tool no point carries a force: every
+    /// status is a solution, and the iteration would go to and fro among them.
     void allow_status_tolerance(const double force)
     {
       iteration_.allow_status_tolerance(force);
@@ -241,7 +241,7 @@ namespace deltaform
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
     {
-      // Also what only saves a search, or a resumed run may differ in a last digit from one that was not interrupted.
+      // The starts of searches as well, else a resumed run may differ from one left alone in a last digit.
       const std::size_t n = committed_.points.size();
       archive &committed_ &projector_;
       if (committed_.points.size() != n)

@@ -146,7 +146,7 @@ namespace deltaform
 
     std::vector<Work> work_;
     bool status_changed_ = false;
-    bool at_start_ = false; ///< no step has been made in this increment: only the last one knows who touches
+    bool at_start_ = false; ///< no step has been made in this increment: points touch that did in the last one
     double status_tolerance_ = 0; ///< see ContactInterface::allow_status_tolerance()
     Tensor1 tool_force_;
   };

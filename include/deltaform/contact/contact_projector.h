@@ -43,7 +43,7 @@ namespace deltaform
       return surface_.contact_edges(tool_.side());
     }
 
-    /// Point @p i as this tool meets it: the thickness that gives way at once is not yet taken off.
+    /// Point @p i as this tool meets it, with its thickness before compression.
     void describe(const Vector &q, unsigned int i, ContactPoint &point) const;
 
     /// A place of an edge, where contact points lie inside the edges, in the same way.

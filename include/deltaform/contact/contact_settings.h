@@ -15,7 +15,7 @@ namespace deltaform
   struct ContactSettings
   {
     /// @param constants what the allowed penetration and slip may use beside t: "thickness", "edge"
-    /// @param natural_length that of them whose thousandth they are by default
+    /// @param natural_length the constant of which they are a thousandth by default
     ContactSettings(Section &section,
                     const std::map<std::string, double> &constants,
                     const std::string &natural_length = "thickness");

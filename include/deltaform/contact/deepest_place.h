@@ -18,8 +18,8 @@ namespace deltaform
     DeepestPlace anywhere, off_corners;
   };
 
-  /// Where the accepted contact penetrates most, searched along all edges with a contact point that touches, not only
-  /// at these points.
+  /// Where the accepted contact penetrates most: along all edges that have a touching point, not only at these
+  /// points.
   DeepestPlaces deepest_places(const ContactInterface &contact, const Vector &q);
 
   /// Largest penetration of the accepted contact anywhere along the edges (length).

@@ -60,7 +60,7 @@ namespace deltaform
      */
     virtual NormalResponse respond(const ContactPointState &state, double gap, double multiplier) const = 0;
 
-    /// The same of a point in its interface: with what lies in series, and what the iteration forbids.
+    /// The same of a point in its interface: with the compliance in series, and a status that the iteration holds.
     virtual NormalResponse respond(const ContactPointState &state, const NormalSituation &situation) const = 0;
 
     /// Does it use the penalty rule?
@@ -84,7 +84,7 @@ namespace deltaform
     /// Has the point no force as long as its face is clear of the tool?
     virtual bool is_free_when_clear(const ContactPointState &state) const = 0;
 
-    /// Is its force to be asked for at the present gap, so that it needs factors?
+    /// Is its force evaluated at the present gap, so that it needs penalty factors?
     virtual bool is_concerned(const ContactPointState &state) const = 0;
 
     /// Estimate of lambda after a step that opens the gap by @p opening (length), with this share of the stiffness.
@@ -92,7 +92,7 @@ namespace deltaform
 
     /**
      * Will a point touch after a step that opens the distance between tool and face by @p opening (length), if that is
-     * linear? @p compliance of the face [length/force]. A law that does not foresee answers that nothing changes.
+     * linear? @p compliance of the face [length/force]. A law that cannot say so returns the present status.
      */
     virtual bool foresee(const ContactPointState &state, const double /*opening*/, const double /*compliance*/) const
     {

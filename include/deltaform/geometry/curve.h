@@ -71,7 +71,7 @@ namespace deltaform
     /// The arc length from foot point @p a to foot point @p b, the short way round if the curve is closed.
     double slip(double a, double b) const;
 
-    /// Call @p action with a place on the curve and with those of its images: once around, mirrored at the axis.
+    /// Call @p action with a place on the curve and with its images: a turn further if closed, mirrored at the axis.
     template <typename Action>
     void for_each_image(const double arc_length, const Action &action) const
     {

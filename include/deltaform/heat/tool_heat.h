@@ -19,7 +19,7 @@ namespace deltaform
   class ToolHeat
   {
   public:
-    /// Read Heat, a section of the tool. @throws SceneError if the tool is hotter than the blank's metal bears
+    /// Read Heat, a section of the tool. @throws SceneError if the metal would melt at the tool's temperature
     ToolHeat(Section section, const MetalHeat &metal);
 
     /// h (force/length/time/temperature) at @p pressure, not negative.

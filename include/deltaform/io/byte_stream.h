@@ -32,7 +32,7 @@ namespace deltaform
     }
 
   private:
-    /// Up to so many bytes nothing is moved while they come in. What is not written to is no memory.
+    /// Up to this size the bytes are never moved. Pages that nothing is written to take no memory.
     static constexpr std::size_t room = 1u << 24;
 
     std::string bytes_;

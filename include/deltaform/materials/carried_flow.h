@@ -61,8 +61,8 @@ namespace deltaform
       return true;
     }
 
-    /// The factor before the rate in the formula: share of the increment's duration that counts for flow from what is
-    /// carried.
+    /// The factor (1 + w)/(1 + 2 w) before dt f: the share of the increment's duration that belongs to flow measured
+    /// from h*.
     double duration_share() const
     {
       return active_ ? duration_share_ : 1.;

@@ -10,8 +10,8 @@ namespace deltaform
    *
    *     E(e) = E0 - (E0 - Ea) (1 - exp(-xi e)),   0 < Ea <= E0 stresses, xi >= 0; nu is constant.
    *
-   * It is meant in increments, d tau = C(e) : (d strain - d plastic strain): where nothing moves but e, the
-   * stress stays.
+   * In increments d tau = C(e) : (d strain - d plastic strain): a change of e alone does not change the
+   * stress.
    * F. Yoshida, T. Uemori, K. Fujiwara, Elastic-plastic behavior of steel sheets under in-plane cyclic
    * tension-compression at large strain, Int. J. Plasticity 18 (2002) 633.
    */

@@ -26,7 +26,7 @@ namespace deltaform
       double by_strain, by_rate, by_temperature; ///< derivatives; one-sided where curves meet
     };
 
-    /// @throws std::invalid_argument if the rows are none of that
+    /// @throws std::invalid_argument if the rows are not like that
     explicit FlowCurves(const std::vector<std::vector<double>> &rows);
 
     Stress operator()(double strain, double rate, double temperature) const;

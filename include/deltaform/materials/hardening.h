@@ -28,7 +28,7 @@ namespace deltaform
     virtual FlowStress evaluate(double equivalent_plastic_strain) const = 0;
 
     /**
-     * What rate and temperature make of the flow stress, of a law that knows them itself; null: a matter of other laws.
+     * The rate factor of a law that depends on rate and temperature itself; null: it does not.
      * The result outlives the law.
      * @param heating rise of temperature per plastic work of a volume (temperature/stress); 0: none is counted
      */

@@ -194,7 +194,7 @@ namespace deltaform
   class FlowCurve
   {
   public:
-    /// @throws std::invalid_argument if the rows are none of that
+    /// @throws std::invalid_argument if the rows are not like that
     explicit FlowCurve(const std::vector<std::vector<double>> &rows);
 
     FlowStress operator()(double e) const;

@@ -17,7 +17,7 @@ namespace deltaform
     stress_given ///< third_stress[p] is input, strain[p][2] is output: shells (plane stress)
   };
 
-  /// Which turns of the axes the answer of a law does not notice.
+  /// Rotations of the axes under which a law gives the same answer.
   enum class Symmetry : unsigned char
   {
     orthotropic, ///< none
@@ -25,7 +25,7 @@ namespace deltaform
     isotropic ///< any
   };
 
-  /// What the axes 1, 2, 3 of a point are: 3 is the one that the shear leaves alone.
+  /// What the axes 1, 2, 3 of a point are. The shear acts in the plane of 1 and 2.
   enum class PointAxes : unsigned char
   {
     sheet, ///< meridional, hoop, normal to the sheet: shells, and isotropic laws anyway
@@ -40,7 +40,7 @@ namespace deltaform
     bool isotropic_hardening = true; ///< stress times increment of plastic strain is flow stress times increment of the
       ///< equivalent plastic strain
     bool needs_duration = false; ///< MaterialBatch::duration
-    bool strain_given = true, stress_given = true; ///< what may be known of the third direction
+    bool strain_given = true, stress_given = true; ///< what may be given of the third direction
     bool section = true; ///< can it be used in the axes of a solid's section (PointAxes)?
   };
 

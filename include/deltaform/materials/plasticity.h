@@ -47,7 +47,7 @@ namespace deltaform
     };
 
     /// @param falling none: Young's modulus is constant; else for given third stress (shells) only, and the plastic
-    /// strain of the history is what remains at the modulus of now when the stress is gone
+    /// strain of the history is what would remain after unloading with the present modulus
     /// @throws std::invalid_argument if the laws do not go together
     Elastoplastic(const Elasticity &elastic,
                   FlowLaws laws,

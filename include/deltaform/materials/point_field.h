@@ -16,7 +16,7 @@ namespace deltaform
   };
 
   /**
-   * A number that grows at the points of a blank with the flow of the metal and of which nothing depends: damage, use
+   * A number that grows at the points of a blank with the flow of the metal and on which nothing depends: damage, use
    * of a forming limit. It begins at zero.
    */
   class PointField
@@ -47,7 +47,7 @@ namespace deltaform
     virtual double growth(const PointStep &step) const = 0;
   };
 
-  /// The blank of which a point field is one.
+  /// What a point field may know of its blank.
   struct PointFieldHost
   {
     const Material &law;

@@ -40,7 +40,7 @@ namespace deltaform
       return true;
     }
 
-    /// Can the flow stress fall under that at no plastic strain?
+    /// Can the flow stress fall below its value at zero plastic strain?
     virtual bool softens() const
     {
       return false;

@@ -32,7 +32,7 @@ namespace deltaform
   };
 
 
-  /// What every return map needs of a metal.
+  /// What every return map must know of a metal.
   struct FlowLaw
   {
     const Elasticity &elastic;
@@ -61,8 +61,8 @@ namespace deltaform
   }
 
 
-  /// Is the yield condition violated by round-off alone? Flow has brought @p q of the trial stress down by @p drop:
-  /// where that is more, the flow stress at the start need not be asked for.
+  /// Is the yield condition violated by round-off alone? @p drop: by how much flow has brought @p q down. If that
+  /// is more than round-off, the flow stress at the start is not evaluated.
   inline bool rests_on_surface(const FlowLaw &law, const double *start, const double q, const double drop)
   {
     const double round_off = yield_round_off(law, start, q);

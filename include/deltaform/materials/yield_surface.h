@@ -49,8 +49,8 @@ namespace deltaform
       return nullptr;
     }
 
-    /// May this be known of the third direction? A surface that is defined for plane stress only says no to
-    /// strain_given: such a material is for shells only.
+    /// Can it be evaluated with this given of the third direction? A surface of plane stress cannot be with
+    /// strain_given: its metal is for shells only.
     virtual bool serves(ThirdDirection) const
     {
       return true;

@@ -13,7 +13,7 @@ namespace deltaform
     double tool_work = 0;
     double load_work = 0; ///< of other loads and of supports
     double elastic = 0, plastic = 0, friction = 0;
-    double friction_error = 0; ///< to be expected of the friction energy, because increments are long
+    double friction_error = 0; ///< expected error of the friction energy by long increments
     double contact = 0; ///< stored now in the penalty springs
     double epsilon_work = 0; ///< done by changing penalty factors at fixed penetration
     double thickness_work = 0; ///< done by updating the thickness between increments

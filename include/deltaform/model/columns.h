@@ -12,8 +12,8 @@ namespace deltaform
   class AcceptedIncrement;
 
   /**
-   * What is reported of every accepted increment, a column of history.csv each. Whoever knows a number describes it
-   * here, in one place: name, unit, what it means, and how it is found.
+   * What is reported of every accepted increment, a column of history.csv each. The part that has a number adds its
+   * column: name, unit, meaning, and how the value is found.
    */
   class Columns
   {

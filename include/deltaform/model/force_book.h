@@ -9,8 +9,8 @@
 
 namespace deltaform
 {
-  /// Books the forces of tools, loads and supports on the blank in accepted equilibria: resultants, reactions, the work
-  /// that they have done, and their balance. What it knows lies in the state.
+  /// Forces of tools, loads and supports on the blank in accepted equilibria: resultants, reactions, the work that
+  /// they have done, and their balance. All of it lies in the state.
   class ForceBook
   {
   public:

@@ -25,7 +25,7 @@ namespace deltaform
     unsigned int increments, iterations;
     std::optional<Checkpoint> state; ///< of a run that has stopped, what it can go on from; none: the last one saved
 
-    /// It is neither done, nor was it interrupted: its last increment is worth a look.
+    /// Neither done nor interrupted: results of its last increment are written.
     bool stopped_by_itself() const
     {
       return exit_status != exit_status::done && !exit_status::interrupted(exit_status);

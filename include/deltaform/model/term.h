@@ -19,8 +19,8 @@ namespace deltaform
   public:
     virtual ~Term() = default;
 
-    /// The tangent of the body at @p q, before any other term is added. @param tangent will that of the others be
-    /// wanted?
+    /// The tangent of the body at @p q, before any other term is added. @param tangent is that of the others needed
+    /// too?
     virtual void read_body(const Vector & /*q*/, const System & /*body*/, bool /*tangent*/)
     {
     }

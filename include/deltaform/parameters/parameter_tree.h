@@ -15,7 +15,7 @@ namespace deltaform
   /**
    * All parameters of a run: what the scene says and what the objects of the program have declared. While objects are
    * made, each declares its entries through a Section and gets their values at once (lenient pass: nobody knows yet
-   * what else will be declared); when all are made, check_unused() says what the scene has too much. Objects of this
+   * what else will be declared); when all are made, check_unused() names what is left in the scene. Objects of this
    * class stay where they are, because sections point to them.
    */
   class ParameterTree

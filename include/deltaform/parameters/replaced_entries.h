@@ -9,7 +9,7 @@
 
 namespace deltaform
 {
-  /// Is an entry (or, of an empty name, a section) known when other choices are made than those of the scene?
+  /// Would an entry (a section, if the name is empty) be known with other choices than those of the scene?
   using KnownElsewhere = std::function<bool(const SectionPath &, const std::string &)>;
 
   /**

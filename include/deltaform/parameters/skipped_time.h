@@ -19,7 +19,7 @@ namespace deltaform
       times_.push_back(to);
     }
 
-    /// Of a function at a time: behind what was skipped it goes on from where it was.
+    /// Value of a function at a time: after the skipped time it goes on from the value that it had.
     double value(const TimeFunction &function, const double time) const
     {
       double result = function(time);

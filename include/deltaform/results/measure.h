@@ -11,7 +11,7 @@
 namespace deltaform
 {
   /**
-   * What somebody would take from the finished part with a gauge: radii, angles, lengths of the section. Each kind is a
+   * What a gauge would measure on the finished part: radii, angles, lengths of the section. Each kind is a
    * file in source/results/measures that registers itself under the name that the entry Kind gives.
    */
   class Measure

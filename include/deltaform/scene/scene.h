@@ -42,7 +42,7 @@ namespace deltaform
     /// What a metal's name stands for (entry Material/Name). @throws SceneError
     void supply_material(Section root);
 
-    /// Things that are wrong although every entry is allowed: overlaps, stages in which nothing changes, ...
+    /// What is wrong although every entry by itself is allowed: overlaps, stages in which nothing changes, ...
     void check(Section root) const;
     void check_functions(Section root) const;
     void check_columns(Section root) const;

@@ -58,7 +58,7 @@ namespace deltaform
      */
     void keep_constant_part(std::vector<DofIndex> candidates, std::size_t largest_rank);
 
-    /// Discard what is kept from earlier factorizations (pivots): see LinearSolver::forget().
+    /// Discard what earlier factorizations left (pivots): see LinearSolver::forget().
     void forget_factors();
 
     /// Start a pass: set everything to zero but a constant part.
