@@ -7,13 +7,12 @@ Force of the pressed plate at ten travels; contact error: `auto` against `active
 `active set` against 800 elements. Root mean squares over the largest force. The thickness that contact sees is the initial one,
 so that the result does not depend on the path. Standard library only, half a minute.
 """
-import argparse
 import math
 import os
 import subprocess
 import tempfile
 
-from measured import ROOT, MeasuredTable
+from measured import ROOT, MeasuredTable, arguments_of
 from csv_file import rows_of
 
 ENTRIES = ["Output/Pictures=0", "Output/Travels=1,2,3,4,5,6,7,8,9,10", "Steps/form/First increment=0.2",
@@ -39,10 +38,7 @@ def difference(a, b):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
-    parser.add_argument("--write", action="store_true", help="renew doc/measured/automatic_delta.csv")
-    options = parser.parse_args()
+    options = arguments_of(__doc__, write="renew doc/measured/automatic_delta.csv").parse_args()
     program = options.program
     with tempfile.TemporaryDirectory() as folder:
         exact, automatic = "Contact/Enforcement=active set", "Contact/Allowed penetration=auto"

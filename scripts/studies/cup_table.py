@@ -5,7 +5,6 @@
 
 --write renews doc/measured/cup_*.csv. Standard library only; about half a minute.
 """
-import argparse
 import json
 import math
 import os
@@ -13,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-from measured import ROOT, MeasuredTable
+from measured import ROOT, MeasuredTable, arguments_of
 from csv_file import rows_of
 
 ELEMENTS = [25, 50, 100, 200, 400]
@@ -137,10 +136,7 @@ def rules(program):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
-    parser.add_argument("--write", action="store_true", help="renew doc/measured/cup_*.csv")
-    options = parser.parse_args()
+    options = arguments_of(__doc__, write="renew doc/measured/cup_*.csv").parse_args()
 
     program = os.path.abspath(options.program)
     runs = [Run(program, "cup", f"Blank/Elements={n}") for n in ELEMENTS]

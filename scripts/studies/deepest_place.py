@@ -7,14 +7,13 @@ Every shipped scene with tools, as it is and with contact points inside the elem
 a tighter delta. --write writes doc/measured/deepest_scenes.csv and deepest_cup.csv. Ten minutes; runs that are there are
 not done again.
 """
-import argparse
 import glob
 import json
 import os
 import re
 import subprocess
 
-from measured import ROOT, MeasuredTable
+from measured import ROOT, MeasuredTable, arguments_of
 from csv_file import rows_of
 
 SKIPPED = {"u_bend_solid", "u_bend_19600", "forging_flash", "draw_bead", "cup_delta_1e-7"}  # long, or as another
@@ -101,11 +100,8 @@ def cup(run):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
-    parser.add_argument("--output", default=os.path.join(ROOT, "output", "deepest_place"))
+    parser = arguments_of(__doc__, "deepest_place")
     parser.add_argument("--only", choices=("cup", "scenes"))
-    parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     run = Runs(options.program, os.path.abspath(options.output))
     for name, title, study in (("cup", "cup to 1 in: deepest place of the face over delta", cup),

@@ -8,7 +8,6 @@ Figure 3: condition number in every increment of the three; with beta = .01 (del
 Beyond the paper: friction 0 to .4, every rule, digits really lost, distribution of p/delta.
 --write copies pictures to doc/gallery and renews doc/measured/figures_*.csv. Two jobs at a time, about two minutes.
 """
-import argparse
 import concurrent.futures
 import csv
 import os
@@ -16,7 +15,7 @@ import shutil
 import subprocess
 import sys
 
-from measured import ROOT, MeasuredTable
+from measured import ROOT, MeasuredTable, arguments_of
 
 import numpy as np
 
@@ -178,11 +177,7 @@ def delta_table(runs):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
-    parser.add_argument("--output", default=os.path.join(ROOT, "output", "figures"))
-    parser.add_argument("--write", action="store_true", help="renew pictures in doc/gallery and tables in doc/measured")
-    arguments = parser.parse_args()
+    arguments = arguments_of(__doc__, "figures", write="renew pictures in doc/gallery and tables in doc/measured").parse_args()
     if not os.access(arguments.program, os.X_OK):
         sys.exit(f"figures: no program '{arguments.program}': build it (scripts/build.sh) or name it with --program")
     os.makedirs(arguments.output, exist_ok=True)

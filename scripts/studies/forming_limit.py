@@ -6,12 +6,11 @@
 Runs prm/osu_stretching.prm with friction until the limit of Marciniak and Kuczynski is used up somewhere. --write copies the
 picture to doc/gallery. Five seconds.
 """
-import argparse
 import os
 import shutil
 import subprocess
 
-from measured import ROOT
+from measured import ROOT, arguments_of
 
 import numpy as np
 
@@ -62,11 +61,7 @@ def figure(folder, path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
-    parser.add_argument("--output", default=os.path.join(ROOT, "output", "forming_limit"))
-    parser.add_argument("--write", action="store_true")
-    arguments = parser.parse_args()
+    arguments = arguments_of(__doc__, "forming_limit").parse_args()
     run(arguments.program, arguments.output)
     path = os.path.join(arguments.output, "forming_limit.png")
     figure(arguments.output, path)

@@ -3,6 +3,7 @@
 A file opens with comments: what is measured, and by which script and version of the program. Pages quote and link it, so that a number
 stands once.
 """
+import argparse
 import csv
 import os
 import re
@@ -11,6 +12,16 @@ import sys
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FOLDER = os.path.join(ROOT, "doc", "measured")
 sys.path.insert(0, os.path.join(ROOT, "scripts"))  # csv_file, plot, results and their like
+
+
+def arguments_of(documentation, output=None, write=None):
+    """Parser of a study that runs the program, with --program, --write and, if the runs leave files, --output (output/OUTPUT)."""
+    parser = argparse.ArgumentParser(description=documentation, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
+    if output:
+        parser.add_argument("--output", default=os.path.join(ROOT, "output", output))
+    parser.add_argument("--write", action="store_true", help=write)
+    return parser
 
 
 def version():

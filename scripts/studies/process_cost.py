@@ -5,12 +5,11 @@
 
 Iterations count failed attempts as well. --write writes doc/measured/process_cost.csv. Two minutes.
 """
-import argparse
 import json
 import os
 import subprocess
 
-from measured import ROOT, MeasuredTable
+from measured import ROOT, MeasuredTable, arguments_of
 
 TIGHT = ("--set", "Contact/Allowed penetration=1e-7*thickness")
 PROCESSES = (("cup", "cup", ()), ("cup, delta 1e-7 t", "cup", TIGHT), ("stretching", "osu_stretching", ()),
@@ -25,11 +24,7 @@ PROCESSES = (("cup", "cup", ()), ("cup, delta 1e-7 t", "cup", TIGHT), ("stretchi
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
-    parser.add_argument("--output", default=os.path.join(ROOT, "output", "process_cost"))
-    parser.add_argument("--write", action="store_true")
-    options = parser.parse_args()
+    options = arguments_of(__doc__, "process_cost").parse_args()
     table = MeasuredTable(["process", "scene", "exit status", "increments", "cut-backs", "iterations", "energy error"])
     for name, scene, settings in PROCESSES:
         folder = os.path.join(options.output, os.path.basename(scene) + ("_tight" if settings else ""))

@@ -6,13 +6,12 @@
 Runs the scenes of prm/shop and some of prm that --output does not have yet, one after the other (two minutes), and writes
 processes.png into --output. --write copies the picture to doc/gallery.
 """
-import argparse
 import os
 import shutil
 import subprocess
 import xml.etree.ElementTree as xml
 
-from measured import ROOT
+from measured import ROOT, arguments_of
 
 import numpy as np
 
@@ -82,11 +81,7 @@ def panel(axis, name, folder, number):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
-    parser.add_argument("--output", default=os.path.join(ROOT, "output", "processes"))
-    parser.add_argument("--write", action="store_true", help="renew doc/gallery/processes.png")
-    options = parser.parse_args()
+    options = arguments_of(__doc__, "processes", write="renew doc/gallery/processes.png").parse_args()
     folder = os.path.abspath(options.output)
     figure, axes = plt.subplots(3, 6, figsize=(11, 5.9))
     for axis, (name, scene, number) in zip(axes.flat, PROCESSES):

@@ -7,13 +7,12 @@ Error in force: root mean square difference from `active set` at ten travels ove
 medians over every fifth increment. The runs are those of `deltaform sweep`, so that one that fails is a row. --write renews
 doc/measured/rules.csv and the picture in doc/gallery.
 """
-import argparse
 import os
 import shutil
 import subprocess
 import sys
 
-from measured import ROOT, MeasuredTable
+from measured import ROOT, MeasuredTable, arguments_of
 
 import numpy as np
 
@@ -142,12 +141,9 @@ def plot(results, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
-    parser.add_argument("--output", default=os.path.join(ROOT, "output", "rules"))
+    parser = arguments_of(__doc__, "rules")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--scenes", default="cup,pressed_plate,bent_strip")
-    parser.add_argument("--write", action="store_true")
     arguments = parser.parse_args()
     if not os.access(arguments.program, os.X_OK):
         sys.exit(f"rules: no program '{arguments.program}': build it (scripts/build.sh) or name it with --program")

@@ -6,13 +6,12 @@
 Runs prm/cup.prm with 50 and 400 shell elements and prm/cup_solid.prm (100 x 2 quadrilaterals of degree 2), one after the
 other, and prints the differences in numbers. --write copies the picture to doc/gallery. About a minute.
 """
-import argparse
 import os
 import shutil
 import subprocess
 import sys
 
-from measured import ROOT
+from measured import ROOT, arguments_of
 
 import numpy as np
 
@@ -115,10 +114,7 @@ def numbers(results):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default=os.path.join(ROOT, "build", "release", "deltaform"))
-    parser.add_argument("--output", default=os.path.join(ROOT, "output", "shell_and_solid"))
-    parser.add_argument("--write", action="store_true", help="copy the picture to doc/gallery")
+    parser = arguments_of(__doc__, "shell_and_solid", write="copy the picture to doc/gallery")
     parser.add_argument("--draw", action="store_true", help="draw what an earlier call has left in the folder; run nothing")
     arguments = parser.parse_args()
     if not arguments.draw and not os.access(arguments.program, os.X_OK):

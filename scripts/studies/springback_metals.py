@@ -6,11 +6,9 @@
 Mild steel of NUMISHEET'93 with r0 = 1.79, r90 = 2.27 (Hill 1948). --write renews doc/measured/springback_metals.csv. Runs that are
 finished in FOLDER are not repeated. Ten minutes on one core.
 """
-import argparse
 import os
 
-from measured import MeasuredTable
-from springback_study import HOLDERS, run
+from springback_study import HOLDERS, run, study
 
 HILL = ["Yield surface/Law=hill", "Yield surface/r0=1.79", "Yield surface/r90=2.27"]
 YOSHIDA_UEMORI = ["Young's modulus=205e3", "Falling modulus/Saturated modulus=159e3", "Falling modulus/Rate=61",
@@ -42,18 +40,10 @@ def rows(program, folder):
                        summary["newton_iterations"])
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("program")
-    parser.add_argument("folder")
-    parser.add_argument("--write", action="store_true")
-    arguments = parser.parse_args()
-    table = MeasuredTable(["holder", "metal", "blank", "theta1", "theta2", "rho", "iterations"],
-                          sorted(rows(os.path.abspath(arguments.program), arguments.folder), key=lambda row: (row[0], row[1])))
-    print(table)
-    if arguments.write:
-        table.write("springback_metals", "springback of the U-bend over metals: angles [degree], side-wall curl [mm]")
+def sorted_rows(program, folder):
+    return sorted(rows(program, folder), key=lambda row: (row[0], row[1]))
 
 
 if __name__ == "__main__":
-    main()
+    study(__doc__, ["holder", "metal", "blank", "theta1", "theta2", "rho", "iterations"], sorted_rows, "springback_metals",
+          "springback of the U-bend over metals: angles [degree], side-wall curl [mm]")

@@ -53,18 +53,19 @@ def rows(program, folder):
                    summary["newton_iterations"])
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def study(documentation, head, rows_of, name, title):
+    """The main function of a study of springback: rows_of(PROGRAM, FOLDER) as a table."""
+    parser = argparse.ArgumentParser(description=documentation.splitlines()[0])
     parser.add_argument("program")
     parser.add_argument("folder")
     parser.add_argument("--write", action="store_true")
     arguments = parser.parse_args()
-    table = MeasuredTable(["holder", "blank", "theta1", "theta2", "rho", "iterations"],
-                          rows(os.path.abspath(arguments.program), arguments.folder))
+    table = MeasuredTable(head, rows_of(os.path.abspath(arguments.program), arguments.folder))
     print(table)
     if arguments.write:
-        table.write("springback_u_bend", "springback of the U-bend: angles [degree], side-wall curl [mm]")
+        table.write(name, title)
 
 
 if __name__ == "__main__":
-    main()
+    study(__doc__, ["holder", "blank", "theta1", "theta2", "rho", "iterations"], rows, "springback_u_bend",
+          "springback of the U-bend: angles [degree], side-wall curl [mm]")

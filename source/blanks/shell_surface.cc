@@ -1,7 +1,5 @@
 #include "shell_surface.h"
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +10,7 @@ namespace deltaform
                              const ShellPoints &points,
                              const MaterialPoints &material,
                              const ShellState &state)
-    : space_(space), points_(points), material_(material), state_(state), meridian_(space),
+    : BlankSurface(material), space_(space), points_(points), state_(state), meridian_(space),
       angle_(space.n_nodes(), 0.), weightless_(space.n_nodes(), false)
   {
     read(section);
@@ -21,7 +19,7 @@ namespace deltaform
     std::vector<unsigned int> count(space.n_nodes(), 0);
     for (const auto &cell : space.mesh().cells())
     {
-      if (rule_.empty())
+      if (at_nodes())
         edges_.push_back(cell.nodes);
       else if (space.degree() == 1)
         edges_.push_back({{cell.nodes[0], cell.nodes[1], invalid_index}});
@@ -60,27 +58,18 @@ namespace deltaform
     if (space_.membrane() && contact_point_ == NodalContact::outer_fibre)
       section.fail("Contact point", "a membrane has no director: use 'normal offset'");
 
-    const bool inside = section.choice("Contact points",
-                                       "nodes",
-                                       {"nodes", "gauss"},
-                                       "Which points touch: the nodes, or points inside the elements on the smooth "
-                                       "curve through the nodes.") == "gauss";
-    const int n_points = section.integer("Gauss points",
-                                         2,
-                                         1,
-                                         16,
-                                         "Contact points between two neighbouring nodes ('Contact points = gauss'). "
-                                         "With 2 the force of each is determinate; with 10 hardly any of the face "
-                                         "enters a tool.");
-    if (!inside)
+    read_points(section,
+                {2,
+                 16,
+                 "Which points touch: the nodes, or points inside the elements on the smooth curve through the nodes.",
+                 "Contact points between two neighbouring nodes ('Contact points = gauss'). With 2 the force of each "
+                 "is determinate; with 10 hardly any of the face enters a tool."});
+    if (at_nodes())
       return;
     if (space_.membrane())
       section.fail("Contact points", "a membrane has no rotations that make its meridian smooth: use 'nodes'");
     if (contact_point_ == NodalContact::outer_fibre)
       section.fail("Contact points", "points inside the elements touch at the 'normal offset' only: use 'nodes'");
-    const dealii::QGauss<1> rule(n_points);
-    rule_ = rule.get_points();
-    weights_ = rule.get_weights();
   }
 
 
@@ -96,32 +85,19 @@ namespace deltaform
   }
 
 
-  unsigned int ShellSurface::n_contact_points(Side) const
+  unsigned int ShellSurface::n_contact_nodes(Side) const
   {
-    return rule_.empty() ? space_.n_nodes() : meridian_.n_pieces() * rule_.size();
+    return space_.n_nodes();
   }
 
 
-  double ShellSurface::modulus() const
-  {
-    return material_.law().young_modulus();
-  }
-
-
-  std::vector<double> ShellSurface::flow_stress(const Side side) const
+  std::vector<double> ShellSurface::nodal_flow_stress(const Side side) const
   {
     const unsigned int outer = side == Side::top ? points_.n_layers() - 1 : 0;
     std::vector<double> values(points_.size());
     for (unsigned int p = 0; p < values.size(); ++p)
       values[p] = material_.flow_stress(static_cast<std::size_t>(p) * points_.n_layers() + outer);
-    values = points_.to_nodes(values);
-    if (rule_.empty())
-      return values;
-    std::vector<double> result;
-    for (const auto &[a, b, none] : edges_)
-      for (const auto &xi : rule_)
-        result.push_back((1. - xi[0]) * values[a] + xi[0] * values[b]);
-    return result;
+    return points_.to_nodes(values);
   }
 
 
@@ -139,12 +115,6 @@ namespace deltaform
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       h += point.nodes[a].share * state_.node_thickness(point.nodes[a].node);
     return h;
-  }
-
-
-  unsigned int ShellSurface::points_per_edge() const
-  {
-    return rule_.size();
   }
 
 
@@ -166,21 +136,9 @@ namespace deltaform
   }
 
 
-  void ShellSurface::contact_point(const Vector &q,
-                                   const Side side,
-                                   const unsigned int point,
-                                   const ContactThickness thickness,
-                                   ContactPoint &result) const
+  double ShellSurface::point_area(Side, const unsigned int point) const
   {
-    if (rule_.empty())
-    {
-      nodal_point(q, side, point, thickness, result);
-      return;
-    }
-    const unsigned int n = rule_.size();
-    contact_place(q, side, point / n, rule_[point % n][0], thickness, result);
-    result.area = point_areas_[point];
-    result.compliance = result.offset / (modulus() * result.area);
+    return point_areas_[point];
   }
 
 
@@ -241,7 +199,7 @@ namespace deltaform
   void ShellSurface::update(const Vector &q)
   {
     areas_ = areas_at(q);
-    if (rule_.empty())
+    if (at_nodes())
       return;
     meridian_.update(q);
     point_areas_.clear();

@@ -1,12 +1,10 @@
 #pragma once
 
-#include "material_points.h"
+#include "blank_surface.h"
 #include "shell_meridian.h"
 #include "shell_points.h"
 #include "shell_space.h"
 #include "shell_state.h"
-
-#include <deltaform/assembly/contact_surface.h>
 
 #include <array>
 #include <vector>
@@ -23,7 +21,7 @@ namespace deltaform
 
   /// Both faces of a shell as contact sees them: its nodes, or points of its smooth meridian between them
   /// (doc/theory/contact.md, "Points inside the elements").
-  class ShellSurface : public ContactSurface
+  class ShellSurface : public BlankSurface
   {
   public:
     /// Read where the contact points are.
@@ -35,16 +33,7 @@ namespace deltaform
 
     unsigned int n_contact_dofs() const override;
     unsigned int n_nodes() const override;
-    unsigned int n_contact_points(Side side) const override;
-    double modulus() const override;
-    std::vector<double> flow_stress(Side side) const override;
-    void contact_point(const Vector &q,
-                       Side side,
-                       unsigned int node,
-                       ContactThickness thickness,
-                       ContactPoint &result) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
-    unsigned int points_per_edge() const override;
     void contact_place(const Vector &q,
                        Side side,
                        unsigned int edge,
@@ -72,7 +61,7 @@ namespace deltaform
     static void each_array(Surface &surface, const Action &action)
     {
       action("area of nodes", surface.areas_);
-      if (!surface.rule_.empty())
+      if (!surface.at_nodes())
       {
         action("area of contact points", surface.point_areas_);
         action("length of tangents", surface.meridian_.tangent_lengths());
@@ -83,21 +72,20 @@ namespace deltaform
     /// Read where the contact points are.
     void read(Section &section);
 
-    /// Describe a node as contact point.
+    std::vector<double> nodal_flow_stress(Side side) const override;
+    unsigned int n_contact_nodes(Side side) const override;
     void nodal_point(const Vector &q, Side side, unsigned int node, ContactThickness thickness, ContactPoint &result)
-      const;
+      const override;
+    double point_area(Side side, unsigned int point) const override;
 
     /// Between nodes, as asked for.
     double thickness_at(const ContactPoint &point, ContactThickness thickness) const;
 
     const ShellSpace &space_;
     const ShellPoints &points_;
-    const MaterialPoints &material_;
     const ShellState &state_;
     ShellMeridian meridian_;
     NodalContact contact_point_;
-    std::vector<dealii::Point<1>> rule_; ///< contact points of a piece of the meridian; none: the nodes are
-    std::vector<double> weights_; ///< of the rule
     std::vector<std::array<unsigned int, 3>> edges_;
     std::vector<double> angle_; ///< of the reference tangent at the nodes, averaged at kinks
     std::vector<bool> weightless_; ///< nodes whose tributary area vanishes: no contact

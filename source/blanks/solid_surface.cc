@@ -2,8 +2,6 @@
 
 #include <deltaform/parameters/text.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +12,7 @@ namespace deltaform
                              const SolidDiscretization &body,
                              const MaterialPoints &material,
                              const bool moves)
-    : body_(body), material_(material), moves_(moves),
+    : BlankSurface(material), body_(body), moves_(moves),
       parts_{{section.names("Contact bottom",
                             "bottom",
                             "Parts of the boundary that tools with Side = bottom touch; 'bottom, end' goes around the "
@@ -22,24 +20,12 @@ namespace deltaform
               section.names("Contact top", "top", "Parts of the boundary that tools with Side = top touch.")}},
       faces_{{SolidFace(body.space()), SolidFace(body.space())}}
   {
-    read_points(section);
-  }
-
-
-  void SolidSurface::read_points(Section &section)
-  {
-    const bool inside =
-      section.choice("Contact points", "nodes", {"nodes", "gauss"},
-                     "What touches: the nodes, or Gauss points of the edges of the cells.") == "gauss";
-    const int n_points =
-      section.integer("Gauss points", static_cast<int>(body_.space().degree()), 1, 5,
-                      "Contact points of an edge ('Contact points = gauss'); as many as the degree of the cells give a "
-                      "uniform pressure.");
-    if (!inside)
-      return;
-    const dealii::QGauss<1> rule(n_points);
-    rule_ = rule.get_points();
-    weights_ = rule.get_weights();
+    read_points(section,
+                {static_cast<int>(body_.space().degree()),
+                 5,
+                 "What touches: the nodes, or Gauss points of the edges of the cells.",
+                 "Contact points of an edge ('Contact points = gauss'); as many as the degree of the cells give a "
+                 "uniform pressure."});
   }
 
 
@@ -85,7 +71,7 @@ namespace deltaform
     {
       SolidFace &face = faces_[side];
       face.update_areas(moves_ ? q : none);
-      if (rule_.empty())
+      if (at_nodes())
         continue;
       point_areas_[side].clear();
       ContactPoint place;
@@ -123,60 +109,39 @@ namespace deltaform
   }
 
 
-  unsigned int SolidSurface::n_contact_points(const Side side) const
+  unsigned int SolidSurface::n_contact_nodes(const Side side) const
   {
-    const SolidFace &face = faces_[static_cast<unsigned int>(side)];
-    return rule_.empty() ? face.nodes().size() : face.edges().size() * rule_.size();
+    return face(static_cast<unsigned int>(side)).nodes().size();
   }
 
 
-  double SolidSurface::modulus() const
-  {
-    return material_.law().young_modulus();
-  }
-
-
-  std::vector<double> SolidSurface::flow_stress(const Side side) const
+  std::vector<double> SolidSurface::nodal_flow_stress(const Side side) const
   {
     std::vector<double> values(material_.size());
     for (unsigned int p = 0; p < values.size(); ++p)
       values[p] = material_.flow_stress(p);
     values = body_.points().to_nodes(values);
     std::vector<double> result;
-    const SolidFace &face = faces_[static_cast<unsigned int>(side)];
-    if (rule_.empty())
-      for (const auto node : face.nodes())
-        result.push_back(values[node]);
-    else
-      for (const auto &edge : face.edges())
-        for (const auto &xi : rule_)
-          result.push_back((1. - xi[0]) * values[face.ends(edge)[0]] + xi[0] * values[face.ends(edge)[1]]);
+    for (const auto node : face(static_cast<unsigned int>(side)).nodes())
+      result.push_back(values[node]);
     return result;
   }
 
 
-  void SolidSurface::contact_point(const Vector &q,
-                                   const Side side,
-                                   const unsigned int node,
-                                   ContactThickness,
-                                   ContactPoint &result) const
+  void SolidSurface::nodal_point(const Vector &q,
+                                 const Side side,
+                                 const unsigned int node,
+                                 ContactThickness,
+                                 ContactPoint &result) const
   {
-    const auto number = static_cast<unsigned int>(side);
-    if (rule_.empty())
-      faces_[number].contact_point(q, node, result);
-    else
-    {
-      const unsigned int n = rule_.size();
-      faces_[number].contact_place(q, node / n, rule_[node % n][0], result);
-      result.area = point_areas_[number][node];
-    }
+    faces_[static_cast<unsigned int>(side)].contact_point(q, node, result);
     result.thickness = shortest_edge_;
   }
 
 
-  unsigned int SolidSurface::points_per_edge() const
+  double SolidSurface::point_area(const Side side, const unsigned int point) const
   {
-    return rule_.size();
+    return point_areas_[static_cast<unsigned int>(side)][point];
   }
 
 

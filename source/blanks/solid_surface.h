@@ -1,14 +1,10 @@
 #pragma once
 
-#include "material_points.h"
+#include "blank_surface.h"
 #include "solid_discretization.h"
 #include "solid_face.h"
 
-#include <deltaform/assembly/contact_surface.h>
 #include <deltaform/io/keyed_arrays.h>
-#include <deltaform/parameters/section.h>
-
-#include <deal.II/base/point.h>
 
 #include <array>
 #include <string>
@@ -17,7 +13,7 @@
 namespace deltaform
 {
   /// Bottom and top of a solid as contact sees them, and what lies between them.
-  class SolidSurface : public ContactSurface
+  class SolidSurface : public BlankSurface
   {
   public:
     /// Read which parts of the boundary tools touch. @p moves: areas are the current ones, not the initial ones
@@ -34,16 +30,7 @@ namespace deltaform
 
     unsigned int n_contact_dofs() const override;
     unsigned int n_nodes() const override;
-    unsigned int n_contact_points(Side side) const override;
-    double modulus() const override;
-    std::vector<double> flow_stress(Side side) const override;
-    void contact_point(const Vector &q,
-                       Side side,
-                       unsigned int node,
-                       ContactThickness thickness,
-                       ContactPoint &result) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
-    unsigned int points_per_edge() const override;
     void contact_place(const Vector &q,
                        Side side,
                        unsigned int edge,
@@ -75,7 +62,7 @@ namespace deltaform
       action("area of nodes, bottom", surface.faces_[0].areas());
       action("area of nodes, top", surface.faces_[1].areas());
       action("smallest thickness", surface.smallest_thickness_);
-      if (!surface.rule_.empty())
+      if (!surface.at_nodes())
       {
         action("area of contact points, bottom", surface.point_areas_[0]);
         action("area of contact points, top", surface.point_areas_[1]);
@@ -83,16 +70,16 @@ namespace deltaform
     }
 
   private:
-    /// Read where the contact points are.
-    void read_points(Section &section);
+    std::vector<double> nodal_flow_stress(Side side) const override;
+    unsigned int n_contact_nodes(Side side) const override;
+    void nodal_point(const Vector &q, Side side, unsigned int node, ContactThickness thickness, ContactPoint &result)
+      const override;
+    double point_area(Side side, unsigned int point) const override;
 
     const SolidDiscretization &body_;
-    const MaterialPoints &material_;
     bool moves_;
     std::array<std::vector<std::string>, 2> parts_; ///< of the boundary: bottom, top
     std::array<SolidFace, 2> faces_;
-    std::vector<dealii::Point<1>> rule_; ///< contact points of an edge; none: the nodes are
-    std::vector<double> weights_; ///< of the rule
     std::array<std::vector<double>, 2> point_areas_; ///< of the contact points inside edges, accepted
     double shortest_edge_ = 0;
     double smallest_thickness_ = 0;

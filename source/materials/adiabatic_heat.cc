@@ -11,15 +11,15 @@ namespace deltaform
                                std::unique_ptr<Softening> softening,
                                const double heating,
                                const std::optional<MetalHeat> &conducts)
-    : cold_(std::move(cold)), softening_(std::move(softening)), heating_(heating), conducts_(conducts),
-      rise_(cold_->history_layout().size())
+    : RateDecorator(std::move(cold)), softening_(std::move(softening)), heating_(heating), conducts_(conducts),
+      rise_(law().history_layout().size())
   {
   }
 
 
   HistoryLayout AdiabaticHeat::history_layout() const
   {
-    HistoryLayout layout = cold_->history_layout();
+    HistoryLayout layout = law().history_layout();
     layout.append({{"temperature_rise", conducts_ ? HistoryKind::scalar : HistoryKind::positive, "temperature"}});
     return layout;
   }
@@ -27,7 +27,7 @@ namespace deltaform
 
   bool AdiabaticHeat::needs_duration() const
   {
-    return conducts_ || cold_->needs_duration();
+    return conducts_ || law().needs_duration();
   }
 
 
@@ -52,7 +52,7 @@ namespace deltaform
   FlowStress AdiabaticHeat::evaluate(
     const FlowStress &slow, const PointFlow &flow, const double *start, double *end) const
   {
-    const FlowStress cold = cold_->evaluate(slow, flow, start, end);
+    const FlowStress cold = law().evaluate(slow, flow, start, end);
     const double k = heating_ * flow.growth;
     double factor = 1.;
     const auto stress = [&](const double rise) -> FlowStress {
@@ -71,6 +71,6 @@ namespace deltaform
 
   double AdiabaticHeat::at_rest(const double slow, const double strain, const double *const history) const
   {
-    return softening_->evaluate(rise(history)).factor * cold_->at_rest(slow, strain, history);
+    return softening_->evaluate(rise(history)).factor * law().at_rest(slow, strain, history);
   }
 } // namespace deltaform

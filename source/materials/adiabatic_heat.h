@@ -1,6 +1,7 @@
 #pragma once
 
-#include <deltaform/materials/rate_factor.h>
+#include "rate_decorator.h"
+
 #include <deltaform/materials/softening.h>
 
 #include <memory>
@@ -18,7 +19,7 @@ namespace deltaform
    * evaluate(). W.S. Farren, G.I. Taylor, The heat developed during plastic extension of metals, Proc. R. Soc. A 107
    * (1925) 422.
    */
-  class AdiabaticHeat final : public RateFactor
+  class AdiabaticHeat final : public RateDecorator
   {
   public:
     /// @p heating share/(rho c) (temperature/stress)
@@ -40,7 +41,6 @@ namespace deltaform
     /// The rise of the temperature in @p history.
     double rise(const double *history) const;
 
-    std::unique_ptr<RateFactor> cold_;
     std::unique_ptr<Softening> softening_;
     double heating_;
     std::optional<MetalHeat> conducts_;

@@ -5,29 +5,34 @@
 namespace deltaform
 {
   /// Mises, isotropic hardening, all strains given.
-  PointOutcome radial_return(const FlowLaw &law,
-                             const Mandel &strain,
-                             const double *committed,
-                             double *trial,
-                             Mandel &stress,
-                             double *tangent);
+  class RadialReturn final : public ReturnMap
+  {
+  public:
+    PointOutcome update(const FlowLaw &law, const PointUpdate &point) const override;
+  };
+
 
   /// Mises, isotropic hardening, in-plane strains and third stress given.
-  PointOutcome plane_stress_return(const FlowLaw &law,
-                                   Mandel &strain,
-                                   double third_stress,
-                                   const double *committed,
-                                   double *trial,
-                                   Mandel &stress,
-                                   double *tangent);
+  class PlaneStressReturn final : public ReturnMap
+  {
+  public:
+    PointOutcome update(const FlowLaw &law, const PointUpdate &point) const override;
+  };
 
-  /// The same for Hill 1948 with normal anisotropy @p r > -1/2, direction 3 normal to the sheet.
-  PointOutcome plane_stress_return(double r,
-                                   const FlowLaw &law,
-                                   Mandel &strain,
-                                   double third_stress,
-                                   const double *committed,
-                                   double *trial,
-                                   Mandel &stress,
-                                   double *tangent);
+
+  /// The same for Hill 1948 with normal anisotropy, direction 3 normal to the sheet.
+  class NormalAnisotropyReturn final : public ReturnMap
+  {
+  public:
+    /// @p r > -1/2
+    explicit NormalAnisotropyReturn(const double r)
+      : r_(r)
+    {
+    }
+
+    PointOutcome update(const FlowLaw &law, const PointUpdate &point) const override;
+
+  private:
+    double r_;
+  };
 } // namespace deltaform

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <deltaform/materials/rate_factor.h>
-
-#include <memory>
+#include "rate_decorator.h"
 
 namespace deltaform
 {
@@ -11,7 +9,7 @@ namespace deltaform
    * goes, so that the metal may become colder than it was at its start. What the law makes of a temperature is its own
    * affair.
    */
-  class ConductedHeat final : public RateFactor
+  class ConductedHeat final : public RateDecorator
   {
   public:
     /// @p law with the field `temperature_rise` in its history, which may be negative
@@ -19,14 +17,9 @@ namespace deltaform
 
     HistoryLayout history_layout() const override;
     bool needs_duration() const override;
-    bool softens() const override;
     std::optional<MetalHeat> heat() const override;
-    FlowStress
-    evaluate(const FlowStress &slow, const PointFlow &flow, const double *start, double *end) const override;
-    double at_rest(double slow, double strain, const double *history) const override;
 
   private:
-    std::unique_ptr<RateFactor> law_;
     MetalHeat metal_;
   };
 } // namespace deltaform

@@ -20,6 +20,43 @@ namespace deltaform
     bool resolved = true; ///< false: met as closely as neighbouring floating-point numbers allow, but not more
   };
 
+  /// Between what the root of solve_consistency() lies, and how it is cut.
+  struct ConsistencyBracket
+  {
+    double upper, lower = 0.;
+    double reach = 1e-4; ///< how far down to cut while nothing is known but that the root is not 0
+    unsigned int slow = 0; ///< extrapolations without a cut
+
+    bool inside(const double u) const
+    {
+      return u > lower && u < upper;
+    }
+
+    /// Less what lies beyond @p u with the excess @p f; false if that is not a number.
+    bool narrow(const double u, const double f)
+    {
+      (f > 0. ? lower : upper) = u;
+      return !std::isnan(f);
+    }
+
+    /// @p extrapolated, or a cut at the geometric mean (from 0 upwards: by factors that grow).
+    double shorten(const double extrapolated)
+    {
+      if (slow < 2 && inside(extrapolated))
+      {
+        ++slow;
+        return extrapolated;
+      }
+      slow = 0;
+      if (lower > 0.)
+        return upper < std::numeric_limits<double>::infinity() ? std::sqrt(lower) * std::sqrt(upper) : 1e3 * lower;
+      const double cut = std::fmax(reach * upper, std::numeric_limits<double>::min());
+      reach = std::fmax(reach * reach, 1e-64);
+      return cut;
+    }
+  };
+
+
   /**
    * Solve f(u) = 0, u >= 0, for a continuous f(u) that goes from f(0) > 0 to f(@p upper) <= 0 (@p upper may be
    * infinite) to |f| <= @p tolerance. @p guess is where the root is believed to be (anything else than a number in
@@ -35,14 +72,14 @@ namespace deltaform
   PlasticFlow solve_consistency(const Function &excess,
                                 const double guess,
                                 const double start,
-                                double upper,
+                                const double upper,
                                 const double tolerance = 2e-15)
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
     constexpr unsigned int max_iter = 200;
 
-    double lower = 0., at_zero = not_a_number, u = guess;
+    ConsistencyBracket bracket{upper};
+    double at_zero = not_a_number, u = guess;
     if (!(guess > 0. && guess < upper))
     {
       const Excess zero = excess(0.);
@@ -54,9 +91,7 @@ namespace deltaform
         u = start;
     }
 
-    double previous = infinity;
-    double reach = 1e-4; // how far down to cut while nothing is known but that the root is not 0
-    unsigned int slow = 0;
+    double previous = std::numeric_limits<double>::infinity();
     for (unsigned int iteration = 0; iteration < max_iter; ++iteration)
     {
       const Excess here = excess(u);
@@ -64,16 +99,11 @@ namespace deltaform
       const double size_f = std::abs(f);
       if (size_f <= tolerance)
         return {u, true, true};
-      if (f > 0.)
-        lower = u;
-      else if (f < 0.)
-        upper = u;
-      else
+      if (!bracket.narrow(u, f))
         return {};
 
-      const auto inside = [&](const double v) { return v > lower && v < upper; };
       double next = u - f / here.slope;
-      if (!inside(next) || size_f > .25 * previous)
+      if (!bracket.inside(next) || size_f > .25 * previous)
       {
         if (std::isfinite(here.slope) && std::abs(next - u) <= std::numeric_limits<double>::epsilon() * u)
           return {u, true, size_f <= 100. * tolerance};
@@ -84,21 +114,8 @@ namespace deltaform
             return {0., at_zero <= tolerance, true};
         }
         const double flow = at_zero - f;
-        next = u * std::pow(at_zero / flow, -flow / (here.slope * u));
-        if (slow < 2 && inside(next))
-          ++slow;
-        else
-        {
-          if (lower > 0.)
-            next = upper < infinity ? std::sqrt(lower) * std::sqrt(upper) : 1e3 * lower;
-          else
-          {
-            next = std::fmax(reach * upper, std::numeric_limits<double>::min());
-            reach = std::fmax(reach * reach, 1e-64);
-          }
-          slow = 0;
-        }
-        if (!inside(next)) // no floating-point number is left inside the bracket
+        next = bracket.shorten(u * std::pow(at_zero / flow, -flow / (here.slope * u)));
+        if (!bracket.inside(next)) // no floating-point number is left inside the bracket
         {
           excess(u);
           return {u, true, size_f <= 100. * tolerance};

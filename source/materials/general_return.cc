@@ -56,22 +56,10 @@ namespace deltaform
   } // namespace
 
 
-  /// The arguments of update().
-  struct GeneralReturn::Point
-  {
-    Mandel &strain;
-    double third_stress;
-    const double *start;
-    double *trial;
-    Mandel &stress;
-    double *tangent;
-  };
-
-
   /// One point on the way to its yield surface.
   struct GeneralReturn::State
   {
-    const Point &point;
+    const PointUpdate &point;
     Matrix4 compliance;
     Vector4 strain; ///< total less plastic at the start
     Vector4 relative_stress; ///< xi
@@ -94,7 +82,7 @@ namespace deltaform
 
   FlowStress GeneralReturn::flow_stress(const FlowLaw &law, const State &state, const double x) const
   {
-    const Point &point = state.point;
+    const PointUpdate &point = state.point;
     const double strain = point.start[FlowHistory::equivalent] + x;
     const FlowStress slow = law.hardening.evaluate(strain);
     if (!laws_.rate_factor)
@@ -104,7 +92,7 @@ namespace deltaform
   }
 
 
-  void GeneralReturn::set_elastic(const FlowLaw &law, const Point &point, State &state) const
+  void GeneralReturn::set_elastic(const FlowLaw &law, const PointUpdate &point, State &state) const
   {
     const Elasticity &elastic = law.elastic;
     Mandel e;
@@ -202,15 +190,8 @@ namespace deltaform
   }
 
 
-  PointOutcome GeneralReturn::update(const FlowLaw &law,
-                                     Mandel &strain,
-                                     const double third_stress,
-                                     const double *start_history,
-                                     double *trial,
-                                     Mandel &stress,
-                                     double *tangent) const
+  PointOutcome GeneralReturn::update(const FlowLaw &law, const PointUpdate &point) const
   {
-    const Point point{strain, third_stress, start_history, trial, stress, tangent};
     State state{point, {}, {}, {}, {}, 0., {}, {}, {}, {}, {}, {}};
     set_elastic(law, point, state);
     const double guess = expected_increment(point.start, point.trial);
@@ -249,7 +230,7 @@ namespace deltaform
   }
 
 
-  PointOutcome GeneralReturn::stay_elastic(const FlowLaw &law, const Point &point, State &state) const
+  PointOutcome GeneralReturn::stay_elastic(const FlowLaw &law, const PointUpdate &point, State &state) const
   {
     keep_history(point.start, point.trial, n_history_);
     set_elastic(law, point, state);
@@ -264,7 +245,7 @@ namespace deltaform
   }
 
 
-  void GeneralReturn::set_flow(const FlowLaw &law, const Point &point, const State &state) const
+  void GeneralReturn::set_flow(const FlowLaw &law, const PointUpdate &point, const State &state) const
   {
     for (unsigned int i = 0; i < 4; ++i)
       point.trial[i] = point.start[i] + state.flow * state.at.gradient[i];

@@ -24,26 +24,19 @@ namespace deltaform
     /// @p laws outlive this; @p n_history values of a point.
     GeneralReturn(const FlowLaws &laws, ThirdDirection third, unsigned int n_history);
 
-    PointOutcome update(const FlowLaw &law,
-                        Mandel &strain,
-                        double third_stress,
-                        const double *start,
-                        double *trial,
-                        Mandel &stress,
-                        double *tangent) const override;
+    PointOutcome update(const FlowLaw &law, const PointUpdate &point) const override;
 
   private:
-    struct Point;
     struct State;
 
-    void set_elastic(const FlowLaw &law, const Point &point, State &state) const;
+    void set_elastic(const FlowLaw &law, const PointUpdate &point, State &state) const;
     void set_residual(const FlowLaw &law, State &state, double mu) const;
     bool find_stress(const FlowLaw &law, State &state, double mu) const;
     FlowStress flow_stress(const FlowLaw &law, const State &state, double x) const;
     double largest_multiplier(const FlowLaw &law, const State &state) const;
-    PointOutcome stay_elastic(const FlowLaw &law, const Point &point, State &state) const;
+    PointOutcome stay_elastic(const FlowLaw &law, const PointUpdate &point, State &state) const;
     /// Strains and stress at the end of the flow that @p state solves.
-    void set_flow(const FlowLaw &law, const Point &point, const State &state) const;
+    void set_flow(const FlowLaw &law, const PointUpdate &point, const State &state) const;
     void set_tangent(const FlowLaw &law, const State &state, const FlowStress &flow, double *tangent) const;
 
     const FlowLaws &laws_;

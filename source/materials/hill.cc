@@ -11,31 +11,6 @@ namespace deltaform
 {
   namespace
   {
-    /// Normal anisotropy, in-plane strains and third stress given.
-    class NormalAnisotropyReturn final : public ReturnMap
-    {
-    public:
-      explicit NormalAnisotropyReturn(const double r)
-        : r_(r)
-      {
-      }
-
-      PointOutcome update(const FlowLaw &law,
-                          Mandel &strain,
-                          const double third_stress,
-                          const double *start,
-                          double *trial,
-                          Mandel &stress,
-                          double *tangent) const override
-      {
-        return plane_stress_return(r_, law, strain, third_stress, start, trial, stress, tangent);
-      }
-
-    private:
-      double r_;
-    };
-
-
     /**
      * Hill 1948, q^2 = F (t2-t3)^2 + G (t3-t1)^2 + H (t1-t2)^2 + 2 N t12^2, in tension along direction 1 the stress
      * itself if G + H = 1. R. Hill, A theory of the yielding and plastic flow of anisotropic metals, Proc. R. Soc. A

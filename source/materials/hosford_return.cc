@@ -165,14 +165,12 @@ namespace deltaform
   }
 
 
-  PointOutcome HosfordReturn::update(const FlowLaw &law,
-                                     Mandel &strain,
-                                     const double third_stress,
-                                     const double *const start,
-                                     double *const trial,
-                                     Mandel &stress,
-                                     double *const tangent) const
+  PointOutcome HosfordReturn::update(const FlowLaw &law, const PointUpdate &point) const
   {
+    const double third_stress = point.third_stress;
+    const double *const start = point.start;
+    double *const trial = point.trial, *const tangent = point.tangent;
+    Mandel &strain = point.strain, &stress = point.stress;
     const Elasticity &elastic = law.elastic;
     const double shift = third_stress * elastic.shift;
     const double e1 = strain[0] - start[0] - shift, e2 = strain[1] - start[1] - shift;
@@ -207,7 +205,7 @@ namespace deltaform
     Solution now;
     begin(plane, at_rest, expected, now);
     if (!solve(law, plane, start[FlowHistory::equivalent], now))
-      return general_.update(law, strain, third_stress, start, trial, stress, tangent);
+      return general_.update(law, point);
     const double flow_a = half_root * (plane.a - now.a) / plane.stiffness_a;
     const double flow_r = (plane.r - now.r) / plane.stiffness_r, flow_b = half_root * flow_r * plane.cosine;
     trial[0] = start[0] + flow_a + flow_b;

@@ -23,13 +23,7 @@ namespace deltaform
     /// @p surface is the one of this exponent and r, for the general return map.
     HosfordReturn(double exponent, double r, std::unique_ptr<YieldSurface> surface);
 
-    PointOutcome update(const FlowLaw &law,
-                        Mandel &strain,
-                        double third_stress,
-                        const double *start,
-                        double *trial,
-                        Mandel &stress,
-                        double *tangent) const override;
+    PointOutcome update(const FlowLaw &law, const PointUpdate &point) const override;
 
   private:
     struct Yield;

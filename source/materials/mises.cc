@@ -9,38 +9,6 @@ namespace deltaform
 {
   namespace
   {
-    class SolidReturn final : public ReturnMap
-    {
-    public:
-      PointOutcome update(const FlowLaw &law,
-                          Mandel &strain,
-                          double /*third_stress*/,
-                          const double *start,
-                          double *trial,
-                          Mandel &stress,
-                          double *tangent) const override
-      {
-        return radial_return(law, strain, start, trial, stress, tangent);
-      }
-    };
-
-
-    class ShellReturn final : public ReturnMap
-    {
-    public:
-      PointOutcome update(const FlowLaw &law,
-                          Mandel &strain,
-                          const double third_stress,
-                          const double *start,
-                          double *trial,
-                          Mandel &stress,
-                          double *tangent) const override
-      {
-        return plane_stress_return(law, strain, third_stress, start, trial, stress, tangent);
-      }
-    };
-
-
     /**
      * Mises: q = sqrt(3/2) |dev t|. R. v. Mises, Mechanik der festen Koerper im plastisch-deformablen Zustand, Nachr.
      * Ges. Wiss. Goettingen, Math.-Phys. Kl. (1913) 582.
@@ -89,8 +57,8 @@ namespace deltaform
         return {{t[0] - mean, t[1] - mean, t[2] - mean, t[3]}};
       }
 
-      SolidReturn solid_;
-      ShellReturn shell_;
+      RadialReturn solid_;
+      PlaneStressReturn shell_;
     };
 
     std::unique_ptr<YieldSurface> make(Section &)

@@ -128,87 +128,73 @@ namespace deltaform
     };
 
 
-    template <typename Parts>
-    PointOutcome quadratic_return(const Parts &parts,
-                                  const FlowLaw &law,
-                                  Mandel &strain,
-                                  const double third_stress,
-                                  const double *committed,
-                                  double *trial,
-                                  Mandel &stress,
-                                  double *tangent)
+    /// Elastic trial stress less t3 in its components, and what is made of it.
+    struct PlaneStress
     {
-      const Elasticity &elastic = law.elastic;
-      const double shift = third_stress * elastic.shift;
-      const double e1 = strain[0] - committed[0] - shift;
-      const double e2 = strain[1] - committed[1] - shift;
-      const double A = elastic.biaxial * half_root * (e1 + e2);
-      const double B = 2. * elastic.shear * half_root * (e1 - e2);
-      const double T = 2. * elastic.shear * (strain[3] - committed[3]);
+      const Elasticity &elastic;
+      const PointUpdate &point;
+      double A, B, T;
 
-      const auto set_stress = [&](const double at_a, const double at_b) {
-        stress = {{half_root * (at_a * A + at_b * B) + third_stress,
-                   half_root * (at_a * A - at_b * B) + third_stress,
-                   third_stress,
-                   at_b * T}};
-        strain[2] = elastic.third_strain(stress) + trial[2];
-      };
-      const auto stay_elastic = [&]() {
-        keep_history(committed, trial);
-        set_stress(1., 1.);
-        if (tangent != nullptr)
-          std::copy(elastic.condensed_tangent.begin(), elastic.condensed_tangent.end(), tangent);
-        return PointOutcome::good;
-      };
-
-      const TrialStress stress_at{parts.square_a(A * A),
-                                  parts.square_b(B * B + T * T),
-                                  parts.flow_a(elastic.biaxial),
-                                  parts.flow_b(2. * elastic.shear)};
-      const double q_square = stress_at.a_square + stress_at.b_square;
-      if (q_square <= law.initial_flow_stress * law.initial_flow_stress)
-        return stay_elastic();
-      if (!std::isfinite(q_square))
-        return PointOutcome::not_finite;
-
-      FlowStress flow{};
-      Returned r{};
-      const auto excess = [&](const double l) -> Excess {
-        r = stress_at.at(l);
-        flow = law.hardening.evaluate(committed[FlowHistory::equivalent] + r.x);
-        return {1. - flow.value * r.inverse_q, (flow.value * r.slope - flow.slope * r.x_slope) * r.inverse_q};
-      };
-      // q <= q_trial / (1 + a l), or with b if that is less, and the flow stress does not fall under its initial value.
-      const double q_trial = std::sqrt(q_square), ratio = q_trial / law.initial_flow_stress;
-      const double upper = ratio / std::min(stress_at.a, stress_at.b);
-      const double start = std::fmin(ratio - 1., 1.) / stress_at.b;
-      const double guess = stress_at.multiplier(expected_increment(committed, trial));
-      const PlasticFlow solved = solve_consistency(excess, guess, start, upper);
-      if (!solved.found)
-        return PointOutcome::not_converged;
-      const double l = solved.amount;
-      if (l == 0. || rests_on_surface(law, committed, q_trial, q_trial - r.q))
-        return stay_elastic();
-
-      const double a_now = r.scale_a * A, b_now = r.scale_b * B, t_now = r.scale_b * T;
-      const double flow_a = parts.flow_a(half_root * l * a_now), flow_b = parts.flow_b(half_root * l * b_now);
-      trial[0] = committed[0] + flow_a + flow_b;
-      trial[1] = committed[1] + flow_a - flow_b;
-      trial[2] = -(trial[0] + trial[1]);
-      trial[3] = committed[3] + parts.flow_b(l * t_now);
-      trial[FlowHistory::equivalent] = committed[FlowHistory::equivalent] + r.x;
-      set_stress(r.scale_a, r.scale_b);
-
-      if (tangent != nullptr)
+      PlaneStress(const Elasticity &law, const PointUpdate &at)
+        : elastic(law), point(at)
       {
-        // Xi = (C^-1 + l P)^-1 and m = Xi P t in the components (A, B, T):
-        // d t = (Xi - m x m / (P t . m + (4/9) q^2 / (1/H - 2/3 l))) d e. Infinite terms, from H = 0 or H infinite, do
-        // what they should.
+        const double shift = point.third_stress * elastic.shift;
+        const double e1 = point.strain[0] - point.start[0] - shift;
+        const double e2 = point.strain[1] - point.start[1] - shift;
+        A = elastic.biaxial * half_root * (e1 + e2);
+        B = 2. * elastic.shear * half_root * (e1 - e2);
+        T = 2. * elastic.shear * (point.strain[3] - point.start[3]);
+      }
+
+      /// Stress and strain through the thickness, the plastic strain at the end being known.
+      void set_stress(const double at_a, const double at_b) const
+      {
+        const double third_stress = point.third_stress;
+        point.stress = {{half_root * (at_a * A + at_b * B) + third_stress,
+                         half_root * (at_a * A - at_b * B) + third_stress,
+                         third_stress,
+                         at_b * T}};
+        point.strain[2] = elastic.third_strain(point.stress) + point.trial[2];
+      }
+
+      PointOutcome stay_elastic() const
+      {
+        keep_history(point.start, point.trial);
+        set_stress(1., 1.);
+        if (point.tangent != nullptr)
+          std::copy(elastic.condensed_tangent.begin(), elastic.condensed_tangent.end(), point.tangent);
+        return PointOutcome::good;
+      }
+
+      /// Plastic strain and stress after the flow @p r by the multiplier @p l.
+      template <typename Parts>
+      void set_flow(const Parts &parts, const Returned &r, const double l) const
+      {
+        const double *const start = point.start;
+        double *const end = point.trial;
+        const double flow_a = parts.flow_a(half_root * l * (r.scale_a * A));
+        const double flow_b = parts.flow_b(half_root * l * (r.scale_b * B));
+        end[0] = start[0] + flow_a + flow_b;
+        end[1] = start[1] + flow_a - flow_b;
+        end[2] = -(end[0] + end[1]);
+        end[3] = start[3] + parts.flow_b(l * (r.scale_b * T));
+        end[FlowHistory::equivalent] = start[FlowHistory::equivalent] + r.x;
+        set_stress(r.scale_a, r.scale_b);
+      }
+
+      /// Xi = (C^-1 + l P)^-1 and m = Xi P t in the components (A, B, T):
+      /// d t = (Xi - m x m / (P t . m + (4/9) q^2 / (1/H - 2/3 l))) d e. Infinite terms, from H = 0 or H infinite, do
+      /// what they should.
+      template <typename Parts>
+      void set_tangent(const Parts &parts, const Returned &r, const double l, const double H) const
+      {
+        double *const tangent = point.tangent;
+        const double a_now = r.scale_a * A, b_now = r.scale_b * B, t_now = r.scale_b * T;
         const double xi_a = elastic.biaxial * r.scale_a, xi_b = 2. * elastic.shear * r.scale_b;
         const double m_a = parts.flow_a(xi_a * a_now);
         const double m_b = parts.flow_b(xi_b * b_now), m_t = parts.flow_b(xi_b * t_now);
         const double inverse = 1. / (parts.flow_a(m_a * a_now) + parts.flow_b(m_b * b_now) + parts.flow_b(m_t * t_now) +
-                                     4. / 9. * r.q * r.q / (1. / flow.slope - 2. / 3. * l));
+                                     4. / 9. * r.q * r.q / (1. / H - 2. / 3. * l));
         const double aa = xi_a - inverse * m_a * m_a, bb = xi_b - inverse * m_b * m_b, ab = -inverse * m_a * m_b;
         const double at = -inverse * m_a * m_t * half_root, bt = -inverse * m_b * m_t * half_root;
         tangent[0] = (aa + bb) / 2. + ab;
@@ -219,32 +205,59 @@ namespace deltaform
         tangent[15] = xi_b - inverse * m_t * m_t;
         tangent[2] = tangent[6] = tangent[8] = tangent[9] = tangent[10] = tangent[11] = tangent[14] = 0.;
       }
+    };
+
+
+    template <typename Parts>
+    PointOutcome quadratic_return(const Parts &parts, const FlowLaw &law, const PointUpdate &point)
+    {
+      const Elasticity &elastic = law.elastic;
+      const PlaneStress plane(elastic, point);
+      const TrialStress stress_at{parts.square_a(plane.A * plane.A),
+                                  parts.square_b(plane.B * plane.B + plane.T * plane.T),
+                                  parts.flow_a(elastic.biaxial),
+                                  parts.flow_b(2. * elastic.shear)};
+      const double q_square = stress_at.a_square + stress_at.b_square;
+      if (q_square <= law.initial_flow_stress * law.initial_flow_stress)
+        return plane.stay_elastic();
+      if (!std::isfinite(q_square))
+        return PointOutcome::not_finite;
+
+      FlowStress flow{};
+      Returned r{};
+      const double flowed = point.start[FlowHistory::equivalent];
+      const auto excess = [&](const double l) -> Excess {
+        r = stress_at.at(l);
+        flow = law.hardening.evaluate(flowed + r.x);
+        return {1. - flow.value * r.inverse_q, (flow.value * r.slope - flow.slope * r.x_slope) * r.inverse_q};
+      };
+      // q <= q_trial / (1 + a l), or with b if that is less, and the flow stress does not fall under its initial value.
+      const double q_trial = std::sqrt(q_square), ratio = q_trial / law.initial_flow_stress;
+      const double upper = ratio / std::min(stress_at.a, stress_at.b);
+      const double start = std::fmin(ratio - 1., 1.) / stress_at.b;
+      const double guess = stress_at.multiplier(expected_increment(point.start, point.trial));
+      const PlasticFlow solved = solve_consistency(excess, guess, start, upper);
+      if (!solved.found)
+        return PointOutcome::not_converged;
+      const double l = solved.amount;
+      if (l == 0. || rests_on_surface(law, point.start, q_trial, q_trial - r.q))
+        return plane.stay_elastic();
+      plane.set_flow(parts, r, l);
+      if (point.tangent != nullptr)
+        plane.set_tangent(parts, r, l, flow.slope);
       return PointOutcome::good;
     }
   } // namespace
 
 
-  PointOutcome plane_stress_return(const FlowLaw &law,
-                                   Mandel &strain,
-                                   const double third_stress,
-                                   const double *committed,
-                                   double *trial,
-                                   Mandel &stress,
-                                   double *tangent)
+  PointOutcome PlaneStressReturn::update(const FlowLaw &law, const PointUpdate &point) const
   {
-    return quadratic_return(MisesParts(), law, strain, third_stress, committed, trial, stress, tangent);
+    return quadratic_return(MisesParts(), law, point);
   }
 
 
-  PointOutcome plane_stress_return(const double r,
-                                   const FlowLaw &law,
-                                   Mandel &strain,
-                                   const double third_stress,
-                                   const double *committed,
-                                   double *trial,
-                                   Mandel &stress,
-                                   double *tangent)
+  PointOutcome NormalAnisotropyReturn::update(const FlowLaw &law, const PointUpdate &point) const
   {
-    return quadratic_return(NormalAnisotropyParts(r), law, strain, third_stress, committed, trial, stress, tangent);
+    return quadratic_return(NormalAnisotropyParts(r_), law, point);
   }
 } // namespace deltaform

@@ -140,7 +140,7 @@ namespace deltaform
       double *tangent = batch.tangent != nullptr ? batch.tangent + p * std::size_t(16) : nullptr;
       const auto return_from = [&](const double *start) {
         return map.update(
-          law, batch.strain[p], third_stress ? batch.third_stress[p] : 0., start, trial, batch.stress[p], tangent);
+          law, {batch.strain[p], third_stress ? batch.third_stress[p] : 0., start, trial, batch.stress[p], tangent});
       };
       double *carried = batch.carried != nullptr ? batch.carried + p * n : nullptr;
       PointOutcome outcome = PointOutcome::good;

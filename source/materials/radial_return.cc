@@ -15,13 +15,35 @@ namespace deltaform
    * H the slope of the flow stress at e_n + x. First order in the increment; exact if the direction of s does not
    * change. J.C. Simo, T.J.R. Hughes, Computational Inelasticity, Springer 1998, boxes 3.1 and 3.2.
    */
-  PointOutcome radial_return(const FlowLaw &law,
-                             const Mandel &strain,
-                             const double *committed,
-                             double *trial,
-                             Mandel &stress,
-                             double *tangent)
+  namespace
   {
+    /// @p remaining 1 - 3 G x/q
+    void set_tangent(const Elasticity &elastic,
+                     const Mandel &s,
+                     const double inverse_q,
+                     const double remaining,
+                     const double x,
+                     const double slope,
+                     double *tangent)
+    {
+      const double G = elastic.shear;
+      const double deviatoric = 2. * G * remaining;
+      const double common = elastic.bulk - deviatoric / 3.;
+      // n x n = (3/2) s x s / q^2
+      const double radial = 9. * G * G * inverse_q * inverse_q * (x * inverse_q - 1. / (3. * G + slope));
+      for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int j = 0; j < 4; ++j)
+          tangent[4 * i + j] = radial * s[i] * s[j] + (i < 3 && j < 3 ? common : 0.) + (i == j ? deviatoric : 0.);
+    }
+  } // namespace
+
+
+  PointOutcome RadialReturn::update(const FlowLaw &law, const PointUpdate &point) const
+  {
+    const Mandel &strain = point.strain;
+    const double *const committed = point.start;
+    double *const trial = point.trial, *const tangent = point.tangent;
+    Mandel &stress = point.stress;
     const Elasticity &elastic = law.elastic;
     const double G = elastic.shear;
 
@@ -71,15 +93,7 @@ namespace deltaform
     trial[FlowHistory::equivalent] = committed[FlowHistory::equivalent] + x;
 
     if (tangent != nullptr)
-    {
-      const double deviatoric = 2. * G * remaining;
-      const double common = elastic.bulk - deviatoric / 3.;
-      // n x n = (3/2) s x s / q^2
-      const double radial = 9. * G * G * inverse_q * inverse_q * (x * inverse_q - 1. / (3. * G + flow.slope));
-      for (unsigned int i = 0; i < 4; ++i)
-        for (unsigned int j = 0; j < 4; ++j)
-          tangent[4 * i + j] = radial * s[i] * s[j] + (i < 3 && j < 3 ? common : 0.) + (i == j ? deviatoric : 0.);
-    }
+      set_tangent(elastic, s, inverse_q, remaining, x, flow.slope, tangent);
     return PointOutcome::good;
   }
 } // namespace deltaform

@@ -3,6 +3,7 @@ import glob
 import os
 import re
 import subprocess
+import sys
 import tempfile
 
 
@@ -49,3 +50,11 @@ def callgrind(command, launcher=(), options=()):
         subprocess.run([*launcher, "valgrind", "--tool=callgrind", f"--callgrind-out-file={out}.%p", *options, *command],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment)
         return Counts(min(glob.glob(out + ".*")))
+
+
+def exit_with(main):
+    """The exit status is what main returns; a command that fails is said in a line."""
+    try:
+        sys.exit(main())
+    except subprocess.CalledProcessError as error:
+        sys.exit(f"{os.path.basename(sys.argv[0])}: {error}")

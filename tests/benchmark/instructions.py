@@ -12,11 +12,10 @@ import argparse
 import json
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 
-from callgrind import callgrind
+from callgrind import callgrind, exit_with
 
 STORED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "instructions.json")
 ALLOWED = 1.1
@@ -95,7 +94,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except subprocess.CalledProcessError as error:
-        sys.exit(f"instructions.py: {error}")
+    exit_with(main)

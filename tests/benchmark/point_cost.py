@@ -11,7 +11,7 @@ import os
 import subprocess
 import sys
 
-from callgrind import callgrind
+from callgrind import callgrind, exit_with
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "scripts", "studies"))
@@ -67,7 +67,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except subprocess.CalledProcessError as error:
-        sys.exit(f"point_cost.py: {error}")
+    exit_with(main)

@@ -122,6 +122,11 @@ namespace deltaform
       BOOST_TEST_REQUIRE(status.good(), status.cause);
     }
 
+    inline Assembly internal_forces(Blank &blank)
+    {
+      return [&](const Vector &q, AssemblyTarget &target) { assemble(blank, q, target); };
+    }
+
     inline Eigen::VectorXd residual(Blank &blank, const Vector &q)
     {
       DenseTarget target(blank.n_dofs(), false);
@@ -150,6 +155,28 @@ namespace deltaform
             if (std::abs(moved[n][k] - start[n][k]) > .5)
               result[i] = {n, k};
       }
+      return result;
+    }
+
+    /// Turn the state @p q about the origin by @p angle and move it by @p shift.
+    inline Vector
+    moved_rigidly(const Blank &blank, const Vector &q, const double angle, const Tensor1 &shift = Tensor1())
+    {
+      const auto role = roles(blank);
+      const auto X = blank.positions(Vector(q.size())), x = blank.positions(q);
+      const double c = std::cos(angle), s = std::sin(angle);
+      Vector result(q.size());
+      for (unsigned int i = 0; i < q.size(); ++i)
+        if (role[i].node == invalid_index)
+          result[i] = q[i] + angle;
+        else
+        {
+          const Point2 &from = x[role[i].node];
+          const Tensor1 to({c * from[0] - s * from[1], s * from[0] + c * from[1]});
+          result[i] = to[role[i].axis] + shift[role[i].axis] - X[role[i].node][role[i].axis];
+        }
+      for (const auto dof : blank.fixed_dofs())
+        result[dof] = 0.;
       return result;
     }
   } // namespace testing

@@ -22,11 +22,6 @@ namespace
   const Entries hill_chaboche =
     and_also(hill, {"Material/Backstress/Law=chaboche", "Material/Backstress/Terms=200 20; 30 0"});
 
-  Assembly internal_forces(Blank &blank)
-  {
-    return [&](const Vector &q, AssemblyTarget &target) { assemble(blank, q, target); };
-  }
-
   Assembly with_pressure(Blank &blank, const double pressure, const bool following)
   {
     return [&blank, pressure, following](const Vector &q, AssemblyTarget &target) {
@@ -40,27 +35,6 @@ namespace
   {
     for (const auto &[side, pressure] : {std::pair(Side::top, top), std::pair(Side::bottom, bottom)})
       blank.set_contact_pressure(side, std::vector<double>(blank.surface().n_nodes(), pressure));
-  }
-
-  /// Turn the state @p q about the origin by @p angle and move it by @p shift.
-  Vector moved_rigidly(const Blank &blank, const Vector &q, const double angle, const Tensor1 &shift)
-  {
-    const auto role = roles(blank);
-    const auto X = blank.positions(Vector(q.size())), x = blank.positions(q);
-    const double c = std::cos(angle), s = std::sin(angle);
-    Vector result(q.size());
-    for (unsigned int i = 0; i < q.size(); ++i)
-      if (role[i].node == invalid_index)
-        result[i] = q[i] + angle;
-      else
-      {
-        const Point2 &from = x[role[i].node];
-        const Tensor1 to({c * from[0] - s * from[1], s * from[0] + c * from[1]});
-        result[i] = to[role[i].axis] + shift[role[i].axis] - X[role[i].node][role[i].axis];
-      }
-    for (const auto dof : blank.fixed_dofs())
-      result[dof] = 0.;
-    return result;
   }
 } // namespace
 

@@ -43,30 +43,6 @@ namespace
     blank.commit(q);
   }
 
-  Assembly internal_forces(Blank &blank)
-  {
-    return [&](const Vector &q, AssemblyTarget &target) { assemble(blank, q, target); };
-  }
-
-  /// Turned about the origin by @p angle.
-  Vector turned(const Blank &blank, const Vector &q, const double angle)
-  {
-    const auto role = roles(blank);
-    const auto X = blank.positions(Vector(q.size())), x = blank.positions(q);
-    const double c = std::cos(angle), s = std::sin(angle);
-    Vector result(q.size());
-    for (unsigned int i = 0; i < q.size(); ++i)
-      if (role[i].node == invalid_index)
-        result[i] = q[i] + angle;
-      else
-      {
-        const Point2 &from = x[role[i].node];
-        const std::array<double, 2> to{{c * from[0] - s * from[1], s * from[0] + c * from[1]}};
-        result[i] = to[role[i].axis] - X[role[i].node][role[i].axis];
-      }
-    return result;
-  }
-
   /// Forces at the nodes turned by @p angle; moments stay.
   Eigen::VectorXd turned_forces(const std::vector<DofRole> &role, const Eigen::VectorXd &force, const double angle)
   {
@@ -97,7 +73,7 @@ namespace
       time += length;
       Vector q = direction;
       q *= amount;
-      const Vector state = turned(blank, q, rate * time);
+      const Vector state = moved_rigidly(blank, q, rate * time);
       blank.begin_increment(length, length / last);
       last = length;
       result.push_back(turned_forces(role, residual(blank, state), -rate * time));

@@ -70,28 +70,25 @@ namespace deltaform
   }
 
 
+  /// One point of a MaterialBatch, as a return map sees it.
+  struct PointUpdate
+  {
+    Mandel &strain; ///< total logarithmic strain; [2] is output where the third stress is given
+    double third_stress; ///< Kirchhoff stress, where it is given
+    const double *start; ///< history that backward Euler starts from
+    double *trial; ///< in: a starting guess; out: history at this strain
+    Mandel &stress; ///< out: Kirchhoff stress
+    double *tangent; ///< out if not null: 4 x 4, row-major; at given third stress row and column [2] are zero
+  };
+
+
   /// Backward Euler of one point, for one of the questions about the third direction.
   class ReturnMap
   {
   public:
     virtual ~ReturnMap() = default;
 
-    /**
-     * One point: see MaterialBatch.
-     * @param strain total logarithmic strain; [2] is output where the third stress is given
-     * @param third_stress Kirchhoff stress, where it is given
-     * @param start history that backward Euler starts from
-     * @param trial in: a starting guess; out: history at this strain
-     * @param stress out: Kirchhoff stress
-     * @param tangent out if not null: 4 x 4, row-major; at given third stress row and column [2] are zero
-     */
-    virtual PointOutcome update(const FlowLaw &law,
-                                Mandel &strain,
-                                double third_stress,
-                                const double *start,
-                                double *trial,
-                                Mandel &stress,
-                                double *tangent) const = 0;
+    virtual PointOutcome update(const FlowLaw &law, const PointUpdate &point) const = 0;
   };
 
 
