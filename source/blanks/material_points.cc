@@ -102,6 +102,26 @@ namespace deltaform
   }
 
 
+  double MaterialPoints::dissipation_of_stiffness(const std::size_t point) const
+  {
+    if (flow(point) == 0.)
+      return 0.;
+    // The energy is quadratic in the stress: the mixed term is that of the sum without those of both.
+    const auto freed = [&](const Mandel &stress) {
+      return law_->stored_energy(stress, history_.trial(point)) -
+             law_->stored_energy(stress, history_.committed(point));
+    };
+    const Mandel &start = committed_stress_[point], &end = stress_[point];
+    const double of_end = freed(end);
+    if (of_end == 0.)
+      return 0.;
+    Mandel sum = start;
+    for (unsigned int k = 0; k < 4; ++k)
+      sum[k] += end[k];
+    return .5 * (freed(sum) - freed(start) - of_end);
+  }
+
+
   void MaterialPoints::commit()
   {
     if (criteria_->n_fields() > 0)

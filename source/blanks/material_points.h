@@ -116,6 +116,10 @@ namespace deltaform
       return law_->stored_energy(stress_[point], history_.trial(point));
     }
 
+    /// What the increment dissipates by a change of the elasticity, per reference volume: 1/2 t_n : (change of C^-1) :
+    /// t_n+1, the rest of the trapezoidal work t : de beside the stored energy and the work on the plastic strain.
+    double dissipation_of_stiffness(std::size_t point) const;
+
     /// Growth of the equivalent plastic strain in this increment.
     double flow(const std::size_t point) const
     {

@@ -217,7 +217,7 @@ namespace deltaform
       double work = 0.;
       for (unsigned int k = 0; k < 4; ++k)
         work += (end[k] + start[k]) * (after[k] - before[k]);
-      sum.plastic += .5 * volume * work;
+      sum.plastic += volume * (.5 * work + material_.dissipation_of_stiffness(i));
       sum.normal += .5 * volume * (end[2] + start[2]) * (material_.strain(i)[2] - state_.strain(i)[2]);
       sum.elastic += volume * material_.stored_energy(i);
     }

@@ -1,3 +1,4 @@
+#include <deltaform/io/point_file.h>
 #include <deltaform/materials/flow_curves.h>
 #include <deltaform/materials/rate_factor.h>
 #include <deltaform/parameters/registry.h>
@@ -110,20 +111,50 @@ namespace deltaform
     };
 
 
-    std::unique_ptr<Hardening> read(Section &section)
+    constexpr const char *rows_entry = "Flow curves", *file_entry = "File";
+
+    /// From the entry or from a file. @return the entry that has said them, and the rows
+    std::pair<std::string, std::vector<std::vector<double>>> read_curves(Section &section)
     {
-      const std::string rows_entry = "Flow curves", start_entry = "Initial temperature";
-      const auto rows = section.rows(
+      const std::string file =
+        section.text(file_entry,
+                     Default<std::string>(""),
+                     "File with the rows of Flow curves in their place, one a line; commas or blanks separate, # "
+                     "begins a comment, a first line may name the columns. Its path starts from the folder in which "
+                     "the program runs.");
+      const std::string example =
+        "0.001 20 0 200; 0.001 20 0.1 339; 0.001 20 0.3 400; 0.001 20 1 489; "
+        "0.001 300 0 120; 0.001 300 0.1 170; 0.001 300 0.3 190; 0.001 300 1 200; "
+        "10 20 0 240; 10 20 0.1 350; 10 20 0.3 420; 10 20 1 500; "
+        "10 300 0 170; 10 300 0.1 230; 10 300 0.3 250; 10 300 1 260";
+      auto rows = section.rows(
         rows_entry,
-        required("0.001 20 0 200; 0.001 20 0.1 339; 0.001 20 0.3 400; 0.001 20 1 489; "
-                 "0.001 300 0 120; 0.001 300 0.1 170; 0.001 300 0.3 190; 0.001 300 1 200; "
-                 "10 20 0 240; 10 20 0.1 350; 10 20 0.3 420; 10 20 1 500; "
-                 "10 300 0 170; 10 300 0.1 230; 10 300 0.3 250; 10 300 1 260"),
+        file.empty() ? required(example) : Default<std::string>(""),
         4,
         "1/time, temperature, 1, stress",
         "Rows of rate, temperature, plastic strain and flow stress, sorted in this order; four or more of each rate "
         "and temperature. Linear in log rate and in temperature; outside as at the nearest rate, temperature and "
-        "strain. Stress 0 is molten metal.");
+        "strain. Stress 0 is molten metal. Not used with File.");
+      if (file.empty())
+        return {rows_entry, rows};
+      if (!rows.empty())
+        section.fail(file_entry, "give the curves in a File or as Flow curves, not both.");
+      try
+      {
+        rows = read_rows(file, 4);
+      }
+      catch (const std::invalid_argument &error)
+      {
+        section.fail(file_entry, "'" + file + "': " + error.what() + ".");
+      }
+      return {file_entry, rows};
+    }
+
+
+    std::unique_ptr<Hardening> read(Section &section)
+    {
+      const std::string start_entry = "Initial temperature";
+      const auto [entry, rows] = read_curves(section);
       const double start = section.number(
         start_entry, required(20.), Range::any(), "temperature", "Of the metal, on the scale of the curves.");
       try
@@ -140,7 +171,7 @@ namespace deltaform
       }
       catch (const std::invalid_argument &error)
       {
-        section.fail(rows_entry, error.what());
+        section.fail(entry, error.what());
       }
     }
 

@@ -1,10 +1,10 @@
 #include "outline_file.h"
 
+#include <deltaform/io/point_file.h>
 #include <deltaform/parameters/text.h>
 
 #include <deal.II/base/numbers.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -108,14 +108,9 @@ namespace deltaform
     std::vector<OutlinePiece> result;
     Point2 last;
     bool any = false;
-    std::string line;
-    for (unsigned int number = 1; std::getline(file, line); ++number)
+    for (const PointLine &line : point_lines(file))
     {
-      line = line.substr(0, line.find('#'));
-      std::replace(line.begin(), line.end(), ',', ' ');
-      if (text::trim(line).empty())
-        continue;
-      std::istringstream words(line);
+      std::istringstream words(line.words);
       Point2 point, center;
       std::string sense;
       bool good = static_cast<bool>(words >> point[0] >> point[1]);
@@ -123,10 +118,10 @@ namespace deltaform
       if (arc)
         good = (words >> center[0] >> center[1] >> sense) && (sense == "cw" || sense == "ccw") && any;
       if (!good || !(words >> std::ws).eof() || !std::isfinite(point.norm()))
-        throw std::invalid_argument("line " + std::to_string(number) +
+        throw std::invalid_argument("line " + std::to_string(line.number) +
                                     " is neither 'r z' nor, behind a first point, 'r z center_r center_z cw' or ccw");
       if (arc && std::abs(center.distance(last) - center.distance(point)) > 1e-3 * center.distance(point))
-        throw std::invalid_argument("line " + std::to_string(number) +
+        throw std::invalid_argument("line " + std::to_string(line.number) +
                                     ": the center is not as far from the point before as from this one");
       if (any)
         result.push_back(arc ? arc_about(center, last, point, sense == "ccw") : OutlinePiece{last, point, 0.});

@@ -1,9 +1,13 @@
 // Flow curves over strain, rate and temperature: what the rows say, and another law that they can say exactly.
 #include "material_cases.h"
 
+#include <deltaform/io/point_file.h>
 #include <deltaform/materials/flow_curves.h>
 #include <deltaform/materials/rate_factor.h>
 #include <deltaform/parameters/scene_error.h>
+
+#include <cstdio>
+#include <fstream>
 
 using namespace deltaform;
 using namespace deltaform::testing;
@@ -155,6 +159,51 @@ BOOST_AUTO_TEST_CASE(one_curve_knows_no_rate)
                                    {"Material/Hardening/Flow curves=1 20 0 200; 1 20 .1 300; 1 20 .2 350; 1 20 1 400"});
   BOOST_TEST(!metal->traits().needs_duration);
   BOOST_TEST(metal->history_layout().to_string() == "plastic_strain:tensor equivalent_plastic_strain:positive");
+}
+
+// The same rows in a file are the same metal, to the last bit.
+BOOST_AUTO_TEST_CASE(from_a_file)
+{
+  const Product law;
+  const std::string name = "flow_curves_of_the_test.csv";
+  const auto write = [&](const std::string &last) {
+    std::ofstream file(name);
+    file << "# measured\nrate, temperature, strain, stress\n"
+         << std::setprecision(17);
+    for (const auto &row : law.rows())
+      file << row[0] << ", " << row[1] << ", " << row[2] << ", " << row[3] << "\n";
+    file << last;
+  };
+  write("");
+  std::vector<std::string> entries = {"Material/Hardening/File=" + name, "Material/Hardening/Flow curves=",
+                                      "Material/Hardening/Initial temperature=20"};
+  entries.insert(entries.end(), adiabatic.begin(), adiabatic.end());
+  const auto expected = by_curves(law, adiabatic);
+  const auto metal = make_material("elastoplastic", "flow curves", entries);
+  BOOST_TEST((read_rows(name, 4) == law.rows()));
+  std::vector<double> history(metal->history_size(), 0.);
+  for (const double strain : {0., .03, .5, 3.})
+    for (const double rise : {0., 170., 600.})
+    {
+      history[4] = strain;
+      history.back() = rise;
+      BOOST_TEST(metal->flow_stress(history.data()) == expected->flow_stress(history.data()));
+    }
+  const auto refused = [&](const std::string &words) {
+    BOOST_CHECK_EXCEPTION(make_material("elastoplastic", "flow curves", entries), SceneError, [&](const auto &error) {
+      BOOST_TEST_MESSAGE(error.what());
+      const std::string text = error.what();
+      return text.find(words) != std::string::npos && text.find("Hardening/File") != std::string::npos;
+    });
+  };
+  write("100, 1020, 6\n");
+  refused("line 33: '100  1020  6'");
+  write("50, 1020, 6, 0\n");
+  refused("not sorted");
+  std::remove(name.c_str());
+  refused("cannot be read");
+  entries.push_back("Material/Hardening/Flow curves=" + text_of(law.rows()));
+  refused("not both");
 }
 
 // A metal that is heated up to melting carries nothing, and heats no more.
