@@ -2,7 +2,9 @@
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace deltaform
 {
@@ -16,7 +18,8 @@ namespace deltaform
       {
         const double missing = share - element_density(size, a, x);
         (missing > 0. ? low : high) = x;
-        if (std::abs(missing) < 1e-12 * share)
+        constexpr double round_off = 2. * std::numeric_limits<double>::epsilon(); // of x, at most 1
+        if (std::abs(missing) < std::max(1e-12 * share, round_off / size(x)))
           break;
         const double next = x + missing * size(x);
         x = next > low && next < high ? next : .5 * (low + high);
@@ -30,8 +33,9 @@ namespace deltaform
   {
     // Steep gradings and kinks of tables need short intervals; smooth ones are done with one.
     constexpr unsigned int halvings = 15;
-    return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
-      [&size](const double t) { return 1. / size(t); }, a, b, halvings, 1e-9);
+    // Over [0, 1]: Boost's tolerance is relative for integrals that are not small.
+    return (b - a) * boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
+                       [&](const double s) { return 1. / size(a + (b - a) * s); }, 0., 1., halvings, 1e-9);
   }
 
 

@@ -1,10 +1,10 @@
 #include "lanczos.h"
 
-#include <deal.II/base/exceptions.h>
-
 #include <Spectra/SymEigsSolver.h>
 
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace deltaform
@@ -61,9 +61,16 @@ namespace deltaform
       Operator op(n, [&](const Eigen::VectorXd &x) { return Eigen::VectorXd(apply(x) / size); });
       Spectra::SymEigsSolver<Operator> solver(op, 1, std::min(n, 30));
       solver.init(start.data());
-      solver.compute(Spectra::SortRule::LargestAlge, 3000, 1e-6);
-      AssertThrow(solver.info() == Spectra::CompInfo::Successful,
-                  dealii::ExcMessage("Spectra's Lanczos iteration did not converge."));
+      try
+      {
+        solver.compute(Spectra::SortRule::LargestAlge, 3000, 1e-6);
+      }
+      catch (const std::runtime_error &) // of its QR iteration: round-off or overflow has made the products asymmetric
+      {
+        return std::numeric_limits<double>::infinity();
+      }
+      if (solver.info() != Spectra::CompInfo::Successful)
+        return std::numeric_limits<double>::infinity();
       return size * solver.eigenvalues()[0];
     }
   } // namespace condition

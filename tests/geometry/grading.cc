@@ -37,6 +37,15 @@ BOOST_AUTO_TEST_CASE(a_jump_is_met)
   BOOST_TEST(ends[19] - ends[18] == .1, boost::test_tools::tolerance(1e-4));
 }
 
+// Elements as long as a hundred million times the round-off of their ends. Of size .1 + t: t = .1 (11^(i/n) - 1).
+BOOST_AUTO_TEST_CASE(a_million_elements)
+{
+  constexpr unsigned int n = 1000000;
+  const auto ends = element_ends([](const double t) { return .1 + t; }, 0., 1., n);
+  for (const unsigned int i : {1u, 1000u, n / 2, n - 1})
+    BOOST_TEST(ends[i] == .1 * (std::pow(11., static_cast<double>(i) / n) - 1.), boost::test_tools::tolerance(1e-10));
+}
+
 BOOST_AUTO_TEST_CASE(a_part_of_the_line_has_its_share_of_the_elements)
 {
   const auto size = [](const double t) { return 1. + t; };

@@ -102,6 +102,9 @@ BOOST_AUTO_TEST_CASE(singular)
     BOOST_TEST(condition::number(sparse(A), method) > 1e300);
     // Singular only to working precision: a chain of springs that nothing holds.
     BOOST_TEST(condition::number(free_chain(400), method) > 1e12);
+    // The square of the inverse overflows.
+    A(3, 3) = 1e-200;
+    BOOST_TEST(condition::number(sparse(A), method) > 1e199);
   }
 }
 
