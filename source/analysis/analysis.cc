@@ -41,12 +41,21 @@ namespace deltaform
              rejected.sentence + (rejected.residuals.empty() ? "" : ", relative residuals " + rejected.residuals);
     }
 
-    std::string in_words(const Rejected &rejected, const unsigned int increment, const Stage &stage)
+    std::string what_else_to_try(const Rejected &rejected, const unsigned int increment, const bool is_sheet)
     {
-      const bool is_promise = rejected.kind == Rejected::Kind::promise_broken;
+      if (rejected.kind == Rejected::Kind::promise_broken)
+        return "a larger allowed penetration";
+      if (increment == 1)
+        return "supports that hold the blank where only friction does";
+      return is_sheet ? "shorter elements at radii" : "shorter elements where contact begins and ends";
+    }
+
+    std::string in_words(const Rejected &rejected, const unsigned int increment, const Stage &stage,
+                         const bool is_sheet)
+    {
       return "in increment " + std::to_string(increment) + ": " + rejected.sentence + ". The smallest increment, " +
              text::rounded(stage.smallest_increment) + ", was reached. Try a smaller Steps/" + stage.name +
-             "/Smallest increment, or " + (is_promise ? "a larger allowed penetration" : "shorter elements at radii");
+             "/Smallest increment, or " + what_else_to_try(rejected, increment, is_sheet);
     }
 
     std::string does_not_find_the_blank(const std::string &tool, const Stage &stage)
@@ -281,7 +290,8 @@ namespace deltaform
   {
     model_.discard(time());
     const std::string cause = conditions_.likely_cause();
-    return stop((cause.empty() ? "" : cause + "; ") + in_words(rejected, state_.n_increments + 1, stage()),
+    return stop((cause.empty() ? "" : cause + "; ") +
+                  in_words(rejected, state_.n_increments + 1, stage(), model_.blank().fields().is_sheet()),
                 status_of(rejected), checkpoint());
   }
 } // namespace deltaform

@@ -27,12 +27,16 @@ namespace deltaform
     // share: in a state that is no equilibrium, or in one that points without force do not let be exact.
     constexpr unsigned int settling_iterations = 25;
     constexpr double settled_share = .01;
+    constexpr unsigned int most_windows_at_rest = 4; ///< in a row, however close to the relaxed tolerance
 
     // As close to equilibrium the tangent of the blank is good for all sets that the solve may meet; so many of them
     // are tried with it. In the first iterations of an increment the start, which extrapolation has pressed into the
     // tools, is put on their surfaces.
     constexpr double near_equilibrium = 3e-3;
     constexpr unsigned int most_sets = 60, first_iterations = 2;
+
+    // Closer to equilibrium than this, factors that will not do are corrected between two iterations.
+    constexpr double close_enough_to_correct = .1;
 
     constexpr unsigned int tolerant_after = 4; ///< iterations: a tolerance on the status; three times: a larger one
   } // namespace
@@ -99,8 +103,11 @@ namespace deltaform
           search();
           residual = relative_residual();
         }
+        // 6. Close to equilibrium, with penalty factors that keep the promise.
+        if (!correct_early(residual))
+          return ended(Outcome::inadmissible);
         finish_iteration(residual);
-        // 6. Steps that are all but taken back far from equilibrium are given up early.
+        // 7. Steps that are all but taken back far from equilibrium are given up early.
         if (creeps())
           return ended(Outcome::diverged);
       }
@@ -179,6 +186,7 @@ namespace deltaform
     {
       iteration_ = 0;
       has_settled_ = false;
+      n_windows_at_rest_ = 0;
       result_.residuals.clear();
       if (!assemble())
         return false;
@@ -190,8 +198,9 @@ namespace deltaform
     {
       if (!std::isfinite(residual_))
         return true;
-      // At rest far from the relaxed tolerance; close to it the next residuals may be below.
-      if (has_settled_ && smallest_residual() >= close_to_tolerance * settings_.relaxed_tolerance)
+      // At rest far from the relaxed tolerance; close to it the next residuals may be below, for a while.
+      if (has_settled_ && (smallest_residual() >= close_to_tolerance * settings_.relaxed_tolerance ||
+                           n_windows_at_rest_ >= most_windows_at_rest))
         return true;
       if (iteration_ < max_iterations_)
         return false;
@@ -291,6 +300,20 @@ namespace deltaform
       result_.line_searches += search.n_evaluations();
     }
 
+    /// Corrections that need not wait for convergence converge with the unknowns; rounds of their own would cost two
+    /// iterations each.
+    bool correct_early(double &residual)
+    {
+      const bool is_time = variant_ == NewtonVariant::plain && settings_.max_rounds > 0 && pending_ == 0. &&
+                           residual <= close_enough_to_correct && residual > settings_.force_tolerance;
+      if (!is_time || equations_.correct_early() == 0)
+        return true;
+      if (!equations_.assemble_foreseen(q_) && !assemble())
+        return false;
+      residual = relative_residual();
+      return true;
+    }
+
     void finish_iteration(const double residual)
     {
       residual_ = residual;
@@ -299,7 +322,10 @@ namespace deltaform
         last_step_ = std::max(last_step_, factor_ * std::abs(d_[i]) * scale_[i]);
       result_.residuals.push_back(residual_);
       if (variant_ != NewtonVariant::plain && result_.residuals.size() % settling_iterations == 0)
+      {
         has_settled_ = is_at_rest();
+        n_windows_at_rest_ = has_settled_ ? n_windows_at_rest_ + 1 : 0;
+      }
     }
 
     /// Smallest of the residuals of a window of iterations, @p before how many windows ago.
@@ -340,7 +366,7 @@ namespace deltaform
     NewtonResult result_;
     Damping damping_;
     Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
-    unsigned int iteration_ = 0, n_creeping_ = 0;
+    unsigned int iteration_ = 0, n_creeping_ = 0, n_windows_at_rest_ = 0;
     bool has_settled_ = false; ///< a damped solve, at the end of the last window of iterations
     double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to
     double pending_ = 0., travelled_ = 0.;

@@ -195,6 +195,41 @@ namespace deltaform
   }
 
 
+  bool FactorControl::correct_normal(const unsigned int i, Points &trial) const
+  {
+    ContactPointState &state = trial[i];
+    PenaltyInput what = input(i, trial, 0.);
+    if (what.penetration <= state.delta + state.tolerance())
+      what.penetration = std::min(what.penetration, state.delta);
+    const double factor = settings_.rule->correct(what);
+    const bool changed = factor != state.penalty_factor;
+    state.penalty_factor = factor;
+    state.last_penetration = state.penetration();
+    return changed;
+  }
+
+
+  bool FactorControl::correct(const unsigned int i, const bool normal, Points &trial) const
+  {
+    if (!trial[i].touching)
+      return false;
+    const bool other = normal && correct_normal(i, trial);
+    return correct_tangential(trial[i]) || other;
+  }
+
+
+  unsigned int FactorControl::correct_early(Points &trial) const
+  {
+    // Of a softened force, and of one that augmentation takes over, the penetration is not the last word.
+    if (softening_ < 1 || !settings_.normal_law->uses_penalty() || !settings_.stores_energy())
+      return 0;
+    unsigned int changed = 0;
+    for (unsigned int i = 0; i < trial.size(); ++i)
+      changed += correct(i, settings_.rule->promises(), trial);
+    return changed;
+  }
+
+
   unsigned int FactorControl::correct(Points &trial)
   {
     if (softening_ < 1)
@@ -204,27 +239,10 @@ namespace deltaform
     }
     if (!settings_.normal_law->uses_penalty())
       return 0;
+    // Augmentation takes the penetration away, and leaves the factor as soft as it is.
     unsigned int changed = 0;
     for (unsigned int i = 0; i < trial.size(); ++i)
-    {
-      ContactPointState &state = trial[i];
-      if (!state.touching)
-        continue;
-      bool change = false;
-      // Augmentation takes the penetration away, and leaves the factor as soft as it is.
-      if (settings_.stores_energy())
-      {
-        PenaltyInput what = input(i, trial, 0.);
-        if (what.penetration <= state.delta + state.tolerance())
-          what.penetration = std::min(what.penetration, state.delta);
-        const double factor = settings_.rule->correct(what);
-        change = factor != state.penalty_factor;
-        state.penalty_factor = factor;
-        state.last_penetration = state.penetration();
-      }
-      change |= correct_tangential(state);
-      changed += change;
-    }
+      changed += correct(i, settings_.stores_energy(), trial);
     return changed;
   }
 

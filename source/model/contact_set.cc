@@ -243,6 +243,18 @@ namespace deltaform
   }
 
 
+  unsigned int ContactSet::correct_early()
+  {
+    // The digits of an iterate are those of the linear solver, and of the number of processes: so would be the factors.
+    if (actors_.blank->may_be_distributed())
+      return 0;
+    unsigned int changed = 0;
+    for (auto *interface : active_)
+      changed += interface->correct_factors_early();
+    return changed;
+  }
+
+
   unsigned int ContactSet::correct()
   {
     cycling_ = false;

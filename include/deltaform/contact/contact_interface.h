@@ -125,11 +125,18 @@ namespace deltaform
       factors_.predict(q, shift(q), coupling, committed_.points, trial_.points);
     }
 
-    /// After convergence: let the rule correct the factors. @return the number of points whose factor has changed.
+    /// Close to equilibrium and after convergence: let the rule correct the factors. @return of how many points
+    ///@{
+    unsigned int correct_factors_early()
+    {
+      return factors_.correct_early(trial_.points);
+    }
+
     unsigned int correct_factors()
     {
       return factors_.correct(trial_.points);
     }
+    ///@}
 
     std::pair<unsigned int, double> broken_promise() const
     {

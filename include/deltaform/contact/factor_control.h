@@ -52,6 +52,10 @@ namespace deltaform
                const Points &committed,
                Points &trial) const;
 
+    /// Close to equilibrium, of a rule that promises; and of friction. It only raises factors. @return of how many
+    /// points
+    unsigned int correct_early(Points &trial) const;
+
     /// After a converged solve. @return how many points have other factors than before
     unsigned int correct(Points &trial);
 
@@ -103,6 +107,8 @@ namespace deltaform
                              double stiffness) const;
 
     /// Of a sticking point that creeps too far. @return has its factor changed?
+    bool correct(unsigned int i, bool normal, Points &trial) const;
+    bool correct_normal(unsigned int i, Points &trial) const;
     bool correct_tangential(ContactPointState &state) const;
 
     const ContactSettings &settings_;

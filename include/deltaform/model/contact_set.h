@@ -76,8 +76,11 @@ namespace deltaform
     /// tool by more than @p length
     double limit_travels(Vector &d, double length) const;
 
-    /// After convergence: @return how many penalty factors and shifts were changed
-    unsigned int correct();
+    /// See Equations.
+    ///@{
+    unsigned int correct_early();
+    unsigned int correct(); ///< penalty factors and shifts
+    ///@}
 
     /// Where penetration <= delta is broken in the trial state, in words; empty if it is kept or none was made.
     std::string broken_promise(const Vector &committed) const;

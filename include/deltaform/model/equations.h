@@ -60,7 +60,8 @@ namespace deltaform
 
     /**
      * After an assembly with tangent at @p q: assemble it again at the same place, for the set that
-     * ActiveSet::foresee() found; what the inequalities have no part in stays. @return false if that saves nothing
+     * ActiveSet::foresee() found, or with the factors that correct_early() has changed; what the inequalities have no
+     * part in stays. @return false if that saves nothing
      */
     virtual bool assemble_foreseen(const Vector & /*q*/)
     {
@@ -69,6 +70,13 @@ namespace deltaform
 
     /// The inequalities among the equations; null: there are none.
     virtual ActiveSet *active_set() = 0;
+
+    /// Close to equilibrium, after an assembly: those corrections that need not wait for convergence. @return how many
+    /// parameters were changed, so that the equations must be assembled again
+    virtual unsigned int correct_early()
+    {
+      return 0;
+    }
 
     /// After convergence: @return how many parameters (penalty factors) were changed, so that the solve must go on.
     virtual unsigned int correct() = 0;

@@ -45,6 +45,11 @@ namespace deltaform
     {
       return contact_.empty() ? nullptr : &contact_;
     }
+    unsigned int correct_early() override
+    {
+      return contact_.correct_early();
+    }
+
     unsigned int correct() override
     {
       return contact_.correct();
