@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace deltaform
 {
@@ -35,7 +36,11 @@ namespace deltaform
     for (const auto &interface : interfaces)
     {
       const Section own = root.sub("Tools").sub(interface->tool().name()).sub("Heat");
-      result->tools_.emplace(&interface->tool(), ToolHeat(own, blank.conducting()->metal()));
+      const Tool &tool = interface->tool();
+      const auto effusivity = result->tools_.emplace(&tool, ToolHeat(own, blank.conducting()->metal()))
+                                .first->second.effusivity();
+      if (effusivity)
+        result->half_spaces_.emplace(&tool, HalfSpace(*effusivity, result->n_points(tool)));
     }
     for (const auto &name : names)
       result->films_.emplace_back(heat.sub(name), blank);
@@ -49,15 +54,23 @@ namespace deltaform
   }
 
 
+  unsigned int HeatFlow::n_points(const Tool &tool) const
+  {
+    return blank_.surface().n_contact_points(tool.side());
+  }
+
+
   std::vector<HeatFlow::Exchange> HeatFlow::with_tools(const double duration,
                                                        const Vector &q,
                                                        const std::vector<ContactInterface *> &interfaces,
-                                                       std::vector<bool> &touches) const
+                                                       std::vector<bool> &touches,
+                                                       std::vector<Crossing> &crossings)
   {
     std::vector<Exchange> result;
     for (const ContactInterface *const interface : interfaces)
     {
       const ToolHeat &tool = tools_.at(&interface->tool());
+      const auto half_space = half_spaces_.find(&interface->tool());
       for (unsigned int i = 0; i < interface->n_points(); ++i)
       {
         // A point that has let go may have slipped before.
@@ -66,12 +79,21 @@ namespace deltaform
         if (!state.touching && friction == 0.)
           continue;
         const ContactPoint point = interface->point(q, i);
-        const double joint =
-          state.touching && point.area > 0. ? tool.conductance(state.force / point.area) * point.area : 0.;
+        double conductance = state.touching && point.area > 0. ? tool.conductance(state.force / point.area) : 0.;
+        double outside = tool.rise();
+        if (half_space != half_spaces_.end() && point.area > 0. && duration > 0.)
+        {
+          const double area = point.area * duration, flux = (1. - tool.blank_share()) * friction / area;
+          const auto [seen, rise] = half_space->second.joint(i, conductance, flux);
+          conductance = seen;
+          outside += rise;
+          crossings.push_back({&half_space->second, i, area, flux, result.size(), result.size() + point.n_nodes});
+        }
         for (unsigned int a = 0; a < point.n_nodes; ++a)
         {
           const auto [node, share] = point.nodes[a];
-          result.push_back({node, share * duration * joint, tool.rise(), share * tool.blank_share() * friction});
+          result.push_back({node, share * duration * (conductance * point.area), outside,
+                            share * tool.blank_share() * friction});
           touches[node] = touches[node] || state.touching;
         }
       }
@@ -92,19 +114,34 @@ namespace deltaform
   }
 
 
-  double HeatFlow::lost(const std::vector<Exchange> &exchanges) const
+  double HeatFlow::lost(const std::vector<Exchange> &exchanges, const std::size_t first, const std::size_t end) const
   {
     double sum = 0.;
-    for (const Exchange &one : exchanges)
-      sum += one.conductance * (rise_[conducting_.place_of(one.node)] - one.outside);
+    for (std::size_t i = first; i < end; ++i)
+      sum += exchanges[i].conductance * (rise_[conducting_.place_of(exchanges[i].node)] - exchanges[i].outside);
     return sum;
+  }
+
+
+  void HeatFlow::heat_tools(const std::vector<Exchange> &exchanges, const std::vector<Crossing> &crossings)
+  {
+    std::map<const HalfSpace *, std::vector<double>> flux;
+    for (const auto &one : half_spaces_)
+      flux[&one.second].resize(one.second.n_points(), 0.);
+    for (const Crossing &one : crossings)
+      flux[one.half_space][one.point] = one.flux + lost(exchanges, one.first, one.end) / one.area;
+    for (auto &one : half_spaces_)
+      one.second.end(flux[&one.second]);
   }
 
 
   void HeatFlow::advance(const double duration, const Vector &q, const std::vector<ContactInterface *> &interfaces)
   {
     std::vector<bool> touches(blank_.surface().n_nodes(), false);
-    const auto tools = with_tools(duration, q, interfaces, touches);
+    for (auto &one : half_spaces_)
+      one.second.begin(duration);
+    std::vector<Crossing> crossings;
+    const auto tools = with_tools(duration, q, interfaces, touches, crossings);
     const auto surroundings = with_surroundings(duration, q, touches);
 
     HeatSystem system(rise_.size());
@@ -120,8 +157,9 @@ namespace deltaform
       }
     account_.flow += conducting_.heat_of_flow(rise_);
     rise_ += system.solve();
-    account_.tools += lost(tools);
-    account_.surroundings += lost(surroundings);
+    account_.tools += lost(tools, 0, tools.size());
+    account_.surroundings += lost(surroundings, 0, surroundings.size());
+    heat_tools(tools, crossings);
     conducting_.give(rise_);
     account_.stored = conducting_.stored_heat();
   }
@@ -136,11 +174,29 @@ namespace deltaform
   }
 
 
+  std::optional<std::pair<double, double>> HeatFlow::tool_temperatures() const
+  {
+    if (half_spaces_.empty())
+      return std::nullopt;
+    std::pair<double, double> result{std::numeric_limits<double>::infinity(),
+                                     -std::numeric_limits<double>::infinity()};
+    for (const auto &[tool, half_space] : half_spaces_)
+    {
+      const double start = tools_.at(tool).rise() + conducting_.metal().initial_temperature;
+      for (const double rise : half_space.rise())
+        result = {std::min(result.first, start + rise), std::max(result.second, start + rise)};
+    }
+    return result;
+  }
+
+
   void HeatFlow::set_rise(const Vector &rise)
   {
     rise_.reinit(blank_.n_dofs());
     std::copy_n(rise.begin(), rise_.size(), rise_.begin());
     conducting_.give(rise_);
+    for (auto &one : half_spaces_)
+      one.second.transfer(blank_.adaptive()->parent_nodes(one.first->side()));
   }
 
 
@@ -149,6 +205,8 @@ namespace deltaform
     state.put("rise of the temperature of nodes", std::vector<double>(rise_.begin(), rise_.end()));
     state.put("heat since the start", std::vector<double>{account_.stored, account_.flow, account_.friction,
                                                           account_.tools, account_.surroundings});
+    for (const auto &[tool, half_space] : half_spaces_)
+      state.put("heat in the tool " + tool->name(), half_space.state());
   }
 
 
@@ -160,5 +218,7 @@ namespace deltaform
     rise_.reinit(blank_.n_dofs());
     std::copy(rise.begin(), rise.end(), rise_.begin());
     account_ = {sums[0], sums[1], sums[2], sums[3], sums[4]};
+    for (auto &[tool, half_space] : half_spaces_)
+      half_space.set_state(state.at("heat in the tool " + tool->name()), n_points(*tool));
   }
 } // namespace deltaform

@@ -7,7 +7,7 @@
 namespace deltaform
 {
   ToolHeat::ToolHeat(Section section, const MetalHeat &metal)
-    : rise_(rise_outside(section, metal, "Of the tool, which keeps it; default is that of the blank at its start.")),
+    : rise_(rise_outside(section, metal, "Of the tool at its start; default is that of the blank.")),
       conductance_(section.number("Conductance", 0., Range::not_negative(), "force/length/time/temperature",
                                   "h0, of heat between blank and tool where they touch; in mm, N, s: N/(mm s K), which "
                                   "is 1000 W/(m2 K). 0: the tool takes none.")),
@@ -27,6 +27,15 @@ namespace deltaform
                                        "sqrt(k rho c) of the tool, which shares the heat of friction; default is that "
                                        "of the blank: half of it each. 0: the blank takes all.");
     blank_share_ = own / (own + tool);
+    const std::string body =
+      section.choice("Body", "constant temperature", {"constant temperature", "half space"},
+                     "What the tool behind the joint is: it keeps its temperature, or warms as a half-space of its "
+                     "Effusivity does, heat flowing along the normal of each touching point.");
+    if (body != "half space")
+      return;
+    if (!(tool > 0.))
+      section.fail("Effusivity", "a half-space takes heat: its sqrt(k rho c) is positive.");
+    effusivity_ = tool;
   }
 
 

@@ -215,6 +215,18 @@ namespace deltaform
   }
 
 
+  void describe_half_spaces(Columns &columns)
+  {
+    columns.add({{"min_tool_temperature", "temperature", "smallest at the surfaces of these tools, where points of the "
+                                                         "blank have been or are"},
+                 {"max_tool_temperature", "temperature", "largest there"}},
+                [](const Increment &increment, Row &row) {
+                  const auto [least, most] = *increment.model.actors().heat->tool_temperatures();
+                  row.insert(row.end(), {least, most});
+                });
+  }
+
+
   void describe_supports(const std::vector<std::string> &names, Columns &columns)
   {
     for (unsigned int i = 0; i < names.size(); ++i)

@@ -102,6 +102,11 @@ namespace deltaform
          [](const Names &, const ConditionReport *, Columns &columns) { describe_energies(columns); }},
         {"With `Material/Heat/Conductivity`; heat since the start", has_heat,
          [](const Names &, const ConditionReport *, Columns &columns) { describe_heat(columns); }},
+        {"With a tool whose `Heat/Body` is a half space",
+         [](const Model &model, const OutputSettings &output, const ConditionReport *report) {
+           return has_heat(model, output, report) && model.actors().heat->tool_temperatures().has_value();
+         },
+         [](const Names &, const ConditionReport *, Columns &columns) { describe_half_spaces(columns); }},
         {"Supports, loads and balance", always,
          [](const Names &names, const ConditionReport *, Columns &columns) {
            describe_supports(names.supports, columns);

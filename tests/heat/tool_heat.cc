@@ -49,6 +49,15 @@ BOOST_AUTO_TEST_CASE(temperature)
   BOOST_CHECK_THROW(read({"Temperature=1500"}), SceneError);
 }
 
+BOOST_AUTO_TEST_CASE(body)
+{
+  BOOST_TEST(!read({"Effusivity=36"}).effusivity().has_value());
+  BOOST_TEST(*read({"Effusivity=36", "Body=half space"}).effusivity() == 36.);
+  BOOST_TEST(*read({"Body=half space"}).effusivity() == 12.);
+  BOOST_CHECK_THROW(read({"Effusivity=0", "Body=half space"}), SceneError);
+  BOOST_CHECK_THROW(read({"Body=wall"}), SceneError);
+}
+
 BOOST_AUTO_TEST_CASE(friction_is_split_by_effusivity)
 {
   BOOST_TEST(read({}).blank_share() == .5);

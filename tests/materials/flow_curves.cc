@@ -206,6 +206,41 @@ BOOST_AUTO_TEST_CASE(from_a_file)
   refused("not both");
 }
 
+// From a virgin point, however long and fast the increment: at its end the yield condition and the heat are those of
+// the product.
+BOOST_AUTO_TEST_CASE(first_increments)
+{
+  const Product law;
+  const double heating = .9 / 4.;
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> component(-1., 1.), exponent(-3., 0.), speed(-6., 6.);
+  for (const bool hot : {false, true})
+  {
+    const auto metal = by_curves(law, hot ? adiabatic : std::vector<std::string>());
+    for (const auto third : {ThirdDirection::strain_given, ThirdDirection::stress_given})
+      for (int i = 0; i < 1000; ++i)
+      {
+        MaterialPoint point(*metal);
+        point.duration = std::pow(10., speed(generator));
+        const double size = std::pow(10., exponent(generator));
+        Mandel e;
+        for (double &one : e)
+          one = size * component(generator);
+        const Mandel t = point.update(e, third);
+        BOOST_TEST_REQUIRE(point.status.good(), size << " in " << point.duration << ": " << point.status.cause);
+        const double x = point.equivalent_plastic_strain();
+        if (x == 0.)
+          continue;
+        const double rise = hot ? point.trial.back() : 0.;
+        BOOST_TEST_REQUIRE(rise <= law.range);
+        const double rate = std::fmin(std::fmax(x / point.duration, law.rate0), 1e4 * law.rate0);
+        const double expected = law(x, rate, law.start + rise);
+        require_close(mises(t), expected, 1e-9 * law.s0, "the stress");
+        require_close(rise, hot ? heating * expected * x : 0., 1e-9 * law.range, "the rise of the temperature");
+      }
+  }
+}
+
 // A metal that is heated up to melting carries nothing, and heats no more.
 BOOST_AUTO_TEST_CASE(melts_and_stays_so)
 {

@@ -3,7 +3,8 @@
 
     heat_order.py PROGRAM TREE FOLDER
 
-Increment: the surface of a hot block on a cold tool (prm/quenched_block.prm) at t = .1 on a fine mesh, order 1. Element: the inner
+Increment: the surface of a hot block on a cold tool (prm/quenched_block.prm) at t = .1 on a fine mesh, order 1; the tool keeps
+its temperature, or is a half-space. Element: the inner
 wall of a cylinder between two baths (tests/scenes/heat_cylinder_wall.prm), which is steady, orders 2 and 4 (at nodes) of degree 1
 and 2.
 """
@@ -32,15 +33,18 @@ def judge(what, errors, order):
 
 def main():
     program, tree, folder = sys.argv[1:]
-    x = 10. * math.sqrt(.1 / 160.)
-    surface = 20. + 980. * math.exp(x * x) * math.erfc(x)
     block = os.path.join(tree, "prm", "quenched_block.prm")
-    errors = []
-    for step in (.01, .005, .0025):
-        sets = ["Blank/Elements through thickness=160", "Steps/cool/End time=.1", f"Steps/cool/First increment={step}",
-                f"Steps/cool/Largest increment={step}", "Output/Pictures=0"]
-        errors.append(abs(last(program, block, os.path.join(folder, f"step_{step}"), "min_temperature", sets) - surface))
-    good = judge("increment", errors, 1)
+    good = True
+    for what, share, body in (("tool", 0., []), ("half-space", 1. / 3., ["Tools/tool/Heat/Body=half space",
+                                                                         f"Tools/tool/Heat/Effusivity={3. * math.sqrt(160.)!r}"])):
+        x = 10. * math.sqrt(.1 / 160.) * (1. + share)
+        surface = 1000. - 980. / (1. + share) * (1. - math.exp(x * x) * math.erfc(x))
+        errors = []
+        for step in (.01, .005, .0025):
+            sets = ["Blank/Elements through thickness=160", "Steps/cool/End time=.1", f"Steps/cool/First increment={step}",
+                    f"Steps/cool/Largest increment={step}", "Output/Pictures=0", *body]
+            errors.append(abs(last(program, block, os.path.join(folder, f"{what}_{step}"), "min_temperature", sets) - surface))
+        good = judge("increment, " + what, errors, 1) and good
 
     r_i, r_o, k, h_i, h_o, t_i, t_o = 10., 20., 40., 2., 1., 900., 100.
     flux = (t_i - t_o) / (1 / (h_i * 2 * math.pi * r_i) + math.log(r_o / r_i) / (2 * math.pi * k) + 1 / (h_o * 2 * math.pi * r_o))

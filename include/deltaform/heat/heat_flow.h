@@ -3,12 +3,15 @@
 #include <deltaform/blanks/blank.h>
 #include <deltaform/contact/contact_interface.h>
 #include <deltaform/heat/film.h>
+#include <deltaform/heat/half_space.h>
 #include <deltaform/heat/tool_heat.h>
 #include <deltaform/io/keyed_arrays.h>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace deltaform
@@ -47,6 +50,9 @@ namespace deltaform
     /// Temperatures of all nodes, by their places in Blank::positions().
     std::vector<double> temperatures() const;
 
+    /// Smallest and largest at the surfaces of all tools that are half-spaces; none: there is no such tool.
+    std::optional<std::pair<double, double>> tool_temperatures() const;
+
     const HeatAccount &account() const
     {
       return account_;
@@ -78,18 +84,36 @@ namespace deltaform
       double heat; ///< of friction (force*length)
     };
 
+    /// What crosses a point of a half-space.
+    struct Crossing
+    {
+      HalfSpace *half_space;
+      unsigned int point;
+      double area; ///< times the duration
+      double flux; ///< of the tool's share of friction
+      std::size_t first, end; ///< exchanges of the point
+    };
+
     std::vector<Exchange> with_tools(double duration,
                                      const Vector &q,
                                      const std::vector<ContactInterface *> &interfaces,
-                                     std::vector<bool> &touches) const;
+                                     std::vector<bool> &touches,
+                                     std::vector<Crossing> &crossings);
     std::vector<Exchange> with_surroundings(double duration, const Vector &q, const std::vector<bool> &touches) const;
 
     /// Heat that leaves by the exchanges, without that of friction.
-    double lost(const std::vector<Exchange> &exchanges) const;
+    double lost(const std::vector<Exchange> &exchanges, std::size_t first, std::size_t end) const;
+
+    /// End the increment of the half-spaces.
+    void heat_tools(const std::vector<Exchange> &exchanges, const std::vector<Crossing> &crossings);
+
+    /// Points that the blank has on a tool.
+    unsigned int n_points(const Tool &tool) const;
 
     Blank &blank_;
     Conducting &conducting_;
     std::map<const Tool *, ToolHeat> tools_;
+    std::map<const Tool *, HalfSpace> half_spaces_; ///< of those that are
     std::vector<Film> films_;
     Vector rise_; ///< over the initial temperature, see Conducting
     HeatAccount account_;

@@ -24,6 +24,7 @@ namespace deltaform
   void describe_mesh(Columns &columns);
   void describe_energies(Columns &columns);
   void describe_heat(Columns &columns);
+  void describe_half_spaces(Columns &columns);
   void describe_supports(const std::vector<std::string> &names, Columns &columns);
   void describe_loads(const std::vector<std::string> &names, Columns &columns);
   /// Of those that do not press on a face.
