@@ -4,6 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <functional>
 
 using namespace deltaform;
@@ -95,13 +96,15 @@ namespace
       return n_inconsistent == 0 || n_inconsistent-- == 0;
     }
 
+    unsigned int correct_early() override
+    {
+      ++n_asked_early;
+      return correct(n_early_corrections);
+    }
+
     unsigned int correct() override
     {
-      if (n_corrections == 0)
-        return 0;
-      --n_corrections;
-      load *= 1.1;
-      return 1;
+      return correct(n_corrections);
     }
 
     NewtonResult solve(const double start,
@@ -123,10 +126,20 @@ namespace
       return newton.solve(q, prescribed, {false, true}, committed, 0., variant);
     }
 
+    /// The load grows as often as @p n_left says.
+    unsigned int correct(unsigned int &n_left)
+    {
+      if (n_left == 0)
+        return 0;
+      --n_left;
+      load *= 1.1;
+      return 1;
+    }
+
     Function internal, slope;
     double load, spring = 0., largest_step = 1e300, step = 0., status_tolerance = 0.;
     std::function<bool(double)> allowed = [](double) { return true; };
-    unsigned int n_corrections = 0;
+    unsigned int n_corrections = 0, n_early_corrections = 0, n_asked_early = 0;
     mutable unsigned int n_inconsistent = 0;
     System system;
     Vector q;
@@ -343,6 +356,34 @@ BOOST_AUTO_TEST_CASE(rounds_of_corrections)
   const NewtonResult given_up = endless.solve(0., {"Maximal corrections=5"});
   BOOST_TEST((given_up.outcome == Outcome::not_corrected));
   BOOST_TEST(given_up.rounds == 6u);
+}
+
+BOOST_AUTO_TEST_CASE(corrections_close_to_equilibrium)
+{
+  // Asked for once in every iteration that ends between .1 and the tolerance of forces, 1e-6; not by a damped solve,
+  // nor where no correction is allowed.
+  Scalar problem = stiffening(10.);
+  const NewtonResult alone = problem.solve(0.);
+  const auto is_close = [](const double residual) { return residual <= .1 && residual > 1e-6; };
+  const auto n_close = std::count_if(alone.residuals.begin(), alone.residuals.end(), is_close);
+  BOOST_TEST(n_close > 0);
+  BOOST_TEST(problem.n_asked_early == n_close);
+  BOOST_TEST(n_close < static_cast<long>(alone.iterations));
+  problem.n_asked_early = 0;
+  problem.solve(0., {}, 0., NewtonVariant::damped);
+  problem.solve(0., {"Maximal corrections=0"});
+  BOOST_TEST(problem.n_asked_early == 0u);
+
+  // They converge with the unknowns: the same solution as after a round of its own, in fewer iterations.
+  Scalar early = stiffening(10.), late = stiffening(10.);
+  early.n_early_corrections = late.n_corrections = 1;
+  const NewtonResult with = early.solve(0.), after = late.solve(0.);
+  BOOST_TEST((with.converged() && after.converged()));
+  BOOST_TEST(early.load == late.load);
+  BOOST_TEST(with.rounds == 0u);
+  BOOST_TEST(after.rounds == 1u);
+  BOOST_TEST(with.iterations < after.iterations);
+  BOOST_TEST(std::abs(early.q[0] - late.q[0]) < 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(a_small_residual_alone_is_no_solution)

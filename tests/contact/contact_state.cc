@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(the_promise)
   std::vector<double> before;
   for (const auto &state : fixture.contact.trial())
     before.push_back(state.penalty_factor);
-  BOOST_TEST(fixture.contact.broken_promise().first == 2u);
+  BOOST_TEST(FactorControl::broken_promise(fixture.contact.trial()).first == 2u);
   BOOST_TEST(fixture.contact.correct_factors() == 2u);
   BOOST_TEST(fixture.contact.trial()[0].penalty_factor == before[0]);
   BOOST_TEST(std::abs(fixture.contact.trial()[1].penalty_factor / before[1] - 2.5) < 1e-12); // p / (.8 delta)
@@ -189,11 +189,49 @@ BOOST_AUTO_TEST_CASE(the_promise)
 
   // At delta and a trace above: kept. Clearly above: broken.
   push(delta, delta * (1. + .9e-6), .3 * delta);
-  BOOST_TEST(fixture.contact.broken_promise().first == invalid_index);
+  BOOST_TEST(FactorControl::broken_promise(fixture.contact.trial()).first == invalid_index);
   BOOST_TEST(fixture.contact.correct_factors() == 0u);
   push(delta * (1. + 1.1e-6), .1 * delta, -delta);
-  BOOST_TEST(fixture.contact.broken_promise().first == 0u);
+  BOOST_TEST(FactorControl::broken_promise(fixture.contact.trial()).first == 0u);
   BOOST_TEST(fixture.contact.correct_factors() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(early_corrections_are_those_after_convergence)
+{
+  // Points at half of delta, and at two and a hundred times; all creep a hundred times too far.
+  const auto factors = [](const std::string &law, const std::string &rule, const bool early, const double softening) {
+    const FakeSurface surface = row(3);
+    InterfaceFixture fixture(surface,
+                             {"Enforcement=" + law, "Penalty rule=" + rule, "Allowed penetration=1e-3",
+                              "Allowed elastic slip=1e-6"},
+                             flat + Entries{"Friction coefficient=.5"});
+    const Vector start = place(fixture, 0., 0.);
+    fixture.contact.begin_stage(start, 0.);
+    fixture.begin_increment(start, 1., stiffness);
+    fixture.contact.soften(softening);
+    Vector q = place(fixture, 1e-4, 0.);
+    q[1] = -.5e-3;
+    q[3] = -2e-3;
+    q[5] = -.1;
+    fixture.settle(q);
+    std::vector<double> result;
+    result.push_back(early ? fixture.contact.correct_factors_early() : fixture.contact.correct_factors());
+    for (const auto &state : fixture.contact.trial())
+      result.insert(result.end(), {state.penalty_factor, state.tangential_factor});
+    return result;
+  };
+  // The floors .01 K_nn and .001 K_tt; p / (.8 delta) and at most ten times.
+  const std::vector<double> floors = {0., 10., 1., 10., 1., 10., 1.}, corrected = {3., 10., 10., 25., 10., 100., 10.};
+  BOOST_TEST(factors("penalty", "adaptive", true, 1.) == corrected, boost::test_tools::per_element());
+  BOOST_TEST(factors("penalty", "adaptive", false, 1.) == corrected, boost::test_tools::per_element());
+  // A penetration under a share of the force says nothing, nor does one that augmentation will take away.
+  BOOST_TEST(factors("penalty", "adaptive", true, .5) == floors, boost::test_tools::per_element());
+  BOOST_TEST(factors("augmented lagrangian", "adaptive", true, 1.) == floors, boost::test_tools::per_element());
+  // A rule that promises nothing has its say after convergence only; friction has promised the elastic slip.
+  const auto first = factors("penalty", "proportional", true, 1.);
+  const auto later = factors("penalty", "proportional", false, 1.);
+  BOOST_TEST((first[1] == first[5] && first[5] < later[5]));
+  BOOST_TEST(first[6] == later[6]);
 }
 
 BOOST_AUTO_TEST_CASE(free_travel_is_the_gap_of_the_closest_node)
@@ -222,9 +260,9 @@ BOOST_AUTO_TEST_CASE(round_off_breaks_no_promise)
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   fixture.settle(place(fixture, 1., -1.1e-14));
-  BOOST_TEST(fixture.contact.broken_promise().first == invalid_index);
+  BOOST_TEST(FactorControl::broken_promise(fixture.contact.trial()).first == invalid_index);
   fixture.settle(place(fixture, 1., -1.4e-14));
-  BOOST_TEST(fixture.contact.broken_promise().first == 0u);
+  BOOST_TEST(FactorControl::broken_promise(fixture.contact.trial()).first == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(the_next_factor_comes_from_the_reaction)

@@ -15,8 +15,8 @@ namespace deltaform
   /**
    * The factors of the springs between blank and tool: the normal ones by the penalty rule, the tangential ones by the
    * allowed elastic slip. They are predicted when an increment begins and when a point touches for the first time,
-   * frozen in a Newton solve, and corrected after it until penetration <= delta is kept. Where a solve does not
-   * converge those of first touches are softened for a while.
+   * and corrected where penetration <= delta is not kept: close to equilibrium by rules that promise it, by all rules
+   * after a Newton solve. Where a solve does not converge those of first touches are softened for a while.
    */
   class FactorControl
   {
@@ -52,8 +52,8 @@ namespace deltaform
                const Points &committed,
                Points &trial) const;
 
-    /// Close to equilibrium, of a rule that promises; and of friction. It only raises factors. @return of how many
-    /// points
+    /// Between two iterations close to equilibrium: the normal factors of a rule that promises, and the tangential
+    /// ones. They only grow. @return how many points have other factors than before
     unsigned int correct_early(Points &trial) const;
 
     /// After a converged solve. @return how many points have other factors than before
@@ -106,10 +106,12 @@ namespace deltaform
                              const ContactPointState &now,
                              double stiffness) const;
 
-    /// Of a sticking point that creeps too far. @return has its factor changed?
+    /// Both factors of a point, the normal one if @p normal. @return has one changed?
+    ///@{
     bool correct(unsigned int i, bool normal, Points &trial) const;
     bool correct_normal(unsigned int i, Points &trial) const;
-    bool correct_tangential(ContactPointState &state) const;
+    bool correct_tangential(ContactPointState &state) const; ///< of a sticking point that creeps too far
+    ///@}
 
     const ContactSettings &settings_;
     const ContactProjector &projector_;
