@@ -79,7 +79,8 @@ namespace deltaform
       timer_output_(timers.section("13 output")), functions_(actors), model_(actors, settings.linear_solver, timers),
       newton_(model_, model_.discretization().system(), settings.newton, model_.discretization().numbering().scale,
               model_.discretization().numbering().size, timers),
-      increment_(model_, newton_, settings.steps), conditions_(actors), ends_(actors), status_(exit_status::done)
+      increment_(model_, newton_, settings.steps), conditions_(actors), ends_(actors),
+      outcome_{exit_status::done, "", {}, 0, 0, std::nullopt}
   {
     if (!settings.energies)
       model_.forget_energy();
@@ -91,7 +92,7 @@ namespace deltaform
     for (const auto &text : texts)
     {
       journal_.warning(text);
-      warnings_.push_back(text);
+      outcome_.warnings.push_back(text);
     }
   }
 
@@ -117,12 +118,11 @@ namespace deltaform
   int Analysis::end()
   {
     journal_.detail(effort_in_words(model_.discretization()));
-    warn(conditions_.warnings(status_ == exit_status::done));
+    warn(conditions_.warnings(outcome_.exit_status == exit_status::done));
     const Timers::Scope timer(timers_, timer_output_);
-    const RunOutcome outcome{
-      status_, message_, warnings_, state_.n_increments, n_iterations_, std::move(state_at_stop_)};
-    observers_.tell([&](Observer &observer) { observer.ended(model_, outcome); });
-    return status_;
+    outcome_.increments = state_.n_increments;
+    observers_.tell([&](Observer &observer) { observer.ended(model_, outcome_); });
+    return outcome_.exit_status;
   }
 
 
@@ -170,7 +170,7 @@ namespace deltaform
 
   bool Analysis::advance()
   {
-    if (status_ != exit_status::done || !enter_stage())
+    if (outcome_.exit_status != exit_status::done || !enter_stage())
       return false;
     if (state_.n_increments >= settings_.steps.max_increments)
       return stop(enough_in_words(state_.n_increments), exit_status::not_converged, checkpoint());
@@ -183,7 +183,10 @@ namespace deltaform
                     exit_status::by_signal + signal, checkpoint());
       if (const auto wrong = functions_.find_wrong(stage(), next))
         return stop(wrong->to_string(), exit_status::not_converged, checkpoint());
-      const IncrementResult result = attempt(next, effort(next));
+      const Effort effort = model_.releases_at_once()
+                              ? Effort::all
+                              : control_->effort(next - time(), cost_.cutbacks, state_.last_length > 0.);
+      const IncrementResult result = attempt(next, effort);
       cost_ += result.cost;
       if (!result.rejected)
       {
@@ -195,7 +198,7 @@ namespace deltaform
       if (!control_->reject(next - time()))
         return give_up(*result.rejected);
     }
-    return status_ == exit_status::done;
+    return outcome_.exit_status == exit_status::done;
   }
 
 
@@ -214,19 +217,8 @@ namespace deltaform
     const double ratio = state_.last_length > 0 ? length / state_.last_length : 0.;
     const IncrementStart start{end, ratio, settings_.steps.extrapolate, state_.before};
     IncrementResult result = increment_.attempt(start, length, effort);
-    n_iterations_ += result.cost.iterations;
+    outcome_.iterations += result.cost.iterations;
     return result;
-  }
-
-
-  Effort Analysis::effort(const double next) const
-  {
-    // Cut twice, or as short as it may be: the length of the increment is not the reason.
-    if (model_.releases_at_once() || (next - time()) * settings_.steps.shrink < stage().smallest_increment)
-      return Effort::all;
-    if (cost_.cutbacks >= 2 || control_->tries_longer())
-      return Effort::last_resorts;
-    return cost_.cutbacks == 0 && state_.last_length > 0. ? Effort::first : Effort::usual;
   }
 
 
@@ -270,7 +262,7 @@ namespace deltaform
 
   void Analysis::notify(const AcceptedIncrement &increment)
   {
-    state_.n_iterations = n_iterations_;
+    state_.n_iterations = outcome_.iterations;
     const Timers::Scope timer(timers_, timer_output_);
     observers_.tell([&](Observer &observer) { observer.accepted(increment); });
   }
@@ -278,10 +270,10 @@ namespace deltaform
 
   bool Analysis::stop(const std::string &why, const int status, std::optional<Checkpoint> state)
   {
-    message_ = "stage '" + stage().name + "' stopped at time " + text::rounded(time()) + ": " + why + ".";
-    journal_.warning(message_);
-    status_ = status;
-    state_at_stop_ = std::move(state);
+    outcome_.message = "stage '" + stage().name + "' stopped at time " + text::rounded(time()) + ": " + why + ".";
+    journal_.warning(outcome_.message);
+    outcome_.exit_status = status;
+    outcome_.state = std::move(state);
     return false;
   }
 

@@ -60,13 +60,13 @@ namespace deltaform
     conditions_.load(state.conditions);
     ends_.load(state.ends);
     actors_.skip(state_.skipped);
-    n_iterations_ = state_.n_iterations;
+    outcome_.iterations = state_.n_iterations;
     resumed_ = true;
     control_.reset();
     cost_ = IncrementCost();
-    status_ = exit_status::done;
-    message_.clear();
-    state_at_stop_.reset();
+    outcome_.exit_status = exit_status::done;
+    outcome_.message.clear();
+    outcome_.state.reset();
     const AcceptedIncrement last = accepted(IncrementCost());
     observers_.tell([&](Observer &observer) { observer.moved(last); });
   }

@@ -67,7 +67,7 @@ namespace deltaform
     IncrementResult result;
     NewtonResult solved;
     bool any = false, may_be_snap = false;
-    const unsigned int linear_iterations = problem_.n_linear_iterations();
+    const unsigned int linear_iterations = newton_.system().n_linear_iterations();
     for (const auto &strategy : ladder_)
     {
       if (strategy->least_effort() > effort)
@@ -93,7 +93,7 @@ namespace deltaform
       result.rejected = Rejected{Rejected::Kind::not_solved, "no strategy applies to this increment"};
       return result;
     }
-    result.cost.linear_iterations = problem_.n_linear_iterations() - linear_iterations;
+    result.cost.linear_iterations = newton_.system().n_linear_iterations() - linear_iterations;
     result.iterations_to_equilibrium = result.cost.iterations - solved.correction_iterations;
 
     if (!failed(solved))
@@ -147,7 +147,7 @@ namespace deltaform
     switch (result.outcome)
     {
     case NewtonResult::Outcome::singular:
-      if (const std::string failure = problem_.linear_failure(); !failure.empty())
+      if (const std::string failure = newton_.system().linear_failure(); !failure.empty())
         return "the linear solver did not converge: " + failure +
                " (Solver/Maximal linear iterations, Solver/Linear solver tolerance). Try Linear solver = mumps" + where;
       return "the tangent is singular: a part of the blank is free to move, or a limit load is reached" + where;

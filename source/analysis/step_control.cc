@@ -114,6 +114,17 @@ namespace deltaform
   }
 
 
+  Effort StepControl::effort(const double length, const unsigned int cutbacks, const bool continues) const
+  {
+    // As short as it may be, or cut twice: the length of the increment is not the reason.
+    if (length * settings_.shrink < smallest_)
+      return Effort::all;
+    if (cutbacks >= 2 || longer_tries_ > 0)
+      return Effort::last_resorts;
+    return cutbacks == 0 && continues ? Effort::first : Effort::usual;
+  }
+
+
   void StepControl::restore(const State &state)
   {
     increment_ = state.increment > smallest_ ? std::min(state.increment, largest_) : smallest_;

@@ -159,21 +159,10 @@ namespace deltaform
   }
 
 
-  void MaterialPoints::add_energy(const double elastic, const double plastic, const double normal)
-  {
-    if (!energy_)
-      return;
-    energy_->elastic = elastic;
-    energy_->plastic += plastic;
-    energy_->normal += normal;
-  }
-
-
   void MaterialPoints::put(KeyedArrays &state) const
   {
-    const BlankEnergy total = energy();
     each_array(*this, PutInto(state));
-    state.put("energies", std::vector<double>{total.elastic, total.plastic, total.normal});
+    account_.put(state);
   }
 
 
@@ -182,9 +171,6 @@ namespace deltaform
     each_array(*this, TakeFrom(state));
     carried_.pause();
     stress_ = committed_stress_;
-    std::vector<double> energies = state.at("energies");
-    energies.resize(3); // states of solids once held two
-    if (energy_)
-      energy_ = BlankEnergy{energies[0], energies[1], energies[2]};
+    account_.take(state);
   }
 } // namespace deltaform

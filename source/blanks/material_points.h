@@ -1,9 +1,9 @@
 #pragma once
 
+#include "blank_account.h"
 #include "metal_axes.h"
 #include "point_criteria.h"
 
-#include <deltaform/assembly/energy.h>
 #include <deltaform/io/keyed_arrays.h>
 #include <deltaform/materials/carried_flow.h>
 #include <deltaform/materials/material.h>
@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace deltaform
@@ -208,25 +207,15 @@ namespace deltaform
     }
     ///@}
 
-    /// @name Energies
+    /// Energies of all points.
     ///@{
-    /// Does anybody ask for them?
-    bool counts_energy() const
+    const BlankAccount &account() const
     {
-      return energy_.has_value();
+      return account_;
     }
-
-    void forget_energy()
+    BlankAccount &account()
     {
-      energy_.reset();
-    }
-
-    /// At the end of an increment: the energy stored now, what was dissipated, and the work of the transverse stress.
-    void add_energy(double elastic, double plastic, double normal = 0.);
-
-    BlankEnergy energy() const
-    {
-      return energy_.value_or(BlankEnergy());
+      return account_;
     }
     ///@}
 
@@ -271,6 +260,6 @@ namespace deltaform
     double share_of_duration_ = 1.; ///< of it, that the present one takes
     CarriedFlow carried_; ///< of no points if the law does not want it
     std::vector<Mandel> strain_, stress_, committed_stress_;
-    std::optional<BlankEnergy> energy_ = BlankEnergy();
+    BlankAccount account_;
   };
 } // namespace deltaform

@@ -234,11 +234,11 @@ namespace deltaform
     for (unsigned int place = 0; place < points_.size(); ++place)
     {
       const double ratio = trial_thickness(place) / settings_.thickness;
-      if (material_.counts_energy())
+      if (material_.account().counts())
         add_energy(q, place / points_.per_cell(), place, ratio, sum);
       state_.set_thickness_ratio(place, ratio);
     }
-    material_.add_energy(sum.elastic, sum.plastic, sum.normal);
+    material_.account().add(sum.elastic, sum.plastic, sum.normal);
     material_.commit();
     state_.commit(material_.strains(), surface_.modulus());
     surface_.update(q);
@@ -253,13 +253,13 @@ namespace deltaform
 
   BlankEnergy Shell::energy() const
   {
-    return material_.energy();
+    return material_.account().sum();
   }
 
 
   void Shell::forget_energy()
   {
-    material_.forget_energy();
+    material_.account().forget();
   }
 
 
@@ -304,7 +304,7 @@ namespace deltaform
     BlankEnergy sum;
     for (unsigned int place = 0; place < points_.size(); ++place)
       add_energy(q, place / points_.per_cell(), place, state_.thickness_ratio(place), sum);
-    material_.add_energy(sum.elastic, 0.);
+    material_.account().add(sum.elastic, 0.);
   }
 
 

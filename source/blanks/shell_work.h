@@ -38,45 +38,38 @@ namespace deltaform
   }
 
 
-  /// Add B^T n to the residual and B^T g B + geometric stiffness to the matrix.
-  template <unsigned int n_nodes,
-            bool membrane,
-            typename Stress,
-            typename Stiffness,
-            typename Residual,
-            typename Matrix>
-  void add_point(const ShellPoint &point,
-                 const ShellStrain &strain,
-                 const Stress &n,
-                 const Stiffness &g,
-                 const bool tangent,
-                 Residual &residual,
-                 Matrix &matrix)
-  {
-    constexpr unsigned int n_dofs = 3 * n_nodes;
-    constexpr unsigned int size = ShellStrain::size;
+  /// B, the derivatives of the generalized strain by the unknowns.
+  template <unsigned int n_nodes>
+  using ShellGradient = std::array<std::array<double, 3 * n_nodes>, ShellStrain::size>;
 
-    std::array<std::array<double, n_dofs>, size> b;
+
+  template <unsigned int n_nodes, bool membrane>
+  ShellGradient<n_nodes> shell_gradient(const ShellPoint &point, const ShellStrain &strain)
+  {
+    ShellGradient<n_nodes> b;
     for (unsigned int a = 0; a < n_nodes; ++a)
     {
       auto node = strain.derivative(point.shape[a], point.gradient[a]);
       if (membrane)
         for (auto &row : node)
           row[2] = 0.;
-      for (unsigned int s = 0; s < size; ++s)
+      for (unsigned int s = 0; s < ShellStrain::size; ++s)
         for (unsigned int k = 0; k < 3; ++k)
           b[s][3 * a + k] = node[s][k];
     }
-    for (unsigned int s = 0; s < size; ++s)
-      for (unsigned int i = 0; i < n_dofs; ++i)
-        residual[i] += n[s] * b[s][i];
-    if (!tangent)
-      return;
+    return b;
+  }
 
-    for (unsigned int s = 0; s < size; ++s)
+
+  /// Add B^T g B.
+  template <unsigned int n_nodes, typename Stiffness, typename Matrix>
+  void add_material_stiffness(const ShellGradient<n_nodes> &b, const Stiffness &g, Matrix &matrix)
+  {
+    constexpr unsigned int n_dofs = 3 * n_nodes;
+    for (unsigned int s = 0; s < ShellStrain::size; ++s)
     {
       std::array<double, n_dofs> gb{};
-      for (unsigned int t = 0; t < size; ++t)
+      for (unsigned int t = 0; t < ShellStrain::size; ++t)
         if (g[s][t] != 0.)
           for (unsigned int j = 0; j < n_dofs; ++j)
             gb[j] += g[s][t] * b[t][j];
@@ -84,7 +77,14 @@ namespace deltaform
         for (unsigned int j = 0; j < n_dofs; ++j)
           matrix[i * n_dofs + j] += b[s][i] * gb[j];
     }
+  }
 
+
+  /// Add the second derivatives of the generalized strain times the resultants @p n.
+  template <unsigned int n_nodes, bool membrane, typename Stress, typename Matrix>
+  void add_geometric_stiffness(const ShellPoint &point, const ShellStrain &strain, const Stress &n, Matrix &matrix)
+  {
+    constexpr unsigned int n_dofs = 3 * n_nodes;
     if (membrane)
     {
       // Lambda = |x'|: its second derivative is d (x) d / |x'|
@@ -109,5 +109,31 @@ namespace deltaform
         }
         matrix[(3 * a + 2) * n_dofs + 3 * c + 2] += point.shape[a] * point.shape[c] * geometric.rotation;
       }
+  }
+
+
+  /// Add B^T n to the residual and, for a tangent, B^T g B + geometric stiffness to the matrix.
+  template <unsigned int n_nodes,
+            bool membrane,
+            typename Stress,
+            typename Stiffness,
+            typename Residual,
+            typename Matrix>
+  void add_point(const ShellPoint &point,
+                 const ShellStrain &strain,
+                 const Stress &n,
+                 const Stiffness &g,
+                 const bool tangent,
+                 Residual &residual,
+                 Matrix &matrix)
+  {
+    const auto b = shell_gradient<n_nodes, membrane>(point, strain);
+    for (unsigned int s = 0; s < ShellStrain::size; ++s)
+      for (unsigned int i = 0; i < 3 * n_nodes; ++i)
+        residual[i] += n[s] * b[s][i];
+    if (!tangent)
+      return;
+    add_material_stiffness<n_nodes>(b, g, matrix);
+    add_geometric_stiffness<n_nodes, membrane>(point, strain, n, matrix);
   }
 } // namespace deltaform

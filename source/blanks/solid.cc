@@ -233,7 +233,7 @@ namespace deltaform
     for (unsigned int i = 0; i < material_.size(); ++i)
     {
       const double volume = body_.points()[i].weight;
-      if (material_.counts_energy())
+      if (material_.account().counts())
         elastic += volume * material_.law().elastic_energy(material_.stress(i));
       if (!may_flow)
         continue;
@@ -243,7 +243,7 @@ namespace deltaform
       const Mandel after = material_.trial_plastic_strain(i);
       if (before == after)
         continue;
-      if (material_.counts_energy())
+      if (material_.account().counts())
       {
         // The flow takes place in the axes of now: the last stress is turned along.
         const Mandel start = start_stress(i, turn);
@@ -253,8 +253,8 @@ namespace deltaform
       if (motion_.finite())
         motion_.flow_to(i, material_.law().elastic_strain(material_.stress(i)));
     }
-    if (material_.counts_energy())
-      material_.add_energy(ranks::sum(elastic), ranks::sum(plastic));
+    if (material_.account().counts())
+      material_.account().add(ranks::sum(elastic), ranks::sum(plastic));
     material_.commit();
     motion_.commit();
     surface_.update(q);
@@ -264,13 +264,13 @@ namespace deltaform
 
   BlankEnergy Solid::energy() const
   {
-    return material_.energy();
+    return material_.account().sum();
   }
 
 
   void Solid::forget_energy()
   {
-    material_.forget_energy();
+    material_.account().forget();
   }
 
 

@@ -286,12 +286,12 @@ namespace deltaform
     kernel_.forget_matrices();
     material_.keep_stress();
     motion_.keep();
-    if (material_.counts_energy())
+    if (material_.account().counts())
     {
       double elastic = 0.;
       for (unsigned int i = 0; i < points.size(); ++i)
         elastic += points[i].weight * material_.law().elastic_energy(material_.stress(i));
-      material_.add_energy(ranks::sum(elastic), 0.);
+      material_.account().add(ranks::sum(elastic), 0.);
     }
     cells_.clear();
   }

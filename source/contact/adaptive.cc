@@ -1,6 +1,6 @@
-// Adaptive: eps_i = max(beta K_nn, lambda_i / (alpha delta_i)) with lambda_i of the last increment; close to equilibrium
-// and after convergence a point with p_i > delta_i gets eps_i min(10, p_i / (alpha delta_i)), alpha = .8. At
-// equilibrium the incremental eqn (7) of Bednarek, Kowalczyk has the only fixed point eps = lambda / delta; aiming at
+// Adaptive: eps_i = max(beta K_nn, lambda_i / (alpha delta_i)) with lambda_i of the last increment. Close to
+// equilibrium and after convergence a point with p_i > delta_i gets eps_i min(10, p_i / (alpha delta_i)), alpha = .8.
+// At equilibrium the incremental eqn (7) of Bednarek, Kowalczyk has the only fixed point lambda / delta; aiming at
 // .8 delta reaches penetration <= delta from the safe side in a finite number of corrections. Derivation:
 // doc/theory/contact.md.
 #include <deltaform/contact/penalty_rule.h>

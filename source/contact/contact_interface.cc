@@ -1,5 +1,4 @@
 #include "contact_transfer.h"
-#include "interface_energy.h"
 
 #include <deltaform/contact/contact_interface.h>
 #include <deltaform/contact/contact_measures.h>
@@ -17,11 +16,11 @@ namespace deltaform
       return law ? std::make_unique<InterfaceFriction>(std::move(law), projector) : nullptr;
     }
 
-    /// A point has touched or let go, with this @p gap where it was free.
-    void add_event(IncrementWork &work, const double gap, const ContactPointState &before, const ContactPointState &now)
+    double allowed_penetration(const ContactSettings &settings, const ContactInterface &interface, const double time)
     {
-      if (std::isfinite(gap) && gap > 0)
-        work.add_event(now.touching, now.touching ? now.force : before.force, gap);
+      const TimeFunction *own = interface.tool().allowed_penetration();
+      const double asked = own ? (*own)(time) : settings.allowed_penetration(time);
+      return asked < 0 ? -asked * automatic_delta(interface) : asked;
     }
   } // namespace
 
@@ -32,7 +31,7 @@ namespace deltaform
                                      Section tool_section)
     : settings_(settings), projector_(surface, tool, tool_section), friction_(make_friction(tool_section, projector_)),
       factors_(settings, projector_, friction_.get()),
-      iteration_(*settings.normal_law, projector_, factors_, friction_.get())
+      iteration_(*settings.normal_law, projector_, factors_, friction_.get()), account_(settings.stores_energy())
   {
     resize();
   }
@@ -67,9 +66,7 @@ namespace deltaform
     factors_.begin_increment(time, committed_);
     if (friction_)
       friction_->begin_increment();
-    const TimeFunction *own = tool().allowed_penetration();
-    const double asked = own ? (*own)(time) : settings_.allowed_penetration(time);
-    const double delta = asked < 0 ? -asked * automatic_delta(*this) : asked;
+    const double delta = allowed_penetration(settings_, *this, time);
     for (auto &state : trial_.points)
     {
       state.delta = delta;
@@ -103,8 +100,7 @@ namespace deltaform
 
   void ContactInterface::commit(const Vector &q)
   {
-    IncrementWork work(trial_.energy, settings_.stores_energy());
-    friction_work_.assign(counts_energy_ ? n_points() : 0, 0.);
+    account_.begin(n_points());
     for (unsigned int i = 0; i < trial_.points.size(); ++i)
     {
       ContactPointState &state = trial_.points[i];
@@ -115,34 +111,27 @@ namespace deltaform
       state.previous_force = before.touching ? before.force : 0.;
       if (!state.touching)
         state.penalty_factor = state.tangential_factor = state.stiffness = state.shift = state.last_penetration = 0.;
-      if (!state.touching && !(before.touching && counts_energy_))
+      if (!state.touching && !(before.touching && account_.counts()))
         continue;
       const double offset = state.touching ? iteration_.touching_point(i).offset : point(q, i).offset;
       const double slip = friction_ ? friction_->slip_of_increment(i, before, state, offset) : 0.;
       if (friction_ && state.touching && !state.sticking)
         state.slip += std::abs(slip);
-      if (!counts_energy_)
+      if (!account_.counts())
         continue;
-      friction_work_[i] = work.add(before, state, slip);
-      if (state.touching != before.touching)
-      {
-        const Point2 &open = (state.touching ? before : state).position;
-        add_event(work, projector_.look(i, open).distance - offset, before, state);
-      }
+      const Point2 &open = (state.touching ? before : state).position;
+      const double open_gap = state.touching != before.touching ? projector_.look(i, open).distance - offset : 0.;
+      account_.add(i, before, state, slip, open_gap, trial_.energy);
     }
     trial_.step = trial_.time - committed_.time;
-    if (counts_energy_)
-    {
-      work.finish();
-      trial_.energy.stored = stored_energy(trial_.points, settings_.stores_energy());
-    }
+    account_.finish(trial_);
     committed_ = trial_;
   }
 
 
   void ContactInterface::refresh(const Vector &q)
   {
-    if (!counts_energy_)
+    if (!account_.counts())
       return;
     // The thickness has changed at fixed positions; the forces stay those of the accepted equilibrium.
     const Tensor1 way = shift(q);
@@ -173,12 +162,7 @@ namespace deltaform
     const double time = trial_.time;
     committed_.points = transferred_points(committed_.points, parents, shift(q), q, projector_);
     iteration_.resize(n_points());
-    if (counts_energy_)
-    {
-      const double stored = committed_.energy.stored;
-      committed_.energy.stored = stored_energy(committed_.points, settings_.stores_energy());
-      committed_.energy.epsilon += committed_.energy.stored - stored;
-    }
+    account_.renew(committed_);
     trial_ = committed_;
     trial_.time = time;
   }
@@ -197,15 +181,13 @@ namespace deltaform
       state.release();
     }
     trial_.points = committed_.points;
-    // The springs leave with the tool, and what they hold.
-    committed_.energy.epsilon -= committed_.energy.stored;
-    committed_.energy.stored = 0.;
+    InterfaceAccount::release(committed_.energy);
   }
 
 
   void ContactInterface::forget_energy()
   {
-    counts_energy_ = false;
+    account_.forget();
     committed_.energy = trial_.energy = ContactEnergy();
   }
 } // namespace deltaform

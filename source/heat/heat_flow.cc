@@ -75,7 +75,7 @@ namespace deltaform
       {
         // A point that has let go may have slipped before.
         const ContactPointState &state = interface->committed()[i];
-        const double friction = interface->friction_work()[i];
+        const double friction = interface->account().friction_work()[i];
         if (!state.touching && friction == 0.)
           continue;
         const ContactPoint point = interface->point(q, i);

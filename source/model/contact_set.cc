@@ -1,5 +1,4 @@
 #include <deltaform/contact/contact_measures.h>
-#include <deltaform/contact/deepest_place.h>
 #include <deltaform/io/byte_stream.h>
 #include <deltaform/model/contact_set.h>
 #include <deltaform/parameters/text.h>
@@ -10,20 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace deltaform
 {
   namespace
   {
-    unsigned int number_of(const ContactInterface &own, const std::vector<std::unique_ptr<ContactInterface>> &all)
-    {
-      const auto is_own = [&](const auto &other) { return other.get() == &own; };
-      return std::find_if(all.begin(), all.end(), is_own) - all.begin();
-    }
-
-
     constexpr unsigned int depth_of_augmentation = 8; ///< rounds that the acceleration looks back to
 
     /// Move a tool along its direction until it touches, by its unknown @p travel. @return has it found the blank?
@@ -274,7 +265,7 @@ namespace deltaform
       return "";
     for (const auto *interface : active_)
     {
-      const auto [i, ratio] = interface->broken_promise();
+      const auto [i, ratio] = FactorControl::broken_promise(interface->trial());
       if (i == invalid_index)
         continue;
       const bool at_nodes = actors_.blank->surface().points_per_edge() == 0;
@@ -344,47 +335,6 @@ namespace deltaform
   {
     for (auto &interface : actors_.interfaces)
       interface->forget_energy();
-  }
-
-
-  void ContactSet::add_deepest(const ContactInterface &interface, const Vector &q, ContactAccount &account) const
-  {
-    const DeepestPlaces found = deepest_places(interface, q);
-    account.max_penetration_between_nodes = std::max(account.max_penetration_between_nodes, found.anywhere.depth);
-    const auto [depth, place] = found.off_corners;
-    if (depth > 0. && depth > account.deepest.over_delta * interface.committed().front().delta)
-      account.deepest = {depth / interface.committed().front().delta, depth, place,
-                         number_of(interface, actors_.interfaces)};
-  }
-
-
-  ContactAccount ContactSet::account(const Vector &q) const
-  {
-    ContactAccount account;
-    unsigned int n_at_bound = 0;
-    account.min_epsilon = std::numeric_limits<double>::infinity();
-    for (const auto *interface : active_)
-    {
-      for (unsigned int i = 0; i < interface->n_points(); ++i)
-      {
-        const ContactPointState &state = interface->committed()[i];
-        if (!state.touching)
-          continue;
-        ++account.n_touching;
-        account.max_penetration = std::max(account.max_penetration, state.penetration());
-        account.max_penetration_over_delta =
-          std::max(account.max_penetration_over_delta, state.penetration() / state.delta);
-        account.min_epsilon = std::min(account.min_epsilon, state.penalty_factor);
-        account.max_epsilon = std::max(account.max_epsilon, state.penalty_factor);
-        n_at_bound += interface->governed_by_floor(i);
-      }
-      add_deepest(*interface, q, account);
-    }
-    if (account.n_touching == 0)
-      account.min_epsilon = 0.;
-    else
-      account.floor_share = static_cast<double>(n_at_bound) / account.n_touching;
-    return account;
   }
 
 

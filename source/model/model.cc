@@ -7,7 +7,7 @@ namespace deltaform
   Model::Model(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers)
     : actors_(actors), timers_(timers), discretization_(actors, linear_solver), body_(actors, contact_), stops_(actors),
       contact_(actors), supports_(actors, discretization_.numbering()),
-      book_(actors, discretization_.numbering(), supports_, contact_), terms_{&body_, &contact_}
+      book_(actors, discretization_.numbering(), supports_, contact_), terms_(body_, contact_)
   {
     clear_state();
     for (const auto &tool : actors_.tools)
@@ -49,21 +49,15 @@ namespace deltaform
     }
 
     const Timers::Scope timer(timers_.all, timers_.contact);
-    for (Term *const term : terms_)
-      term->read_body(q, system(), tangent);
-    for (Term *const term : terms_)
-    {
-      if (term == &contact_ && tangent)
-      {
-        if (!actors_.blank->may_be_distributed())
-          system().keep();
-        if (before_contact_)
-          before_contact_(system());
-      }
-      if (term != &body_ && status.good())
-        status = term->assemble(q, time_, system());
-    }
-    return status;
+    terms_.read_body(q, system(), tangent);
+    status = terms_.assemble_others(q, time_, system());
+    if (!status.good())
+      return status;
+    if (tangent && !actors_.blank->may_be_distributed())
+      system().keep();
+    if (tangent && before_contact_)
+      before_contact_(system());
+    return contact_.assemble(q, time_, system());
   }
 
 

@@ -1,7 +1,6 @@
 // What happens between the increments: stages begin, states are accepted.
 #include <deltaform/model/model.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace deltaform
@@ -37,13 +36,13 @@ namespace deltaform
     state_.released.begin_stage(stage);
     contact_.enter_stage(stage);
     supports_.enter_stage(stage.name);
-    terms_ = {&body_};
+    std::vector<Term *> others;
     for (const auto &load : actors_.loads)
       if (load->acts_in(stage.name))
-        terms_.push_back(load.get());
-    terms_.push_back(&state_.released);
+        others.push_back(load.get());
     stops_.enter_stage(stage.name);
-    terms_.insert(terms_.end(), {&stops_, &contact_});
+    others.insert(others.end(), {&state_.released, &stops_});
+    terms_.enter_stage(others);
   }
 
 
@@ -52,32 +51,10 @@ namespace deltaform
     const Timers::Scope timer(timers_.all, timers_.commit);
     state_.time = time_;
     book_.accept(q, system(), state_);
-    std::for_each(terms_.rbegin(), terms_.rend(), [&](Term *term) { term->accept(q); });
+    terms_.accept(q);
     state_.unknowns = q;
     state_.releases_at_once = false;
-    for (Term *const term : terms_)
-      term->refresh(q);
+    terms_.refresh(q);
   }
 
-
-  void Model::forget_energy()
-  {
-    energies_wanted_ = false;
-    for (Term *const term : terms_)
-      if (term != &contact_ || !actors_.heat) // the work of friction is heat
-        term->forget_energy();
-  }
-
-
-  EnergyAccount Model::energies() const
-  {
-    EnergyAccount account;
-    if (!energies_wanted_)
-      return account;
-    account.tool_work = state_.work.tools;
-    account.load_work = state_.work.loads;
-    for (const Term *const term : terms_)
-      term->add_to(account);
-    return account;
-  }
 } // namespace deltaform

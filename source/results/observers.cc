@@ -51,81 +51,87 @@ namespace deltaform
       return names;
     }
 
-    bool has_heat(const Model &model, const OutputSettings &, const ConditionReport *)
+    /// What a run has and asks for, of which its columns depend.
+    struct Wishes
     {
-      return model.actors().heat != nullptr;
+      const Model &model;
+      const OutputSettings &output;
+      const ConditionReport *report; ///< null: no condition numbers
+    };
+
+    void describe_every_scene(const Names &names, const ConditionReport *, Columns &columns)
+    {
+      describe_increment(columns);
+      describe_tools(names.tools, columns);
+      describe_cost(columns);
+      describe_contact(columns);
+      describe_thickness(columns);
     }
 
-    /// Columns that a history has together, in the order of groups().
+    void describe_limits(const Names &names, const ConditionReport *, Columns &columns)
+    {
+      describe_criteria(names.criteria, columns);
+      if (names.wrinkling)
+        describe_wrinkling(columns);
+    }
+
+    void describe_forces(const Names &names, const ConditionReport *, Columns &columns)
+    {
+      describe_supports(names.supports, columns);
+      describe_loads(names.loads, columns);
+      describe_balance(columns);
+      describe_load_sizes(names.other_loads, columns);
+      describe_beads(names.beads, columns);
+    }
+
+    /// Columns that hang on no names.
+    template <void (*describe)(Columns &)>
+    void alone(const Names &, const ConditionReport *, Columns &columns)
+    {
+      describe(columns);
+    }
+
+    /// Columns that a history has together.
     struct Group
     {
       const char *title; ///< on the page
-      bool (*wanted)(const Model &model, const OutputSettings &output, const ConditionReport *report);
+      bool (*wanted)(const Wishes &wishes);
       void (*describe)(const Names &names, const ConditionReport *report, Columns &columns);
     };
 
+    /// In the order of a history.
     const std::vector<Group> &groups()
     {
-      static const auto always = [](const Model &, const OutputSettings &, const ConditionReport *) { return true; };
+      static const auto always = [](const Wishes &) { return true; };
       static const std::vector<Group> all = {
-        {"Every scene", always,
-         [](const Names &names, const ConditionReport *, Columns &columns) {
-           describe_increment(columns);
-           describe_tools(names.tools, columns);
-           describe_cost(columns);
-           describe_contact(columns);
-           describe_thickness(columns);
-         }},
-        {"With `Output/Condition number every`",
-         [](const Model &, const OutputSettings &, const ConditionReport *report) { return report != nullptr; },
+        {"Every scene", always, describe_every_scene},
+        {"With `Output/Condition number every`", [](const Wishes &wishes) { return wishes.report != nullptr; },
          [](const Names &, const ConditionReport *report, Columns &columns) {
            ConditionReport::describe(columns, report);
          }},
         {"With an iterative linear solver",
-         [](const Model &model, const OutputSettings &, const ConditionReport *) {
-           return model.discretization().linear_solver().iterative();
-         },
-         [](const Names &, const ConditionReport *, Columns &columns) { describe_linear_solver(columns); }},
-        {"With refinement",
-         [](const Model &model, const OutputSettings &, const ConditionReport *) {
-           return model.blank().adaptive() != nullptr;
-         },
-         [](const Names &, const ConditionReport *, Columns &columns) { describe_mesh(columns); }},
-        {"With `Limits/Criteria` and `Limits/Flange wrinkling`", always,
-         [](const Names &names, const ConditionReport *, Columns &columns) {
-           describe_criteria(names.criteria, columns);
-           if (names.wrinkling)
-             describe_wrinkling(columns);
-         }},
+         [](const Wishes &wishes) { return wishes.model.discretization().linear_solver().iterative(); },
+         alone<describe_linear_solver>},
+        {"With refinement", [](const Wishes &wishes) { return wishes.model.blank().adaptive() != nullptr; },
+         alone<describe_mesh>},
+        {"With `Limits/Criteria` and `Limits/Flange wrinkling`", always, describe_limits},
         {"Works and energies since the start; not with `Output/Energies = false`",
-         [](const Model &, const OutputSettings &output, const ConditionReport *) { return output.energies; },
-         [](const Names &, const ConditionReport *, Columns &columns) { describe_energies(columns); }},
-        {"With `Material/Heat/Conductivity`; heat since the start", has_heat,
-         [](const Names &, const ConditionReport *, Columns &columns) { describe_heat(columns); }},
+         [](const Wishes &wishes) { return wishes.output.energies; }, alone<describe_energies>},
+        {"With `Material/Heat/Conductivity`; heat since the start",
+         [](const Wishes &wishes) { return wishes.model.actors().heat != nullptr; }, alone<describe_heat>},
         {"With a tool whose `Heat/Body` is a half space",
-         [](const Model &model, const OutputSettings &output, const ConditionReport *report) {
-           return has_heat(model, output, report) && model.actors().heat->tool_temperatures().has_value();
+         [](const Wishes &wishes) {
+           const HeatFlow *const heat = wishes.model.actors().heat.get();
+           return heat != nullptr && heat->tool_temperatures().has_value();
          },
-         [](const Names &, const ConditionReport *, Columns &columns) { describe_half_spaces(columns); }},
-        {"Supports, loads and balance", always,
-         [](const Names &names, const ConditionReport *, Columns &columns) {
-           describe_supports(names.supports, columns);
-           describe_loads(names.loads, columns);
-           describe_balance(columns);
-           describe_load_sizes(names.other_loads, columns);
-           describe_beads(names.beads, columns);
-         }},
+         alone<describe_half_spaces>},
+        {"Supports, loads and balance", always, describe_forces},
         {"Loads that press on a face",
-         [](const Model &model, const OutputSettings &, const ConditionReport *) {
-           return !names_of(model.actors()).pressures.empty();
-         },
+         [](const Wishes &wishes) { return !names_of(wishes.model.actors()).pressures.empty(); },
          [](const Names &names, const ConditionReport *, Columns &columns) {
            describe_pressures(names.pressures, columns);
          }},
-        {"Probes",
-         [](const Model &model, const OutputSettings &, const ConditionReport *) {
-           return !model.actors().probes.empty();
-         },
+        {"Probes", [](const Wishes &wishes) { return !wishes.model.actors().probes.empty(); },
          [](const Names &names, const ConditionReport *, Columns &columns) {
            describe_probes(names.probes, columns);
          }}};
@@ -184,7 +190,7 @@ namespace deltaform
   {
     Columns columns;
     for (const auto &group : groups())
-      if (group.wanted(model, output, condition))
+      if (group.wanted({model, output, condition}))
         group.describe(names_of(model.actors()), condition, columns);
     return columns;
   }

@@ -123,14 +123,6 @@ namespace
     {
       return unknown == 0 ? "crown" : "end";
     }
-    std::string linear_failure() const override
-    {
-      return "";
-    }
-    unsigned int n_linear_iterations() const override
-    {
-      return 0;
-    }
 
     System system;
     Vector q, goal;

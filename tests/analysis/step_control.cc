@@ -89,13 +89,18 @@ BOOST_AUTO_TEST_CASE(failures_cut_back)
   control.accept(1);
   BOOST_TEST(std::abs(control.increment() - .0225) < 1e-15);
   BOOST_TEST(control.reject(.02));
-  BOOST_TEST(!control.tries_longer());
+  // Two cuts, or an increment that cannot be cut: not its length is the reason.
+  BOOST_TEST((control.effort(.02, 0, true) == Effort::first));
+  BOOST_TEST((control.effort(.02, 0, false) == Effort::usual));
+  BOOST_TEST((control.effort(.02, 1, true) == Effort::usual));
+  BOOST_TEST((control.effort(.02, 2, true) == Effort::last_resorts));
+  BOOST_TEST((control.effort(.019, 0, true) == Effort::all));
   // At the smallest increment longer ones are tried, up to the largest one, and then no more.
   for (const double expected : {.1, .1, .1, .1})
   {
     BOOST_TEST(control.reject(.01));
     BOOST_TEST(control.increment() == expected);
-    BOOST_TEST(control.tries_longer());
+    BOOST_TEST((control.effort(.1, 1, true) == Effort::last_resorts));
   }
   BOOST_TEST(!control.reject(.01));
 }

@@ -226,7 +226,7 @@ BOOST_AUTO_TEST_CASE(early_corrections_are_those_after_convergence)
   BOOST_TEST(factors("penalty", "adaptive", false, 1.) == corrected, boost::test_tools::per_element());
   // A penetration under a share of the force says nothing, nor does one that augmentation will take away.
   BOOST_TEST(factors("penalty", "adaptive", true, .5) == floors, boost::test_tools::per_element());
-  BOOST_TEST(factors("augmented lagrangian", "adaptive", true, 1.) == floors, boost::test_tools::per_element());
+  BOOST_TEST(factors("augmented Lagrangian", "adaptive", true, 1.) == floors, boost::test_tools::per_element());
   // A rule that promises nothing has its say after convergence only; friction has promised the elastic slip.
   const auto first = factors("penalty", "proportional", true, 1.);
   const auto later = factors("penalty", "proportional", false, 1.);

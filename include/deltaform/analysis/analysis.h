@@ -102,7 +102,7 @@ namespace deltaform
     /// Why the run stopped; empty if it did not.
     const std::string &message() const
     {
-      return message_;
+      return outcome_.message;
     }
 
   private:
@@ -115,9 +115,6 @@ namespace deltaform
     }
 
     IncrementResult attempt(double end, Effort effort);
-
-    /// What is tried in an increment to @p next.
-    Effort effort(double next) const;
 
     void accept(double next, const IncrementResult &result);
 
@@ -153,14 +150,10 @@ namespace deltaform
     ObserverList observers_;
 
     State state_; ///< accepted; that of the model is with the model
-    unsigned int n_iterations_ = 0; ///< with those since the last accepted increment
     bool resumed_ = false; ///< in the middle of the current stage
     std::optional<StepControl> control_; ///< of the current stage
     IncrementCost cost_; ///< of the attempts at the next increment so far
 
-    int status_;
-    std::vector<std::string> warnings_;
-    std::string message_;
-    std::optional<Checkpoint> state_at_stop_;
+    RunOutcome outcome_; ///< so far; iterations with those since the last accepted increment
   };
 } // namespace deltaform

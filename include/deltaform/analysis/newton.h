@@ -83,6 +83,12 @@ namespace deltaform
     NewtonResult solve(Vector &q, const Vector &prescribed, const std::vector<bool> &is_prescribed,
                        const Vector &q_committed, double force_floor, NewtonVariant variant = NewtonVariant::plain);
 
+    /// What it solves with.
+    const System &system() const
+    {
+      return system_;
+    }
+
   private:
     class Solve;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/analysis/effort.h>
 #include <deltaform/parameters/section.h>
 
 #include <string>
@@ -56,11 +57,8 @@ namespace deltaform
     /// left to try
     bool reject(double tried);
 
-    /// Do shorter increments not help?
-    bool tries_longer() const
-    {
-      return longer_tries_ > 0;
-    }
+    /// What is tried in an increment of this @p length, which was cut @p cutbacks times. @param continues others
+    Effort effort(double length, unsigned int cutbacks, bool continues) const;
 
     double increment() const
     {

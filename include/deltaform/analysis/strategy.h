@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/analysis/effort.h>
 #include <deltaform/analysis/newton.h>
 #include <deltaform/model/increment_problem.h>
 #include <deltaform/parameters/makers.h>
@@ -19,16 +20,6 @@ namespace deltaform
     bool extrapolate; ///< may Newton start from the last increment's velocity?
     const Vector &before; ///< the unknowns one increment before the committed state
   };
-
-  /// How much may be tried to find an equilibrium, from little to all.
-  enum class Effort : unsigned char
-  {
-    first, ///< of an increment that continues others: if it fails, a shorter one is cheaper than another strategy
-    usual,
-    last_resorts, ///< shorter increments did not help
-    all ///< the shortest increment: where the blank snaps through, rotations may be large
-  };
-
 
   /// One way to solve an increment. An increment tries those of its ladder in turn, each from the committed state.
   class Strategy

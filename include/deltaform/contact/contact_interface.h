@@ -2,11 +2,11 @@
 
 #include <deltaform/contact/contact_iteration.h>
 #include <deltaform/contact/contact_settings.h>
+#include <deltaform/contact/interface_account.h>
 #include <deltaform/contact/interface_state.h>
 
 #include <array>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace deltaform
@@ -138,11 +138,6 @@ namespace deltaform
     }
     ///@}
 
-    std::pair<unsigned int, double> broken_promise() const
-    {
-      return FactorControl::broken_promise(trial_.points);
-    }
-
     bool governed_by_floor(const unsigned int i) const
     {
       return factors_.governed_by_floor(i, committed_.points);
@@ -206,18 +201,16 @@ namespace deltaform
     void resize();
 
     /// The blank was refined at the committed @p q: new points take over forces and factors per area, penetrations and
-    /// slip from the two old ones that @p parents names, if both touch. What that adds to the stored energy counts as
-    /// work of changing factors.
+    /// slip from the two old ones that @p parents names, if both touch.
     void transfer(const Vector &q, const std::vector<std::array<unsigned int, 2>> &parents);
 
     /// The tool leaves: hand the forces of the accepted equilibrium over to @p target and discard all contact. They are
     /// those that were in balance; the law evaluated again would find others, because the thickness was updated since.
     void release(const Vector &q, AssemblyTarget &target);
 
-    /// Dissipated by friction at every point in the last accepted increment (force*length); empty without energies.
-    const std::vector<double> &friction_work() const
+    const InterfaceAccount &account() const
     {
-      return friction_work_;
+      return account_;
     }
 
     /// Nobody asks for energies: they are zero from here on, and cost nothing.
@@ -255,7 +248,7 @@ namespace deltaform
         throw SceneError("The saved state has another number of contact points: it is damaged. Start again.");
       if (!Archive::is_loading::value)
         return;
-      if (!counts_energy_)
+      if (!account_.counts())
         committed_.energy = ContactEnergy();
       trial_ = committed_;
     }
@@ -273,7 +266,6 @@ namespace deltaform
     FactorControl factors_;
     ContactIteration iteration_;
     InterfaceState committed_, trial_;
-    bool counts_energy_ = true;
-    std::vector<double> friction_work_; ///< no part of the state
+    InterfaceAccount account_;
   };
 } // namespace deltaform

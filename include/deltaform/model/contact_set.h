@@ -88,9 +88,6 @@ namespace deltaform
     /// Longest allowed undeformed edges of both sides of the blank, edge by edge.
     std::array<std::vector<double>, 2> longest_edges(double share, bool rim) const;
 
-    /// Of the committed state.
-    ContactAccount account(const Vector &q) const;
-
     /// @name Term
     ///@{
     /// Let the rule give the penalty factors where it is its turn.
@@ -115,9 +112,6 @@ namespace deltaform
     ///@}
 
   private:
-    /// The deepest place of one face.
-    void add_deepest(const ContactInterface &interface, const Vector &q, ContactAccount &account) const;
-
     Actors &actors_;
     std::vector<ContactInterface *> active_;
     Augmentation augmentation_;

@@ -39,11 +39,5 @@ namespace deltaform
 
     /// "node 12 at r = 0.53, rotation", for messages; empty if the unknown is not one of a body.
     virtual std::string describe(DofIndex unknown) const = 0;
-
-    /// Why the last linear solve failed, if it was not for a singular matrix: in words; otherwise empty.
-    virtual std::string linear_failure() const = 0;
-
-    /// Iterations of the linear solver since the start, 0 for a direct one.
-    virtual unsigned int n_linear_iterations() const = 0;
   };
 } // namespace deltaform

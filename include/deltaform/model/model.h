@@ -3,18 +3,19 @@
 #include <deltaform/model/accounts.h>
 #include <deltaform/model/actors.h>
 #include <deltaform/model/body.h>
+#include <deltaform/model/contact_account.h>
 #include <deltaform/model/contact_set.h>
 #include <deltaform/model/discretization.h>
 #include <deltaform/model/force_book.h>
 #include <deltaform/model/increment_problem.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/model/model_timers.h>
+#include <deltaform/model/stage_terms.h>
 #include <deltaform/model/support_set.h>
 #include <deltaform/model/tool_stops.h>
 
 #include <algorithm>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace deltaform
@@ -92,14 +93,6 @@ namespace deltaform
     {
       return unknown < actors_.blank->n_dofs() ? actors_.blank->describe_dof(unknown) : "";
     }
-    std::string linear_failure() const override
-    {
-      return system().linear_failure();
-    }
-    unsigned int n_linear_iterations() const override
-    {
-      return system().n_linear_iterations();
-    }
     ///@}
 
     /// A stage begins: tools, loads and supports that end with the last stage become forces that fade out.
@@ -154,15 +147,22 @@ namespace deltaform
     }
 
     /// Nobody asks for energies.
-    void forget_energy();
+    void forget_energy()
+    {
+      const bool friction_is_heat = actors_.heat != nullptr;
+      terms_.forget_energy(!friction_is_heat);
+    }
 
     /// Works and energies of the committed state.
-    EnergyAccount energies() const;
+    EnergyAccount energies() const
+    {
+      return terms_.energies(state_.work.tools, state_.work.loads);
+    }
 
     /// Contact of the committed state.
     ContactAccount contact() const
     {
-      return contact_.account(state_.unknowns);
+      return contact_account(contact_, actors_, state_.unknowns);
     }
 
     /// Force of the blank on each tool, committed.
@@ -242,8 +242,7 @@ namespace deltaform
     ContactSet contact_;
     SupportSet supports_;
     ForceBook book_;
-    std::vector<Term *> terms_; ///< of the current stage: the body, loads, released forces, contact
-    bool energies_wanted_ = true;
+    StageTerms terms_;
 
     ModelState state_; ///< committed; body and contact points are with the blank and the interfaces
     bool starts_formed_ = false; ///< the blank comes from an earlier operation, whose forces fade out

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <deltaform/model/body.h>
+#include <deltaform/model/contact_set.h>
+
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * The terms that take part in a stage: the body first, contact last, the others between them. They are accepted in
+   * the opposite order, because contact reads the thickness that the body then updates.
+   */
+  class StageTerms
+  {
+  public:
+    StageTerms(Body &body, ContactSet &contact);
+
+    void enter_stage(const std::vector<Term *> &others);
+
+    /// The body has been assembled, alone.
+    void read_body(const Vector &q, const System &body, bool tangent);
+
+    /// All but the body and contact.
+    Status assemble_others(const Vector &q, double time, AssemblyTarget &target);
+
+    void accept(const Vector &q);
+    void refresh(const Vector &q);
+
+    /// Nobody asks for energies. @param of_contact nor for the work of friction
+    void forget_energy(bool of_contact);
+
+    /// Of the accepted state, with the works of tools and of loads; zero if nobody asks.
+    EnergyAccount energies(double tool_work, double load_work) const;
+
+  private:
+    std::vector<Term *> all_;
+    bool counts_energy_ = true;
+  };
+} // namespace deltaform
