@@ -86,7 +86,8 @@ namespace deltaform
     for (unsigned int child = 0; child < 4; ++child)
       for (const auto &point : body_.points().unit_points())
       {
-        const Point2 xi(.5 * (point[0] + child % 2), .5 * (point[1] + child / 2));
+        const unsigned int row = child / 2, column = child % 2;
+        const Point2 xi(.5 * (point[0] + column), .5 * (point[1] + row));
         Tensor2 jacobian;
         for (unsigned int a = 0; a < space.n_nodes_per_cell(); ++a)
         {

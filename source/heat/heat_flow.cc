@@ -16,7 +16,7 @@ namespace deltaform
 
 
   std::unique_ptr<HeatFlow>
-  HeatFlow::read(Section root, Blank &blank, const std::vector<std::unique_ptr<ContactInterface>> &interfaces)
+  HeatFlow::read(const Section &root, Blank &blank, const std::vector<std::unique_ptr<ContactInterface>> &interfaces)
   {
     Section heat = root.sub("Heat");
     const auto names =

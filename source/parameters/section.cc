@@ -184,7 +184,7 @@ namespace deltaform
                 path_,
                 {name, value, false, "", "names separated by commas", sentence, {}},
                 [](const std::string &text) {
-                  const auto result = text::split(text::unquoted(text), ',');
+                  auto result = text::split(text::unquoted(text), ',');
                   for (auto i = result.begin(); i != result.end(); ++i)
                   {
                     if (i->empty())
@@ -199,7 +199,7 @@ namespace deltaform
   std::vector<std::string>
   Section::section_names(const std::string &name, const std::string &value, const std::string &sentence)
   {
-    const auto result = names(name, value, sentence);
+    auto result = names(name, value, sentence);
     for (const auto &own : result)
     {
       if (own.find('/') != std::string::npos || own == "." || own == ".." || text::printable(own) != own)

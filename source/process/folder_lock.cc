@@ -99,7 +99,7 @@ namespace deltaform
     const std::string own = "process " + std::to_string(getpid()) + here + "\n";
     if (ftruncate(file_, 0) != 0 || pwrite(file_, own.data(), own.size(), 0) != static_cast<ssize_t>(own.size()))
     {
-      const std::string wrong = failed("cannot be written, its '" + path_ + "' not");
+      std::string wrong = failed("cannot be written, its '" + path_ + "' not");
       unlink(path_.c_str());
       close(file_);
       file_ = -1;

@@ -116,7 +116,8 @@ namespace deltaform
     ConditionNumbers result;
     const System &system = model.discretization().system();
     const std::vector<int> numbers = condition::free_numbers(system);
-    const condition::Matrix without = std::move(without_);
+    condition::Matrix without;
+    without.swap(without_);
     const int n = without.rows();
 
     // Rigid: the blank resists with less than 1e-9 of its largest stiffness. Travels of force-driven tools and

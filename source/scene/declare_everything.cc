@@ -16,7 +16,7 @@ namespace deltaform
   namespace
   {
     template <typename T, typename... Args>
-    void declare_each(Section section, const std::string &entry, Args &...args)
+    void declare_each(const Section &section, const std::string &entry, Args &...args)
     {
       for (const auto &name : Registry<T, Args &...>::names())
       {

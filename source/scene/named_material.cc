@@ -18,7 +18,7 @@ namespace deltaform
     {
       if (!asked.empty())
         return (std::filesystem::path(scene).parent_path() / asked).lexically_normal().string();
-      const std::string shipped = MaterialTable::shipped();
+      std::string shipped = MaterialTable::shipped();
       if (shipped.empty())
         material.fail(name_entry,
                       "the table that comes with the program, share/deltaform/materials.prm, is not where the program "
@@ -28,7 +28,7 @@ namespace deltaform
   } // namespace
 
 
-  void Scene::supply_material(Section root)
+  void Scene::supply_material(const Section &root)
   {
     Section material = root.sub("Material");
     const std::string metal =

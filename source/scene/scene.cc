@@ -82,7 +82,7 @@ namespace deltaform
   }
 
 
-  void Scene::read_supports_and_loads(Section root)
+  void Scene::read_supports_and_loads(const Section &root)
   {
     for (const auto &name : named(root.sub("Supports"), "Prescribed displacements, one subsection each."))
       actors.supports.emplace_back(name, root.sub("Supports").sub(name), *actors.blank);
@@ -98,7 +98,7 @@ namespace deltaform
   }
 
 
-  void Scene::build_tools(Section root)
+  void Scene::build_tools(const Section &root)
   {
     Section section = root.sub("Tools");
     const auto names = named(section, "Names of the tools, one subsection each.");

@@ -14,7 +14,7 @@
 
 namespace deltaform
 {
-  void Scene::check(Section root) const
+  void Scene::check(const Section &root) const
   {
     check_functions(root);
     check_columns(root);
@@ -26,7 +26,7 @@ namespace deltaform
   }
 
 
-  void Scene::check_friction(Section root) const
+  void Scene::check_friction(const Section &root) const
   {
     FrictionInput at_elastic_surface;
     at_elastic_surface.normal_force = at_elastic_surface.area = 1.;
@@ -42,7 +42,7 @@ namespace deltaform
   }
 
 
-  void Scene::check_linear_solver(Section root) const
+  void Scene::check_linear_solver(const Section &root) const
   {
     if (linear_solver->iterative() && actors.contact && actors.contact->normal_law->has_multiplier())
       root.sub("Solver").fail("Linear solver",
@@ -55,7 +55,7 @@ namespace deltaform
   }
 
 
-  void Scene::check_functions(Section root) const
+  void Scene::check_functions(const Section &root) const
   {
     // What lies between is judged during the run.
     constexpr unsigned int n_samples = 200;
@@ -76,7 +76,7 @@ namespace deltaform
   }
 
 
-  void Scene::check_columns(Section root) const
+  void Scene::check_columns(const Section &root) const
   {
     // What the columns of history.csv begin with, and the name after it.
     std::map<std::string, std::string> taken;
@@ -104,7 +104,7 @@ namespace deltaform
   }
 
 
-  void Scene::check_lifted_tools(Section root) const
+  void Scene::check_lifted_tools(const Section &root) const
   {
     for (const auto &load : actors.loads)
       if (const std::string name = load->lifted_tool(); !name.empty())
@@ -120,7 +120,7 @@ namespace deltaform
   }
 
 
-  void Scene::check_tools(Section root) const
+  void Scene::check_tools(const Section &root) const
   {
     const Vector zero(actors.blank->n_dofs());
     const double h = actors.blank->initial_thickness();
@@ -194,9 +194,9 @@ namespace deltaform
   }
 
 
-  void Scene::check_stages(Section root) const
+  void Scene::check_stages(const Section &root) const
   {
-    const auto known = [&](const std::vector<std::string> &names, Section section) {
+    const auto known = [&](const std::vector<std::string> &names, const Section &section) {
       for (const auto &name : names)
       {
         bool found = false;

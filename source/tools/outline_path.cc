@@ -117,9 +117,8 @@ namespace deltaform
   {
     OutlineCorners corners;
     corners.closed = path.size() > 1 && path.front().start.distance(path.back().end) <= tolerance;
-    for (std::size_t i = 0; i < path.size(); ++i)
+    for (const OutlinePiece &piece : path)
     {
-      const OutlinePiece &piece = path[i];
       if (!(piece.start.distance(piece.end) > tolerance))
         throw std::invalid_argument("the outline has a piece without length at " + in_words(piece.start));
       // Where it is smooth, the joint is no corner of the curve.

@@ -37,7 +37,7 @@ namespace
     for (unsigned int step = 1; step <= n_steps; ++step)
     {
       const double e1 = .8 * step / n_steps;
-      double t, plastic, thickness_strain;
+      double t = 0., plastic = 0., thickness_strain = 0.;
       Mandel strain{}, expected{};
       if (kind == Stretch::uniaxial)
       {

@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(old_names)
   const auto value = [](const std::string &text, const std::vector<std::string> &sets) {
     auto tree = ParameterTree::parse(text, "test.prm", sets);
     Section tool = tree.root().sub("Tools").sub("punch");
-    const std::string result = tool.choice("Thickness compliance", "on", {"on", "off"}, "");
+    std::string result = tool.choice("Thickness compliance", "on", {"on", "off"}, "");
     tree.check_unused();
     return result;
   };

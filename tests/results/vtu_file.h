@@ -84,7 +84,7 @@ private:
     // The number of bytes, then the bytes; arrays follow each other without a gap.
     const auto offset = element.get<std::size_t>("<xmlattr>.offset");
     BOOST_TEST(offset == end_);
-    std::uint64_t size;
+    std::uint64_t size = 0;
     if (offset + sizeof size > bytes_.size())
       throw std::runtime_error("an array begins behind the end of the file");
     std::memcpy(&size, bytes_.data() + offset, sizeof size);

@@ -337,10 +337,8 @@ BOOST_AUTO_TEST_CASE(no_jump_and_no_gap_at_the_joints)
     BOOST_TEST_CONTEXT("shape '" << name << "'")
     {
       const auto shape = documented(name);
-      const auto &all = shape->segments();
-      for (unsigned int i = 0; i < all.size(); ++i)
+      for (const Segment &s : shape->segments())
       {
-        const Segment &s = all[i];
         const double side = s.convex ? 1. : -1.;
         std::vector<std::pair<Point2, Tensor1>> rays; // along the normals at the ends of arcs and corners
         if (s.kind == Segment::Kind::arc)

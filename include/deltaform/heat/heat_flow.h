@@ -40,7 +40,7 @@ namespace deltaform
   {
   public:
     /// Read section Heat and those of the tools. Null if the blank does not conduct. @param interfaces one per tool
-    static std::unique_ptr<HeatFlow> read(Section root,
+    static std::unique_ptr<HeatFlow> read(const Section &root,
                                           Blank &blank,
                                           const std::vector<std::unique_ptr<ContactInterface>> &interfaces);
 

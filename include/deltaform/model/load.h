@@ -16,7 +16,7 @@ namespace deltaform
   struct LoadWords
   {
     std::string unit, sentence;
-    std::string way = ""; ///< what may be prescribed instead of its size: "volume", "displacement"; empty: nothing
+    std::string way = {}; ///< what may be prescribed instead of its size: "volume", "displacement"; empty: nothing
   };
 
   /**

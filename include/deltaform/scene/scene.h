@@ -36,23 +36,23 @@ namespace deltaform
     AnalysisSettings analysis_settings() const;
 
   private:
-    void read_supports_and_loads(Section root);
-    void build_tools(Section root);
+    void read_supports_and_loads(const Section &root);
+    void build_tools(const Section &root);
 
     /// What a metal's name stands for (entry Material/Name). @throws SceneError
-    void supply_material(Section root);
+    void supply_material(const Section &root);
 
     /// What is wrong although every entry by itself is allowed: overlaps, stages in which nothing changes, ...
-    void check(Section root) const;
-    void check_functions(Section root) const;
-    void check_columns(Section root) const;
-    void check_tools(Section root) const;
-    void check_lifted_tools(Section root) const;
-    void check_linear_solver(Section root) const;
-    void check_stages(Section root) const;
+    void check(const Section &root) const;
+    void check_functions(const Section &root) const;
+    void check_columns(const Section &root) const;
+    void check_tools(const Section &root) const;
+    void check_lifted_tools(const Section &root) const;
+    void check_linear_solver(const Section &root) const;
+    void check_stages(const Section &root) const;
     /// Does a function of time change within @p stage, or does something end with the stage @p before (null: none)?
     bool changes_anything(const Stage &stage, const Stage *before) const;
-    void check_friction(Section root) const;
+    void check_friction(const Section &root) const;
   };
 
   /// Make every registered object once, so that the tree knows all parameters there are.
