@@ -83,7 +83,7 @@ namespace deltaform
       outcome_{exit_status::done, "", {}, 0, 0, std::nullopt}
   {
     if (!settings.energies)
-      model_.forget_energy();
+      model_.count_no_energy();
   }
 
 

@@ -10,11 +10,12 @@ namespace deltaform
     for (std::size_t i = 0; i < sections.size(); ++i)
     {
       const SheetSection &section = sections[i];
-      if (!(section.flow_stress > 0. && section.squeeze > worst * section.flow_stress))
+      if (!(section.flow_stress > 0. && section.clamping_pressure > worst * section.flow_stress))
         continue;
-      worst = section.squeeze / section.flow_stress;
+      worst = section.clamping_pressure / section.flow_stress;
       worst_ = "node " + std::to_string(i) + " at R0 = " + text::rounded(section.place) +
-               " is pressed on both faces with " + text::rounded(section.squeeze) + ", more than its flow stress of " +
+               " is pressed on both faces with " + text::rounded(section.clamping_pressure) +
+               ", more than its flow stress of " +
                text::rounded(section.flow_stress) +
                ": the tools iron the sheet here, and a shell does not flow through its thickness";
     }

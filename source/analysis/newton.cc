@@ -23,10 +23,10 @@ namespace deltaform
     constexpr unsigned int damped_iterations = 200, most_extensions = 4;
     constexpr double on_its_way = .5;
 
-    // A damped solve has settled if the smallest residual of so many iterations is that of as many before, but for this
+    // A damped solve is at rest if the smallest residual of so many iterations is that of as many before, but for this
     // share: in a state that is no equilibrium, or in one that points without force do not let be exact.
-    constexpr unsigned int settling_iterations = 25;
-    constexpr double settled_share = .01;
+    constexpr unsigned int rest_window = 25;
+    constexpr double rest_share = .01;
     constexpr unsigned int most_windows_at_rest = 4; ///< in a row, however close to the relaxed tolerance
 
     // As close to equilibrium the tangent of the blank is good for all sets that the solve may meet; so many of them
@@ -168,7 +168,7 @@ namespace deltaform
 
     bool is_balanced()
     {
-      const bool late = iteration_ >= max_iterations_ || has_settled_;
+      const bool late = iteration_ >= max_iterations_ || at_rest_;
       // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
       const double tolerance = late ? settings_.relaxed_tolerance : settings_.force_tolerance;
       if (variant_ == NewtonVariant::with_tolerance && iteration_ >= tolerant_after && active_set_ != nullptr)
@@ -185,7 +185,7 @@ namespace deltaform
     bool begin_round()
     {
       iteration_ = 0;
-      has_settled_ = false;
+      at_rest_ = false;
       n_windows_at_rest_ = 0;
       result_.residuals.clear();
       if (!assemble())
@@ -199,8 +199,8 @@ namespace deltaform
       if (!std::isfinite(residual_))
         return true;
       // At rest far from the relaxed tolerance; close to it the next residuals may be below, for a while.
-      if (has_settled_ && (smallest_residual() >= close_to_tolerance * settings_.relaxed_tolerance ||
-                           n_windows_at_rest_ >= most_windows_at_rest))
+      if (at_rest_ && (smallest_residual() >= close_to_tolerance * settings_.relaxed_tolerance ||
+                       n_windows_at_rest_ >= most_windows_at_rest))
         return true;
       if (iteration_ < max_iterations_)
         return false;
@@ -228,7 +228,7 @@ namespace deltaform
         if (!assemble() || !solve(1e-6))
           return false;
       }
-      if (!settle_active_set())
+      if (!find_active_set())
         return false;
       return variant_ == NewtonVariant::plain || pending_ != 0. ||
              damping_.descend(
@@ -237,7 +237,7 @@ namespace deltaform
 
     /// Solve again for the set that the step leads to, until it leads to its own: with the tangent of the blank, which
     /// changes little close to equilibrium. Else a zone of contact grows or shrinks by a point in an iteration.
-    bool settle_active_set()
+    bool find_active_set()
     {
       const bool first = result_.rounds == 0 && iteration_ < first_iterations;
       if (active_set_ == nullptr || variant_ != NewtonVariant::plain || !(first || residual_ <= near_equilibrium))
@@ -321,26 +321,26 @@ namespace deltaform
       for (unsigned int i = 0; i < q_.size(); ++i)
         last_step_ = std::max(last_step_, factor_ * std::abs(d_[i]) * scale_[i]);
       result_.residuals.push_back(residual_);
-      if (variant_ != NewtonVariant::plain && result_.residuals.size() % settling_iterations == 0)
+      if (variant_ != NewtonVariant::plain && result_.residuals.size() % rest_window == 0)
       {
-        has_settled_ = is_at_rest();
-        n_windows_at_rest_ = has_settled_ ? n_windows_at_rest_ + 1 : 0;
+        at_rest_ = is_at_rest();
+        n_windows_at_rest_ = at_rest_ ? n_windows_at_rest_ + 1 : 0;
       }
     }
 
     /// Smallest of the residuals of a window of iterations, @p before how many windows ago.
     double smallest_residual(const unsigned int before = 0) const
     {
-      const auto end = result_.residuals.end() - before * settling_iterations;
-      return *std::min_element(end - settling_iterations, end);
+      const auto end = result_.residuals.end() - before * rest_window;
+      return *std::min_element(end - rest_window, end);
     }
 
     bool is_at_rest() const
     {
-      if (result_.residuals.size() < 2 * settling_iterations)
+      if (result_.residuals.size() < 2 * rest_window)
         return false;
       const double now = smallest_residual(), before = smallest_residual(1);
-      return std::abs(now - before) <= settled_share * before;
+      return std::abs(now - before) <= rest_share * before;
     }
 
     bool creeps()
@@ -367,7 +367,7 @@ namespace deltaform
     Damping damping_;
     Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
     unsigned int iteration_ = 0, n_creeping_ = 0, n_windows_at_rest_ = 0;
-    bool has_settled_ = false; ///< a damped solve, at the end of the last window of iterations
+    bool at_rest_ = false; ///< a damped solve, at the end of the last window of iterations
     double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to
     double pending_ = 0., travelled_ = 0.;
     double factor_ = 1., work_start_ = 0.; ///< of the step that is taken, and of the residual along it at its start

@@ -17,7 +17,7 @@ namespace deltaform
       return sum_.has_value();
     }
 
-    void forget()
+    void stop()
     {
       sum_.reset();
     }

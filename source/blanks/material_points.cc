@@ -155,7 +155,7 @@ namespace deltaform
     std::copy(values.begin(), values.end(), history_.trial(0));
     history_.commit();
     history_.rollback();
-    carried_.forget();
+    carried_.discard();
   }
 
 

@@ -257,9 +257,9 @@ namespace deltaform
   }
 
 
-  void Shell::forget_energy()
+  void Shell::count_no_energy()
   {
-    material_.account().forget();
+    material_.account().stop();
   }
 
 

@@ -51,7 +51,7 @@ namespace deltaform
     void commit(const Vector &q) override;
     void set_contact_pressure(Side side, const std::vector<double> &pressure) override;
     BlankEnergy energy() const override;
-    void forget_energy() override;
+    void count_no_energy() override;
     KeyedArrays state() const override;
     void set_state(const KeyedArrays &state) override;
     KeyedArrays formed(const Vector &q) const override;

@@ -170,12 +170,12 @@ namespace deltaform
 
   void ShellFields::add_flow_stress(std::vector<SheetSection> &sections) const
   {
-    // Few sections are squeezed, and a flow stress costs as much as the rest.
+    // Few sections are pressed on both faces, and a flow stress costs as much as the rest.
     const auto &cells = space_.mesh().cells();
     std::vector<double> weight(sections.size(), 0.);
     for (unsigned int c = 0; c < cells.size(); ++c)
       for (unsigned int a = 0; a <= space_.degree(); ++a)
-        if (const unsigned int node = cells[c].nodes[a]; sections[node].squeeze > 0.)
+        if (const unsigned int node = cells[c].nodes[a]; sections[node].clamping_pressure > 0.)
           for (unsigned int p = c * points_.per_cell(); p < (c + 1) * points_.per_cell(); ++p)
           {
             for (unsigned int l = 0; l < points_.n_layers(); ++l)

@@ -34,7 +34,7 @@ namespace deltaform
     /// Columns of the profile from the points, averaged at the nodes, see profile().
     std::vector<std::vector<double>> averages() const;
 
-    /// Mean flow stress over the thickness where tools squeeze a section.
+    /// Mean flow stress over the thickness where tools press a section on both faces.
     void add_flow_stress(std::vector<SheetSection> &sections) const;
 
     /// Criterion @p k of the cross-section at a point of the meridian.

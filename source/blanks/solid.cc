@@ -268,9 +268,9 @@ namespace deltaform
   }
 
 
-  void Solid::forget_energy()
+  void Solid::count_no_energy()
   {
-    material_.account().forget();
+    material_.account().stop();
   }
 
 

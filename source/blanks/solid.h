@@ -61,7 +61,7 @@ namespace deltaform
     IncrementSize increment_size(const Vector &dq) const override;
     void commit(const Vector &q) override;
     BlankEnergy energy() const override;
-    void forget_energy() override;
+    void count_no_energy() override;
     KeyedArrays state() const override;
     void set_state(const KeyedArrays &state) override;
 

@@ -37,7 +37,7 @@ namespace deltaform
     void update_stress(const Vector &q);
 
     /// The matrices of the cells are to be computed anew.
-    void forget_matrices()
+    void discard_matrices()
     {
       constant_matrices_.clear();
     }

@@ -283,7 +283,7 @@ namespace deltaform
       keep_elastic_strain(elastic);
       kernel_.update_stress(q);
     }
-    kernel_.forget_matrices();
+    kernel_.discard_matrices();
     material_.keep_stress();
     motion_.keep();
     if (material_.account().counts())

@@ -20,19 +20,20 @@ namespace deltaform
       const Point2 &A = points[a].position, &B = points[b].position;
       const double length = A.distance(B);
       double radius = std::numeric_limits<double>::infinity();
-      const std::array<Projection, 2> feet{{contact.projector().look(a, A), contact.projector().look(b, B)}};
+      const std::array<Projection, 2> closest_points{{contact.projector().look(a, A), contact.projector().look(b, B)}};
       for (const unsigned int k : {0, 1})
       {
-        const Projection &foot = feet[k];
+        const Projection &closest = closest_points[k];
         // Twice the height of the arc over the edge: before the nodes come so near, the middle may have touched.
-        const double near = .25 * length * length * std::abs(foot.turning);
-        if (foot.turning != 0. && (points[edge[k]].touching || foot.distance < near))
-          radius = std::min(radius, 1. / std::abs(foot.turning));
+        const double near = .25 * length * length * std::abs(closest.curvature);
+        if (closest.curvature != 0. && (points[edge[k]].touching || closest.distance < near))
+          radius = std::min(radius, 1. / std::abs(closest.curvature));
       }
       // Ends on the straights beside an arc do not see it, nor do those on large arcs beside a small one.
-      if (!std::isfinite(feet[0].distance) || !std::isfinite(feet[1].distance))
+      if (!std::isfinite(closest_points[0].distance) || !std::isfinite(closest_points[1].distance))
         return radius;
-      const double between = smallest_radius(contact.tool().shape(), feet[0].arc_length, feet[1].arc_length);
+      const double between = smallest_radius(
+        contact.tool().shape(), closest_points[0].arc_length, closest_points[1].arc_length);
       if (!(between < radius))
         return radius;
       const double nearness = .25 * length * std::min(1., length / between);
@@ -40,8 +41,8 @@ namespace deltaform
       constexpr unsigned int n_samples = 8;
       for (unsigned int k = 1; k < n_samples && !near; ++k)
       {
-        const Projection foot = contact.tool().project(A + (k / static_cast<double>(n_samples)) * (B - A), 0.);
-        near = foot.turning != 0. && foot.distance < nearness;
+        const Projection closest = contact.tool().project(A + (k / static_cast<double>(n_samples)) * (B - A), 0.);
+        near = closest.curvature != 0. && closest.distance < nearness;
       }
       return near ? between : radius;
     }

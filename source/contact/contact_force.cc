@@ -22,16 +22,16 @@ namespace deltaform
   {
     // The normal turns with the tool's curvature, the friction force follows normal force and slip.
     const auto &N = projection_.normal, &tau = projection_.tangent;
-    const double turning = projection_.turning, t = friction_.force, s = slip_.share;
+    const double curvature = projection_.curvature, t = friction_.force, s = slip_.share;
     Tensor2 result;
     for (unsigned int a = 0; a < 2; ++a)
       for (unsigned int b = 0; b < 2; ++b)
-        result[a][b] = normal_.derivative * N[a] * N[b] + pressing * turning * tau[a] * tau[b] -
+        result[a][b] = normal_.derivative * N[a] * N[b] + pressing * curvature * tau[a] * tau[b] -
                        s * tau[a] *
                          (friction_.slip_rate * slip_.slip_rate * tau[b] +
                           friction_.force_rate * normal_.derivative * N[b]) -
                        t * tau[a] * (slip_.along_normal * N[b] + slip_.along_tangent * tau[b]) +
-                       t * s * turning * N[a] * tau[b];
+                       t * s * curvature * N[a] * tau[b];
     return result;
   }
 } // namespace deltaform

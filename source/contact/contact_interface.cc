@@ -54,7 +54,7 @@ namespace deltaform
       committed_.points[i].position = description.x - way;
       committed_.points[i].thickness = description.thickness;
     }
-    projector_.forget_distances();
+    projector_.discard_distances();
   }
 
 
@@ -185,9 +185,9 @@ namespace deltaform
   }
 
 
-  void ContactInterface::forget_energy()
+  void ContactInterface::count_no_energy()
   {
-    account_.forget();
+    account_.stop();
     committed_.energy = trial_.energy = ContactEnergy();
   }
 } // namespace deltaform

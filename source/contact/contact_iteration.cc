@@ -76,7 +76,7 @@ namespace deltaform
     // A blank that just rests on a tool touches it, whatever the last digit says.
     const double size =
       state.position.norm() + point.offset +
-      (projection.turning != 0 ? 1 / std::abs(projection.turning) : 0.);
+      (projection.curvature != 0 ? 1 / std::abs(projection.curvature) : 0.);
     state.noise = 8 * std::numeric_limits<double>::epsilon() * size;
     const double gap = projection.distance - point.offset;
     return gap > 0 && gap < 2 * state.noise ? 0. : gap;

@@ -70,7 +70,7 @@ namespace deltaform
       if (!concerned[a] && !concerned[b] && (m == invalid_index || !concerned[m]))
         continue;
       const double square = (points[b].position - points[a].position).norm_square();
-      const double ka = project(a).turning, kb = project(b).turning, k = std::max(std::abs(ka), std::abs(kb));
+      const double ka = project(a).curvature, kb = project(b).curvature, k = std::max(std::abs(ka), std::abs(kb));
       error = std::max(error,
                        square * (m == invalid_index && per_edge == 0
                                    ? k / 8.

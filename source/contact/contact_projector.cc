@@ -80,7 +80,7 @@ namespace deltaform
   }
 
 
-  void ContactProjector::forget_distances()
+  void ContactProjector::discard_distances()
   {
     for (auto &last : last_)
       last.distance = -1.;

@@ -12,8 +12,8 @@ namespace deltaform
 {
   namespace
   {
-    /// Is there a sharp convex corner of the tool, or its end, between the foot points of two places? A profile of many
-    /// points turns a little at each: these are none.
+    /// Is there a sharp convex corner of the tool, or its end, between the closest points of two places? A profile of
+    /// many points turns a little at each: these are none.
     bool bends_over_corner(const Curve &curve, const Projection &a, const Projection &b)
     {
       constexpr double least_turn = .2;
@@ -40,11 +40,11 @@ namespace deltaform
     std::pair<double, double> depth_over_arc(const Projection &a, const Projection &b, const double d_a,
                                              const double d_b)
     {
-      const Tensor1 from = a.normal / a.turning, e = b.normal / b.turning - from;
+      const Tensor1 from = a.normal / a.curvature, e = b.normal / b.curvature - from;
       const double length = e.norm(), slope = length > 0. ? (d_b - d_a) / length : 1.;
       if (!(std::abs(slope) < 1.))
         return {0., 0.};
-      const double u_a = from * e / length, rho_a = 1. / a.turning;
+      const double u_a = from * e / length, rho_a = 1. / a.curvature;
       const double h = std::abs(from[0] * e[1] - from[1] * e[0]) / length;
       const double u = h * slope / std::sqrt((1. - slope) * (1. + slope));
       if (!(u > u_a) || !(u < u_a + length))
@@ -96,7 +96,7 @@ namespace deltaform
           places_[g] = x.distance(start) / (x.distance(start) + x.distance(end));
         }
         // How far the face is compressed: known at the points, taken for linear between them.
-        const auto squeeze = [&](const double xi) {
+        const auto compression = [&](const double xi) {
           const unsigned int l = std::upper_bound(places_.begin(), places_.end(), xi) - places_.begin();
           const auto at = [&](const unsigned int g) { return own[g].touching ? own[g].compliance * own[g].force : 0.; };
           if (l == 0 || l == n)
@@ -107,7 +107,7 @@ namespace deltaform
         const auto look = [&](const Point2 &x) { return projector_.look(e * n, x - shift_); };
         const auto gap = [&](const double xi) {
           const ContactPoint place = projector_.place(q_, e, xi);
-          return look(place.x).distance - place.offset + squeeze(xi);
+          return look(place.x).distance - place.offset + compression(xi);
         };
         const unsigned int n_samples = 2 * n + 2;
         double best = 0., least = std::numeric_limits<double>::infinity();
@@ -143,7 +143,7 @@ namespace deltaform
         // A straight edge over one part of the tool that is straight or hollow is deepest at one of its ends.
         if (m == invalid_index && first.segment == last_.segment && (start.x[0] < 0) == (end.x[0] < 0))
         {
-          if (first.turning > 0. && last_.turning > 0.)
+          if (first.curvature > 0. && last_.curvature > 0.)
           {
             const auto [depth, xi] = depth_over_arc(first, last_, a_face, b_face);
             tell(depth, first, last_, start.x + xi * (end.x - start.x));

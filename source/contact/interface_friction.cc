@@ -42,22 +42,22 @@ namespace deltaform
   FrictionResponse InterfaceFriction::respond(const unsigned int i,
                                               const ContactPointState &before,
                                               const ContactPointState &now,
-                                              const Projection &foot,
+                                              const Projection &closest,
                                               const double offset,
                                               const double normal_force) const
   {
     // The limit belongs to the estimate of lambda; what the iterate's force differs from it enters linearly.
     FrictionInput what = input(i, before, now, std::max(now.multiplier, 0.));
-    what.slip_increment = offset_slip(projector_.tool().shape(), start(before, now), foot.arc_length, offset);
+    what.slip_increment = offset_slip(projector_.tool().shape(), start(before, now), closest.arc_length, offset);
     FrictionResponse result = law_->update(what);
     result.force += result.force_rate * (normal_force - what.normal_force);
     return result;
   }
 
 
-  SlipTransfer InterfaceFriction::transfer(const Projection &foot, const double offset) const
+  SlipTransfer InterfaceFriction::transfer(const Projection &closest, const double offset) const
   {
-    return slip_transfer(projector_.tool().shape(), offset, foot);
+    return slip_transfer(projector_.tool().shape(), offset, closest);
   }
 
 

@@ -13,10 +13,10 @@ namespace deltaform
   inline SlipTransfer slip_transfer(const Shape &shape, const double offset, const Projection &projection)
   {
     if (offset == 0. || projection.slip_rate == 0.)
-      return {projection.slip_rate, -projection.turning * projection.slip_rate, 0., projection.slip_rate};
+      return {projection.slip_rate, -projection.curvature * projection.slip_rate, 0., projection.slip_rate};
     const double k = mean_curvature(shape, projection.arc_length, offset);
     const double s = 1. / (1. + k * projection.distance);
-    const double k_point = projection.turning / (1. - projection.turning * projection.distance);
+    const double k_point = projection.curvature / (1. - projection.curvature * projection.distance);
     return {s,
             -s * s * k,
             -s * s * projection.distance * projection.slip_rate *

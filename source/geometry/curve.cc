@@ -51,7 +51,7 @@ namespace deltaform
       p.normal[0] = -segment.tangent[1];
       p.normal[1] = segment.tangent[0];
       p.distance = v * p.normal;
-      p.turning = 0.;
+      p.curvature = 0.;
       p.slip_rate = 1.;
       p.arc_length = segment.arc_start + v * segment.tangent;
       return p;
@@ -68,7 +68,7 @@ namespace deltaform
         // Divided, not multiplied by the inverse: on the axis the normal is exactly (0, 1).
         p.normal[0] = side * v[0] / rho;
         p.normal[1] = side * v[1] / rho;
-        p.turning = side / rho;
+        p.curvature = side / rho;
         p.slip_rate = segment.radius / rho;
         const double angle = std::atan2(-side * cross(segment.from, v), segment.from * v);
         p.arc_length = segment.arc_start + segment.radius * angle;
@@ -77,7 +77,7 @@ namespace deltaform
       {
         const Tensor1 middle = segment.from + segment.to;
         p.normal = (side / middle.norm()) * middle;
-        p.turning = p.slip_rate = 0.;
+        p.curvature = p.slip_rate = 0.;
         p.arc_length = segment.arc_start + .5 * segment.length;
       }
       p.tangent[0] = p.normal[1];
@@ -89,7 +89,7 @@ namespace deltaform
     {
       Projection p;
       p.distance = infinity;
-      p.turning = p.slip_rate = p.arc_length = 0.;
+      p.curvature = p.slip_rate = p.arc_length = 0.;
       p.segment = hint;
       return p;
     }
@@ -127,7 +127,7 @@ namespace deltaform
         }
       }
 
-    // The factor lets the foot point be the free end itself.
+    // The factor lets the closest point be the free end itself.
     for (const Point2 &end : free_ends_)
       if (end.distance_square(x) < distance * distance * (1 - angle_tolerance))
         return nowhere(hint);

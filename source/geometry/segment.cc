@@ -7,7 +7,7 @@ namespace deltaform
 {
   namespace
   {
-    // An arc that turns by less is none; foot points may lie past the ends of a line by this part of it.
+    // An arc that turns by less is none; closest points may lie past the ends of a line by this part of it.
     constexpr double smallest_turn = 1e-9;
     constexpr double length_tolerance = 1e-12;
 

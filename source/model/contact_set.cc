@@ -331,10 +331,10 @@ namespace deltaform
   }
 
 
-  void ContactSet::forget_energy()
+  void ContactSet::count_no_energy()
   {
     for (auto &interface : actors_.interfaces)
-      interface->forget_energy();
+      interface->count_no_energy();
   }
 
 

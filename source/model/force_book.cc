@@ -176,7 +176,7 @@ namespace deltaform
   }
 
 
-  void ForceBook::release_inherited(Body &body, const Stage &stage, ModelState &state) const
+  void ForceBook::release_formed(Body &body, const Stage &stage, ModelState &state) const
   {
     for (const auto &load : actors_.loads)
       load->begin(state.unknowns);

@@ -84,6 +84,6 @@ namespace deltaform
     time_ = time;
     supports_.prescribe(state_, time);
     contact_.begin_increment(time);
-    system().forget_factors();
+    system().discard_factors();
   }
 } // namespace deltaform

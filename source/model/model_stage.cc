@@ -16,7 +16,7 @@ namespace deltaform
     auto lost = contact_.begin_stage(stage.begin, discretization_.numbering().size[0], state_.unknowns);
     supports_.hold(state_);
     if (std::exchange(starts_formed_, false))
-      book_.release_inherited(body_, stage, state_);
+      book_.release_formed(body_, stage, state_);
     return lost;
   }
 

@@ -48,12 +48,12 @@ namespace deltaform
   }
 
 
-  void StageTerms::forget_energy(const bool of_contact)
+  void StageTerms::count_no_energy(const bool of_contact)
   {
     counts_energy_ = false;
     for (Term *const term : all_)
       if (of_contact || term != all_.back())
-        term->forget_energy();
+        term->count_no_energy();
   }
 
 

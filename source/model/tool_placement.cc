@@ -23,15 +23,15 @@ namespace deltaform
       unsigned int n = 0;
       for (const Point2 &x : blank.positions(q))
       {
-        const Projection foot = tool.project(x, travel);
-        if (!std::isfinite(foot.distance))
+        const Projection closest = tool.project(x, travel);
+        if (!std::isfinite(closest.distance))
           continue;
         ++n;
-        lie.facing += tool.side() == Side::bottom ? foot.normal[1] : -foot.normal[1];
-        lie.nearest = std::max(lie.nearest, foot.distance);
-        if (foot.distance < lie.deepest)
+        lie.facing += tool.side() == Side::bottom ? closest.normal[1] : -closest.normal[1];
+        lie.nearest = std::max(lie.nearest, closest.distance);
+        if (closest.distance < lie.deepest)
         {
-          lie.deepest = foot.distance;
+          lie.deepest = closest.distance;
           lie.where = x;
         }
       }
@@ -40,7 +40,8 @@ namespace deltaform
     }
 
     /**
-     * A tool walked the other way round has the same feet, but opposite normals and distances. So all material lies
+     * A tool walked the other way round has the same closest points, but opposite normals and distances. So all material
+     * lies
      * inside, and the normals point away from the face that the tool should touch. (A tool that is only at the wrong
      * place has normals of the right sign; a wall has neither.)
      */

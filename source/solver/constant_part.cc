@@ -171,7 +171,7 @@ namespace deltaform
     load -= forces;
     if (!factorization.solve(load, d))
       return false;
-    update_.settle(prescribed, d);
+    update_.restore_digits(prescribed, d);
     for (unsigned int b = 0; b < n_border; ++b)
     {
       if (!std::isfinite(w[b]))

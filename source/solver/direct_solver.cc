@@ -43,7 +43,7 @@ namespace deltaform
         return keeps_pivots_;
       }
 
-      void forget() override
+      void discard_factors() override
       {
         factored_.clear();
         has_pivots_ = false;

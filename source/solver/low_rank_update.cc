@@ -265,7 +265,7 @@ namespace deltaform
   }
 
 
-  void LowRankUpdate::settle(const std::vector<bool> &prescribed, Vector &d) const
+  void LowRankUpdate::restore_digits(const std::vector<bool> &prescribed, Vector &d) const
   {
     for (const auto &block : blocks_)
     {

@@ -83,7 +83,7 @@ namespace deltaform
      * Where D is stiff, take d_A from the forces of the last solve(): what F^-1 (b - E D d_A) has lost in round-off is
      * little against d, but not if it is multiplied by a large factor.
      */
-    void settle(const std::vector<bool> &prescribed, Vector &d) const;
+    void restore_digits(const std::vector<bool> &prescribed, Vector &d) const;
 
     unsigned int n_columns() const
     {

@@ -59,9 +59,9 @@ namespace deltaform
   }
 
 
-  void System::forget_factors()
+  void System::discard_factors()
   {
-    factorization_->solver().forget();
+    factorization_->solver().discard_factors();
   }
 
 

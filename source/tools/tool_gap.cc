@@ -14,10 +14,10 @@ namespace deltaform
       unsigned int hint = invalid_index;
       for (const auto &x : points)
       {
-        const Projection foot = tool.project(x, travel, hint);
-        hint = foot.segment;
-        if (std::isfinite(foot.distance))
-          least = std::min(least, foot.distance);
+        const Projection closest = tool.project(x, travel, hint);
+        hint = closest.segment;
+        if (std::isfinite(closest.distance))
+          least = std::min(least, closest.distance);
       }
       return least;
     }

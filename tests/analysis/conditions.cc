@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(an_ironed_shell_ends_the_run_after_two_increments)
   Fixture fixture;
   SheetSection section{};
   section.flow_stress = 200.;
-  section.squeeze = 250.;
+  section.clamping_pressure = 250.;
   fixture.increment.sections_ = std::vector<SheetSection>{section};
   const auto failures = [&]() {
     return fixture.conditions.failure(fixture.increment.stage);

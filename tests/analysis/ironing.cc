@@ -6,14 +6,14 @@ using namespace deltaform;
 
 namespace
 {
-  /// Three sections of a sheet that flows at 200; the second is pressed with @p squeeze on both faces.
-  std::vector<SheetSection> sheet(const double squeeze)
+  /// Three sections of a sheet that flows at 200; the second is pressed with @p clamping_pressure on both faces.
+  std::vector<SheetSection> sheet(const double clamping_pressure)
   {
     std::vector<SheetSection> sections(3);
     for (auto &section : sections)
       section.flow_stress = 200.;
-    sections[0].squeeze = 10.;
-    sections[1].squeeze = squeeze;
+    sections[0].clamping_pressure = 10.;
+    sections[1].clamping_pressure = clamping_pressure;
     sections[1].place = 7.;
     return sections;
   }

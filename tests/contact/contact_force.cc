@@ -21,25 +21,25 @@ namespace
   /// A convex tool, at a place inside it; slipping friction follows lambda, sticking friction the arc length.
   Pressed at(const Point2 &x, const bool sticking)
   {
-    Projection foot{};
+    Projection closest{};
     const double r = x.norm();
-    foot.distance = r - R;
-    foot.normal = Tensor1(x) / r;
-    foot.tangent = Tensor1({foot.normal[1], -foot.normal[0]});
-    foot.turning = 1. / r;
-    foot.slip_rate = R / r;
-    foot.arc_length = R * std::atan2(x[0], x[1]);
+    closest.distance = r - R;
+    closest.normal = Tensor1(x) / r;
+    closest.tangent = Tensor1({closest.normal[1], -closest.normal[0]});
+    closest.curvature = 1. / r;
+    closest.slip_rate = R / r;
+    closest.arc_length = R * std::atan2(x[0], x[1]);
     NormalResponse normal;
     normal.touching = true;
-    normal.force = -eps * foot.distance;
+    normal.force = -eps * closest.distance;
     normal.derivative = -eps;
     FrictionResponse friction;
     friction.sticking = sticking;
-    friction.force = sticking ? eps_t * foot.arc_length : mu * normal.force;
+    friction.force = sticking ? eps_t * closest.arc_length : mu * normal.force;
     friction.slip_rate = sticking ? eps_t : 0.;
     friction.force_rate = sticking ? 0. : mu;
-    const SlipTransfer slip{foot.slip_rate, -foot.turning * foot.slip_rate, 0., foot.slip_rate};
-    return {ContactForce(foot, slip, normal, friction), normal.force};
+    const SlipTransfer slip{closest.slip_rate, -closest.curvature * closest.slip_rate, 0., closest.slip_rate};
+    return {ContactForce(closest, slip, normal, friction), normal.force};
   }
 } // namespace
 
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(derivative_by_the_place)
 
 BOOST_AUTO_TEST_CASE(friction_does_the_work_of_the_interface)
 {
-  // Power on the blank is that of -t on the foot point: the force is t s, the foot moves by s.
+  // Power on the blank is that of -t on the closest point: the force is t s, the closest moves by s.
   const Point2 x(.7, 1.8);
   const double r = x.norm();
   const Tensor1 tangent({x[1] / r, -x[0] / r});

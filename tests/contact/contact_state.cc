@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(the_next_factor_comes_from_the_reaction)
   fixture.settle(q);
   fixture.contact.commit(q);
   BOOST_TEST(!fixture.contact.governed_by_floor(0));
-  // A node that lets go forgets its factor; one that comes takes the larger of its
+  // A node that lets go loses its factor; one that comes takes the larger of its
   // neighbour's and the tool's median.
   fixture.begin_increment(q, 3., 10.);
   q[1] = .1;

@@ -36,7 +36,7 @@ namespace
   /// A place of a node on the tool; the number says how it penetrates and slips.
   struct Place
   {
-    Point2 foot;
+    Point2 closest;
     Tensor1 normal;
     unsigned int number;
   };
@@ -49,28 +49,28 @@ namespace
     for (const auto &segment : tool.shape().segments())
       for (const double part : {.03, .3, .6})
       {
-        Point2 foot;
+        Point2 closest;
         Tensor1 normal;
         if (segment.kind == Segment::Kind::line)
         {
-          foot = segment.start + part * (segment.end - segment.start);
+          closest = segment.start + part * (segment.end - segment.start);
           normal = Tensor1({-segment.tangent[1], segment.tangent[0]});
         }
         else
         {
           const double angle = segment.angle_start + part * segment.sweep;
           normal = Tensor1({std::cos(angle), std::sin(angle)});
-          foot = segment.center + segment.radius * normal;
+          closest = segment.center + segment.radius * normal;
           if (!segment.convex)
             normal *= -1.;
           if (!segment.convex && segment.radius < 3 * offset)
             continue; // a dent
         }
-        foot[1] *= mirror;
+        closest[1] *= mirror;
         normal[1] *= mirror;
-        const Projection p = tool.project(foot + offset * normal, 0.);
+        const Projection p = tool.project(closest + offset * normal, 0.);
         if (std::abs(p.distance - offset) < 1e-12 && (p.normal - normal).norm() < 1e-9)
-          result.push_back({foot, normal, static_cast<unsigned int>(result.size())});
+          result.push_back({closest, normal, static_cast<unsigned int>(result.size())});
       }
     return result;
   }
@@ -110,13 +110,13 @@ namespace
 
     void put(const unsigned int i, const Place &place, const Variant &what)
     {
-      const auto &[foot, normal, number] = place;
+      const auto &[closest, normal, number] = place;
       const Tensor1 tangent({normal[1], -normal[0]});
       const bool own_unknown = fixture.settings.normal_law->has_multiplier();
       const unsigned int first = i * surface.dofs_per_node();
       // The contact point lies off the tool by the offset: x = X + u (+ arm d). Nodes differ in penetration.
       const double p = number % 3 == 2 && own_unknown ? -.01 : 4e-3 + 1e-3 * (number % 5);
-      Tensor1 contact_point = foot + (surface.offset - p) * normal;
+      Tensor1 contact_point = closest + (surface.offset - p) * normal;
       if (what.arm > 0.)
       {
         const double theta = .3 + .1 * number, a = fixture.tool.side() == Side::top ? what.arm : -what.arm;
@@ -143,11 +143,11 @@ namespace
       for (unsigned int i = 0; i < fixture.contact.n_points(); ++i)
       {
         const ContactPointState &point = fixture.contact.trial()[i];
-        const auto foot = fixture.tool.project(fixture.contact.point(state, i).x - shift, 0.);
+        const auto closest = fixture.tool.project(fixture.contact.point(state, i).x - shift, 0.);
         result.emplace_back(point.touching,
                             point.sticking,
-                            foot.segment,
-                            surface.offset > 0. ? curvature_change(shape, foot.arc_length, surface.offset) : 0.);
+                            closest.segment,
+                            surface.offset > 0. ? curvature_change(shape, closest.arc_length, surface.offset) : 0.);
       }
       return result;
     }

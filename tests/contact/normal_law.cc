@@ -127,9 +127,9 @@ BOOST_AUTO_TEST_CASE(a_law_owns_its_equation)
   place.dofs[1] = 1;
   place.jacobian[0] = Tensor1({1., 0.});
   place.jacobian[1] = Tensor1({0., 1.});
-  Projection foot{};
-  foot.normal = Tensor1({.6, .8});
-  foot.tangent = Tensor1({.8, -.6});
+  Projection closest{};
+  closest.normal = Tensor1({.6, .8});
+  closest.tangent = Tensor1({.8, -.6});
   Vector q(3);
   q[2] = 5.;
   ContactPointState state = point();
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(a_law_owns_its_equation)
     const NormalResponse response = law->respond(state, situation);
     BOOST_TEST(law->acts(response));
     state.gap = response.gap;
-    const ContactForce force(foot, SlipTransfer(), response, FrictionResponse());
+    const ContactForce force(closest, SlipTransfer(), response, FrictionResponse());
     PointRows rows(place);
     law->join(rows, 2);
     rows.add_force(force.value());

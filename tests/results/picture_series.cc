@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(times_close_to_each_other_stay_apart)
              boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(a_resumed_series_forgets_what_came_later)
+BOOST_AUTO_TEST_CASE(a_resumed_series_leaves_out_what_came_later)
 {
   const TemporaryFolder folder;
   const auto path = folder.file("scene.pvd");

@@ -37,7 +37,7 @@ namespace
       {
         const Projection q = shape.project({r, z});
         BOOST_TEST(std::abs(q.distance - z) < round_off);
-        BOOST_TEST(std::abs(q.normal[0] - p.turning * r) < 1e-20);
+        BOOST_TEST(std::abs(q.normal[0] - p.curvature * r) < 1e-20);
         BOOST_TEST(q.normal[1] == 1.);
         BOOST_TEST(std::abs(q.arc_length - p.slip_rate * r) < 1e-20);
       }
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(hemispherical_punch)
   BOOST_TEST(smallest_radius(*shape) == 50.8);
   const Projection p = shape->project({60. * .6, 60. * .8 - 50.8});
   BOOST_TEST(std::abs(p.distance - 9.2) < 1e-13);
-  BOOST_TEST(std::abs(p.turning - 1 / 60.) < 1e-15);
+  BOOST_TEST(std::abs(p.curvature - 1 / 60.) < 1e-15);
   BOOST_TEST(std::abs(p.slip_rate - 50.8 / 60.) < 1e-14);
   // Far down the wall.
   const Projection wall = shape->project({51., -1e5});
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(die)
   BOOST_TEST(wall.tangent[1] == 1.);
   const Projection arc = shape->project({1.3125 - .3 * .6, -.25 + .3 * .8});
   BOOST_TEST(std::abs(arc.distance - .05) < 1e-15);
-  BOOST_TEST(std::abs(arc.turning - 1 / .3) < 1e-13);
+  BOOST_TEST(std::abs(arc.curvature - 1 / .3) < 1e-13);
   // Nothing is mirrored at the axis.
   BOOST_TEST(std::abs(shape->project({-.1, -7.}).distance - 1.1625) < 1e-15);
 
@@ -140,11 +140,11 @@ BOOST_AUTO_TEST_CASE(circle)
   Projection p = cylinder->project({-1.8, 2.4});
   BOOST_TEST(std::abs(p.distance - 1.) < 1e-15);
   BOOST_TEST(std::abs(p.normal[0] + .6) < 1e-15);
-  BOOST_TEST(std::abs(p.turning - 1 / 3.) < 1e-15);
+  BOOST_TEST(std::abs(p.curvature - 1 / 3.) < 1e-15);
   BOOST_TEST(std::abs(p.slip_rate - 2 / 3.) < 1e-15);
   BOOST_TEST(std::abs(p.arc_length - 2 * (pi - std::atan2(.6, .8))) < 1e-14);
   BOOST_TEST(std::abs(cylinder->length() - 4 * pi) < 1e-14);
-  BOOST_TEST(std::isfinite(cylinder->project({0, 0}).turning));
+  BOOST_TEST(std::isfinite(cylinder->project({0, 0}).curvature));
   BOOST_TEST(cylinder->project({0, 0}).distance == -2.);
   // Across the seam at the bottom.
   const double a = cylinder->project({.01, -2.}).arc_length, b = cylinder->project({-.01, -2.}).arc_length;
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(circle)
   p = bore->project({-.6, -.8});
   BOOST_TEST(std::abs(p.distance - 1.) < 1e-15);
   BOOST_TEST(std::abs(p.normal[0] - .6) < 1e-15);
-  BOOST_TEST(std::abs(p.turning + 1.) < 1e-15);
+  BOOST_TEST(std::abs(p.curvature + 1.) < 1e-15);
   BOOST_TEST(std::abs(p.slip_rate - 2.) < 1e-15);
 }
 

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(hand_computed_projections)
   BOOST_TEST(p.distance == -.25);
   BOOST_TEST(p.normal[0] == 0.);
   BOOST_TEST(p.normal[1] == 1.);
-  BOOST_TEST(p.turning == 0.);
+  BOOST_TEST(p.curvature == 0.);
   BOOST_TEST(p.slip_rate == 1.);
   BOOST_TEST(p.arc_length == 2.);
   // Off the convex fillet, along (3, 4)/5 from its center: radius 1, distance 1.5.
@@ -81,20 +81,20 @@ BOOST_AUTO_TEST_CASE(hand_computed_projections)
   BOOST_TEST(std::abs(p.distance - 1.5) < 1e-15);
   BOOST_TEST(std::abs(p.normal[0] - .6) < 1e-15);
   BOOST_TEST(std::abs(p.tangent[1] + .6) < 1e-15);
-  BOOST_TEST(std::abs(p.turning - 1 / 2.5) < 1e-15);
+  BOOST_TEST(std::abs(p.curvature - 1 / 2.5) < 1e-15);
   BOOST_TEST(std::abs(p.slip_rate - 1 / 2.5) < 1e-15);
   BOOST_TEST(std::abs(p.arc_length - (3 + std::atan2(.6, .8))) < 1e-15);
   // In the concave fillet of radius 2, half way from its center (6, -4) down to the left.
   p = profile.project({6 - .6, -4 - .8});
   BOOST_TEST(std::abs(p.distance - 1.) < 1e-15);
   BOOST_TEST(std::abs(p.normal[0] - .6) < 1e-14);
-  BOOST_TEST(std::abs(p.turning + 1.) < 1e-14);
+  BOOST_TEST(std::abs(p.curvature + 1.) < 1e-14);
   BOOST_TEST(std::abs(p.slip_rate - 2.) < 1e-14);
   BOOST_TEST(std::abs(p.arc_length - (3 + pi / 2 + 3 + 2 * std::atan2(.8, .6))) < 1e-14);
   // At that center, where everything is equally close: finite, and the normal leaves the tool.
   p = profile.project({6, -4});
   BOOST_TEST(p.distance == 2.);
-  BOOST_TEST(std::isfinite(p.turning));
+  BOOST_TEST(std::isfinite(p.curvature));
   BOOST_TEST(std::abs(p.normal.norm() - 1) < 1e-15);
   BOOST_TEST(p.normal[0] >= 0.);
   BOOST_TEST(p.normal[1] >= 0.);
@@ -106,20 +106,20 @@ BOOST_AUTO_TEST_CASE(sharp_corners)
   Projection p = profile.project({4.3, .4});
   BOOST_TEST(std::abs(p.distance - .5) < 1e-15);
   BOOST_TEST(std::abs(p.normal[0] - .6) < 1e-15);
-  BOOST_TEST(std::abs(p.turning - 2.) < 1e-14); // 1/d
+  BOOST_TEST(std::abs(p.curvature - 2.) < 1e-14); // 1/d
   BOOST_TEST(p.slip_rate == 0.);
   BOOST_TEST(p.arc_length == 4.);
   // At the corner itself nothing is infinite.
   p = profile.project({4, 0});
   BOOST_TEST(p.distance == 0.);
-  BOOST_TEST(std::isfinite(p.turning));
+  BOOST_TEST(std::isfinite(p.curvature));
   BOOST_TEST(std::abs(p.normal.norm() - 1) < 1e-15);
   // The corner that turns the other way is closest only from inside the tool.
   p = profile.project({4 - .3, -6 - .4});
   BOOST_TEST(std::abs(p.distance + .5) < 1e-15);
   BOOST_TEST(std::abs(p.normal[0] - .6) < 1e-14);
   BOOST_TEST(std::abs(p.normal[1] - .8) < 1e-14);
-  BOOST_TEST(std::abs(p.turning + 2.) < 1e-13); // still 1/d
+  BOOST_TEST(std::abs(p.curvature + 2.) < 1e-13); // still 1/d
   BOOST_TEST(p.slip_rate == 0.);
   p = profile.project({4.1, -5.8});
   BOOST_TEST(std::abs(p.distance - .1) < 1e-15);
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(a_cone_on_the_axis)
     BOOST_TEST(p.distance == .5);
     BOOST_TEST(std::abs(p.normal[0] - 2 * r) < 1e-20);
     BOOST_TEST(p.normal[1] == 1.);
-    BOOST_TEST(std::abs(p.turning - 2.) < 1e-15);
+    BOOST_TEST(std::abs(p.curvature - 2.) < 1e-15);
   }
   const Projection right = cone.project({1, 1}), left = cone.project({-1, 1});
   BOOST_TEST(std::abs(right.distance - std::sqrt(2.)) < 1e-15);

@@ -94,7 +94,7 @@ namespace
   // Not near an arc's center, a segment's end or the tool's skeleton, where derivatives do not exist or jump.
   bool is_smooth(const Shape &shape, const Point2 &x, const Projection &p, const double step)
   {
-    if (std::abs(p.turning) > 20.)
+    if (std::abs(p.curvature) > 20.)
       return false;
     for (const double sign : {-1., 1.})
       for (const Tensor1 &direction : {p.normal, p.tangent})
@@ -168,19 +168,19 @@ BOOST_AUTO_TEST_CASE(named_shapes_touch_first_at_their_origin_s_height)
   BOOST_TEST(n_checked >= 4u);
 }
 
-BOOST_AUTO_TEST_CASE(foot_point_is_on_the_profile)
+BOOST_AUTO_TEST_CASE(closest_point_is_on_the_profile)
 {
   for_all(
     [](const Shape &shape, const Point2 &x, const Projection &p) {
-      const Point2 foot = x - p.distance * p.normal;
-      const Projection q = shape.project(foot);
+      const Point2 closest = x - p.distance * p.normal;
+      const Projection q = shape.project(closest);
       BOOST_TEST(std::abs(q.distance) < 1e-13);
       BOOST_TEST(std::abs(q.arc_length - p.arc_length) < 1e-12);
       return true;
     });
 }
 
-BOOST_AUTO_TEST_CASE(foot_point_is_the_closest_of_all)
+BOOST_AUTO_TEST_CASE(closest_point_is_the_closest_of_all)
 {
   for_all(
     [](const Shape &shape, const Point2 &x, const Projection &p) {
@@ -211,7 +211,7 @@ BOOST_AUTO_TEST_CASE(normal_is_the_gradient_of_the_distance)
     });
 }
 
-BOOST_AUTO_TEST_CASE(turning_is_the_derivative_of_the_normal)
+BOOST_AUTO_TEST_CASE(curvature_is_the_derivative_of_the_normal)
 {
   constexpr double h = 1e-6;
   for_all(
@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(turning_is_the_derivative_of_the_normal)
         Tensor1 step;
         step[d] = h;
         const Tensor1 slope = (shape.project(x + step).normal - shape.project(x - step).normal) / (2 * h);
-        BOOST_TEST((slope - p.turning * p.tangent[d] * p.tangent).norm() < 1e-7);
+        BOOST_TEST((slope - p.curvature * p.tangent[d] * p.tangent).norm() < 1e-7);
       }
       return true;
     });
@@ -250,11 +250,11 @@ BOOST_AUTO_TEST_CASE(slip_rate_is_the_derivative_of_the_arc_length)
 
 BOOST_AUTO_TEST_CASE(mean_curvature_is_how_the_normal_turns)
 {
-  // Between two feet, whatever joints lie between them: the angle between their normals.
+  // Between two closest_points, whatever joints lie between them: the angle between their normals.
   for_all(
     [](const Shape &shape, const Point2 &x, const Projection &p) {
-      const Point2 foot = x - p.distance * p.normal;
-      const Projection a = shape.project(foot - .05 * p.tangent), b = shape.project(foot + .05 * p.tangent);
+      const Point2 closest = x - p.distance * p.normal;
+      const Projection a = shape.project(closest - .05 * p.tangent), b = shape.project(closest + .05 * p.tangent);
       const double between = shape.slip(a.arc_length, b.arc_length);
       if (!(between > .01 && between < .2))
         return false;

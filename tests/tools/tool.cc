@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(derivatives_in_the_scene)
     const double mirror = side == "top" ? -1. : 1., travel = .5;
     const Point2 x(.3 + .5 + .3, .5 + mirror * (-.5 + .7)); // off the edge
     const Projection p = tool.project(x, travel);
-    BOOST_TEST(p.turning > 0.);
+    BOOST_TEST(p.curvature > 0.);
     BOOST_TEST(p.slip_rate < 1.);
     for (unsigned int d = 0; d < 2; ++d)
     {
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(derivatives_in_the_scene)
       step[d] = h;
       const Projection a = tool.project(x - step, travel), b = tool.project(x + step, travel);
       BOOST_TEST(std::abs((b.distance - a.distance) / (2 * h) - p.normal[d]) < 1e-9);
-      BOOST_TEST(((b.normal - a.normal) / (2 * h) - p.turning * p.tangent[d] * p.tangent).norm() < 1e-9);
+      BOOST_TEST(((b.normal - a.normal) / (2 * h) - p.curvature * p.tangent[d] * p.tangent).norm() < 1e-9);
       BOOST_TEST(std::abs((b.arc_length - a.arc_length) / (2 * h) - p.slip_rate * p.tangent[d]) < 1e-9);
     }
     const double rate = (tool.project(x, travel + h).distance - tool.project(x, travel - h).distance) / (2 * h);

@@ -162,7 +162,7 @@ namespace deltaform
     virtual BlankEnergy energy() const = 0;
 
     /// Nobody asks for energies: they are zero from here on, and cost nothing.
-    virtual void forget_energy() = 0;
+    virtual void count_no_energy() = 0;
     ///@}
 
     /// @name State: what the next increment finds, of the cells of this process

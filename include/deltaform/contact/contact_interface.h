@@ -214,7 +214,7 @@ namespace deltaform
     }
 
     /// Nobody asks for energies: they are zero from here on, and cost nothing.
-    void forget_energy();
+    void count_no_energy();
 
     /// Force of the blank on the tool in the trial state (full circumference or per unit width).
     const Tensor1 &tool_force() const

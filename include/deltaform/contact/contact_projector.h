@@ -82,7 +82,7 @@ namespace deltaform
     std::pair<unsigned int, double> closest(const Vector &q, double travel) const;
 
     /// Distances are no longer known: the tool has moved otherwise, or the points have.
-    void forget_distances();
+    void discard_distances();
 
     /// The points are others: each starts from the segment of the old one that @p parents names; none: from nothing.
     void renumber(const std::vector<unsigned int> &parents);

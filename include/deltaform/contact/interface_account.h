@@ -22,7 +22,7 @@ namespace deltaform
       return counts_;
     }
 
-    void forget()
+    void stop()
     {
       counts_ = false;
     }

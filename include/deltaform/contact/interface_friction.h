@@ -39,17 +39,17 @@ namespace deltaform
     /// First touch of point @p i within an increment: its slip starts where it was when the increment began.
     void start_slip(unsigned int i, const ContactPointState &before, ContactPointState &now) const;
 
-    /// Force of point @p i, whose face is @p offset away from its place, with its closest point @p foot, at the normal
+    /// Force of point @p i, whose face is @p offset away from its place, with its closest point @p closest, at the normal
     /// force @p normal_force.
     FrictionResponse respond(unsigned int i,
                              const ContactPointState &before,
                              const ContactPointState &now,
-                             const Projection &foot,
+                             const Projection &closest,
                              double offset,
                              double normal_force) const;
 
     /// What the point receives of that force.
-    SlipTransfer transfer(const Projection &foot, double offset) const;
+    SlipTransfer transfer(const Projection &closest, double offset) const;
 
     /// Slip in this increment of a point that touches or did at its start, over the whole increment: a length along the
     /// tool.

@@ -15,11 +15,11 @@ namespace deltaform
     double distance; ///< signed: positive on the left of the curve, the blank's side; negative inside the tool
     Tensor1 normal; ///< unit, gradient of the distance: points out of the tool, to the blank
     Tensor1 tangent; ///< unit, along growing arc length
-    double turning; ///< d(angle of the normal)/d(displacement along the tangent) = k/(1 + k distance), k the curvature,
-      ///< convex positive: d(normal)/dx = turning tangent (x) tangent
-    double slip_rate; ///< d(arc length of the foot point)/d(displacement along the tangent) = 1/(1 + k distance); 0 at
+    double curvature; ///< of the parallel curve through the given point: d(angle of the normal)/d(displacement along the
+      ///< tangent) = k/(1 + k distance), k that of the curve, convex positive: d(normal)/dx = curvature tangent (x) tangent
+    double slip_rate; ///< d(arc length of the closest point)/d(displacement along the tangent) = 1/(1 + k distance); 0 at
       ///< a corner
-    double arc_length; ///< of the foot point along the curve
+    double arc_length; ///< of the closest point along the curve
     unsigned int segment; ///< warm start of the next projection
   };
 
@@ -68,7 +68,7 @@ namespace deltaform
     /// Total arc length (endless lines as given).
     double length() const;
 
-    /// The arc length from foot point @p a to foot point @p b, the short way round if the curve is closed.
+    /// The arc length from closest point @p a to closest point @p b, the short way round if the curve is closed.
     double slip(double a, double b) const;
 
     /// Call @p action with a place on the curve and with its images: a turn further if closed, mirrored at the axis.

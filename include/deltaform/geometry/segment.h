@@ -20,7 +20,7 @@ namespace deltaform
     double length = 0; ///< arc length (of an endless line: as drawn)
     double arc_start = 0; ///< arc length of the curve at the start
     Tensor1 tangent; ///< line: direction
-    double first = 0, last = 0; ///< line: foot points have distances from the start within these, along the tangent
+    double first = 0, last = 0; ///< line: closest points have distances from the start within these, along the tangent
     Point2 center; ///< arc
     double radius = 0; ///< arc: >= 0
     Tensor1 from, to; ///< arc: unit vectors from the center to start and end (of a corner: +- the normals)

@@ -69,7 +69,7 @@ namespace deltaform
     }
 
     /// The next increment does not continue the last one: it is backward Euler.
-    void forget()
+    void discard()
     {
       active_ = false;
       last_.assign(last_.size(), 0.);

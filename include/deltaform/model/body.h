@@ -75,9 +75,9 @@ namespace deltaform
       account.thickness_work += energy.normal;
     }
 
-    void forget_energy() override
+    void count_no_energy() override
     {
-      blank_.forget_energy();
+      blank_.count_no_energy();
     }
 
   private:

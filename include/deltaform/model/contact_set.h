@@ -97,7 +97,7 @@ namespace deltaform
     /// Count the work of the new thickness, and tell the blank the contact pressure of the next increments.
     void refresh(const Vector &q) override;
     void add_to(EnergyAccount &account) const override;
-    void forget_energy() override;
+    void count_no_energy() override;
     ///@}
 
     /// @name ActiveSet

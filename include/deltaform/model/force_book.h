@@ -37,7 +37,7 @@ namespace deltaform
 
     /// The first stage begins with a blank that an earlier operation has formed: what would hold it in its shape fades
     /// out, but for what the supports of this stage hold.
-    void release_inherited(Body &body, const Stage &stage, ModelState &state) const;
+    void release_formed(Body &body, const Stage &stage, ModelState &state) const;
 
     /**
      * How far the forces on the blank are from balance: sum of the forces of tools, supports and loads as they are

@@ -147,10 +147,10 @@ namespace deltaform
     }
 
     /// Nobody asks for energies.
-    void forget_energy()
+    void count_no_energy()
     {
       const bool friction_is_heat = actors_.heat != nullptr;
-      terms_.forget_energy(!friction_is_heat);
+      terms_.count_no_energy(!friction_is_heat);
     }
 
     /// Works and energies of the committed state.

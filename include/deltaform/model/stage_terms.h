@@ -28,7 +28,7 @@ namespace deltaform
     void refresh(const Vector &q);
 
     /// Nobody asks for energies. @param of_contact nor for the work of friction
-    void forget_energy(bool of_contact);
+    void count_no_energy(bool of_contact);
 
     /// Of the accepted state, with the works of tools and of loads; zero if nobody asks.
     EnergyAccount energies(double tool_work, double load_work) const;

@@ -44,7 +44,7 @@ namespace deltaform
     }
 
     /// Nobody asks for energies: they are zero from here on, and cost nothing.
-    virtual void forget_energy()
+    virtual void count_no_energy()
     {
     }
   };

@@ -73,7 +73,7 @@ namespace deltaform
 
     /// Discard what is kept from earlier matrices (pivots). A resumed run has none of it and must compute the same to
     /// the last bit.
-    virtual void forget()
+    virtual void discard_factors()
     {
     }
 

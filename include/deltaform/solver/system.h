@@ -58,8 +58,8 @@ namespace deltaform
      */
     void keep_constant_part(std::vector<DofIndex> candidates, std::size_t largest_rank);
 
-    /// Discard what earlier factorizations left (pivots): see LinearSolver::forget().
-    void forget_factors();
+    /// Discard what earlier factorizations left (pivots): see LinearSolver::discard_factors().
+    void discard_factors();
 
     /// Start a pass: set everything to zero but a constant part.
     void clear(bool tangent);

@@ -123,7 +123,7 @@ namespace deltaform
 
     /**
      * Closest point to @p x, both in the scene's frame. The normal is the gradient of the distance, the tangent points
-     * to growing arc length, d(normal)/dx = turning tangent (x) tangent. The normal is the tangent turned by +90
+     * to growing arc length, d(normal)/dx = curvature tangent (x) tangent. The normal is the tangent turned by +90
      * degrees, or by -90 degrees where the shape is mirrored.
      */
     Projection project(const Point2 &x, double travel, unsigned int hint = invalid_index) const;

@@ -6,25 +6,25 @@
 
 namespace deltaform
 {
-  BeadLine::Foot BeadLine::find(const Vector &q) const
+  BeadLine::Crossing BeadLine::find(const Vector &q) const
   {
-    Foot result;
+    Crossing result;
     for (unsigned int i = 0; i + 1 < nodes_.size(); ++i)
     {
-      const double before = r(q, i) - lengths_.place, behind = r(q, i + 1) - lengths_.place;
-      if ((before > 0.) == (behind > 0.) && before != 0. && behind != 0.)
+      const double before = r(q, i) - lengths_.place, after = r(q, i + 1) - lengths_.place;
+      if ((before > 0.) == (after > 0.) && before != 0. && after != 0.)
         continue;
-      Foot foot;
-      foot.node = i;
-      foot.span = behind - before;
-      if (foot.span == 0.)
+      Crossing crossing;
+      crossing.node = i;
+      crossing.span = after - before;
+      if (crossing.span == 0.)
         continue;
-      foot.share = -before / foot.span;
-      foot.arc = nodes_[i + 1].arc - nodes_[i].arc;
-      foot.material = nodes_[i].arc + foot.share * foot.arc;
+      crossing.share = -before / crossing.span;
+      crossing.arc = nodes_[i + 1].arc - nodes_[i].arc;
+      crossing.material = nodes_[i].arc + crossing.share * crossing.arc;
       if (result.node == invalid_index ||
-          std::abs(foot.material - history.material) < std::abs(result.material - history.material))
-        result = foot;
+          std::abs(crossing.material - history.material) < std::abs(result.material - history.material))
+        result = crossing;
     }
     return result;
   }
@@ -40,8 +40,8 @@ namespace deltaform
   {
     history = BeadHistory();
     history.material = nodes_.back().arc; // a sheet that crosses the place more than once is held in its flange
-    if (const Foot foot = find(q); foot.node != invalid_index)
-      history.material = foot.material;
+    if (const Crossing crossing = find(q); crossing.node != invalid_index)
+      history.material = crossing.material;
   }
 
 
@@ -63,35 +63,35 @@ namespace deltaform
   BeadHistory BeadLine::next(const Vector &q) const
   {
     BeadHistory result = history;
-    const Foot foot = find(q);
+    const Crossing crossing = find(q);
     result.share = 0.;
-    if (foot.node == invalid_index)
+    if (crossing.node == invalid_index)
       return result;
-    result.share = mobilize(foot.material).share;
-    result.path += std::abs(foot.material - history.material);
-    result.material = foot.material;
+    result.share = mobilize(crossing.material).share;
+    result.path += std::abs(crossing.material - history.material);
+    result.material = crossing.material;
     return result;
   }
 
 
   void BeadLine::add(const Vector &q, const double force, AssemblyTarget &target) const
   {
-    const Foot foot = find(q);
-    if (foot.node == invalid_index)
+    const Crossing crossing = find(q);
+    if (crossing.node == invalid_index)
       return;
-    const auto [share, slope] = mobilize(foot.material);
+    const auto [share, slope] = mobilize(crossing.material);
     // Both nodes: weight, its derivative by the share of the second, the derivative of that share by their r.
-    const std::array<double, 2> weight{{1. - foot.share, foot.share}}, growth{{-1., 1.}};
-    const std::array<double, 2> turn{{-weight[0] / foot.span, -weight[1] / foot.span}};
-    const double along = foot.span > 0. ? -force : force; // in the residual
-    const std::array<DofIndex, 2> dofs{{nodes_[foot.node].unknown, nodes_[foot.node + 1].unknown}};
+    const std::array<double, 2> weight{{1. - crossing.share, crossing.share}}, growth{{-1., 1.}};
+    const std::array<double, 2> turn{{-weight[0] / crossing.span, -weight[1] / crossing.span}};
+    const double along = crossing.span > 0. ? -force : force; // in the residual
+    const std::array<DofIndex, 2> dofs{{nodes_[crossing.node].unknown, nodes_[crossing.node + 1].unknown}};
     std::array<double, 2> residual;
     std::array<double, 4> matrix;
     for (unsigned int a = 0; a < 2; ++a)
     {
       residual[a] = along * share * weight[a];
       for (unsigned int b = 0; b < 2; ++b)
-        matrix[2 * a + b] = along * (slope * foot.arc * weight[a] + share * growth[a]) * turn[b];
+        matrix[2 * a + b] = along * (slope * crossing.arc * weight[a] + share * growth[a]) * turn[b];
     }
     target.add(dofs.data(), 2, target.wants_tangent() ? matrix.data() : nullptr, residual.data());
   }

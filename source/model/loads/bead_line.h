@@ -64,7 +64,7 @@ namespace deltaform
 
   private:
     /// Sheet at the bead: the node before and after it, and where between them.
-    struct Foot
+    struct Crossing
     {
       unsigned int node = invalid_index; ///< and the next; invalid_index: no sheet
       double share = 0, span = 0, arc = 0; ///< of the next node; distance of both along r (signed) and in arc length
@@ -83,7 +83,7 @@ namespace deltaform
     }
 
     /// The one nearest to the material that was at the bead before.
-    Foot find(const Vector &q) const;
+    Crossing find(const Vector &q) const;
     Mobilized mobilize(double material) const;
 
     BeadLengths lengths_;
