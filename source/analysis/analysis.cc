@@ -1,10 +1,10 @@
 #include <deltaform/analysis/analysis.h>
-#include <deltaform/model/accepted_increment.h>
-#include <deltaform/model/tool_placement.h>
+#include <deltaform/checks/tool_placement.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/interruption.h>
 #include <deltaform/process/ranks.h>
+#include <deltaform/reports/accepted_increment.h>
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 // Refinement between two increments, and the equilibrium after it.
 #include <deltaform/analysis/analysis.h>
 #include <deltaform/blanks/refinement.h>
-#include <deltaform/model/accepted_increment.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/text.h>
+#include <deltaform/reports/accepted_increment.h>
 
 #include <utility>
 

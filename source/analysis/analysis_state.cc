@@ -1,10 +1,10 @@
 // The state of an analysis, and going to one.
 #include <deltaform/analysis/analysis.h>
 #include <deltaform/io/byte_stream.h>
-#include <deltaform/model/accepted_increment.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/parameters/text.h>
+#include <deltaform/reports/accepted_increment.h>
 
 #include <sstream>
 

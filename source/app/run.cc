@@ -15,15 +15,15 @@
 #include <deltaform/materials/point_field.h>
 #include <deltaform/materials/rate_factor.h>
 #include <deltaform/materials/yield_surface.h>
-#include <deltaform/model/damaged_state.h>
+#include <deltaform/measures/measure.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/interruption.h>
 #include <deltaform/process/ranks.h>
+#include <deltaform/reports/damaged_state.h>
 #include <deltaform/results/earlier_run.h>
-#include <deltaform/results/measure.h>
 #include <deltaform/results/observers.h>
 #include <deltaform/scene/earlier_operation.h>
 #include <deltaform/scene/input_warnings.h>

@@ -1,8 +1,8 @@
 #include "sweep_table.h"
 
 #include <deltaform/io/csv_reader.h>
+#include <deltaform/io/table_file.h>
 #include <deltaform/parameters/text.h>
-#include <deltaform/results/table_file.h>
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 // sweep.csv: what the runs of a sweep have in common; private to the sweep.
 #include <deltaform/app/sweep.h>
-#include <deltaform/results/units.h>
+#include <deltaform/io/units.h>
 
 namespace deltaform
 {

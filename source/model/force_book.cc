@@ -1,4 +1,4 @@
-#include "collector.h"
+#include <deltaform/assembly/collector.h>
 
 #include <deltaform/model/force_book.h>
 

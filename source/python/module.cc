@@ -2,10 +2,10 @@
 // deltaform/__init__.py.
 #include <deltaform/app/mpi_session.h>
 #include <deltaform/app/run_in_memory.h>
+#include <deltaform/io/units.h>
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/process/processes.h>
 #include <deltaform/process/ranks.h>
-#include <deltaform/results/units.h>
 #include <deltaform/scene/input_warnings.h>
 #include <deltaform/scene/scene.h>
 

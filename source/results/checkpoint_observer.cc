@@ -1,6 +1,6 @@
 // checkpoint.bin: the states from which a run goes on.
-#include <deltaform/model/accepted_increment.h>
 #include <deltaform/process/ranks.h>
+#include <deltaform/reports/accepted_increment.h>
 #include <deltaform/results/observers.h>
 
 #include <utility>

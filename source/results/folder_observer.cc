@@ -1,5 +1,5 @@
 // The folder of results is touched when it is known that the run begins, or goes on.
-#include <deltaform/model/accepted_increment.h>
+#include <deltaform/reports/accepted_increment.h>
 #include <deltaform/results/observers.h>
 
 #include <utility>

@@ -1,6 +1,6 @@
 // history.csv: a row per increment, on disk at once.
-#include <deltaform/model/accepted_increment.h>
 #include <deltaform/parameters/text.h>
+#include <deltaform/reports/accepted_increment.h>
 #include <deltaform/results/history.h>
 #include <deltaform/results/observers.h>
 

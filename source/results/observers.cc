@@ -1,5 +1,5 @@
 #include <deltaform/model/model.h>
-#include <deltaform/model/reported_columns.h>
+#include <deltaform/reports/reported_columns.h>
 #include <deltaform/results/condition_numbers.h>
 #include <deltaform/results/observers.h>
 

@@ -1,10 +1,10 @@
 // blank_*.vtu, tools_*.vtu and scene.pvd: what stands in the pictures.
 #include <deltaform/contact/contact_measures.h>
-#include <deltaform/model/accepted_increment.h>
+#include <deltaform/io/picture_series.h>
+#include <deltaform/io/vtu.h>
 #include <deltaform/parameters/command_line.h>
+#include <deltaform/reports/accepted_increment.h>
 #include <deltaform/results/observers.h>
-#include <deltaform/results/picture_series.h>
-#include <deltaform/results/vtu.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>

@@ -1,5 +1,5 @@
 // Where the run is, on the console.
-#include <deltaform/model/accepted_increment.h>
+#include <deltaform/reports/accepted_increment.h>
 #include <deltaform/results/observers.h>
 
 #include <boost/archive/binary_iarchive.hpp>

@@ -1,7 +1,7 @@
 #include <deltaform/io/atomic_file.h>
-#include <deltaform/model/checkpoint.h>
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/process/ranks.h>
+#include <deltaform/reports/checkpoint.h>
 #include <deltaform/results/earlier_run.h>
 #include <deltaform/results/results_folder.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // What summary.json says; private to the results.
-#include <deltaform/model/accepted_increment.h>
-#include <deltaform/model/observer.h>
+#include <deltaform/reports/accepted_increment.h>
+#include <deltaform/reports/observer.h>
 #include <deltaform/results/output_settings.h>
 
 #include <boost/archive/binary_iarchive.hpp>

@@ -1,4 +1,4 @@
-#include <deltaform/model/accepted_increment.h>
+#include <deltaform/reports/accepted_increment.h>
 #include <deltaform/results/snapshot.h>
 
 #include <algorithm>

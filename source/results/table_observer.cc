@@ -1,10 +1,10 @@
 // profile_*.csv, contact_*.csv and tools_*.csv, where a scene asks for them.
-#include <deltaform/model/accepted_increment.h>
+#include <deltaform/io/table_file.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/text.h>
+#include <deltaform/reports/accepted_increment.h>
 #include <deltaform/results/observers.h>
 #include <deltaform/results/snapshot.h>
-#include <deltaform/results/table_file.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>

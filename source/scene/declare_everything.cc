@@ -6,9 +6,9 @@
 #include <deltaform/materials/rate_factor.h>
 #include <deltaform/materials/softening.h>
 #include <deltaform/materials/yield_surface.h>
+#include <deltaform/measures/measure.h>
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/units_label.h>
-#include <deltaform/results/measure.h>
 #include <deltaform/scene/scene.h>
 
 namespace deltaform

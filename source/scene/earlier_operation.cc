@@ -1,9 +1,9 @@
 #include <deltaform/analysis/state.h>
 #include <deltaform/blanks/blank.h>
-#include <deltaform/model/checkpoint.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/reports/checkpoint.h>
 #include <deltaform/scene/earlier_operation.h>
 
 #include <sstream>

@@ -1,11 +1,11 @@
+#include <deltaform/checks/doubtful_solid.h>
+#include <deltaform/checks/overlapping_tools.h>
+#include <deltaform/checks/rigid_motions.h>
 #include <deltaform/parameters/percent.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/parameters/unit_system.h>
 #include <deltaform/scene/contact_edge.h>
-#include <deltaform/scene/doubtful_solid.h>
 #include <deltaform/scene/input_warnings.h>
-#include <deltaform/scene/overlapping_tools.h>
-#include <deltaform/scene/rigid_motions.h>
 
 #include <algorithm>
 #include <cmath>

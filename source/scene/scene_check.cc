@@ -1,10 +1,10 @@
 // What is wrong with a scene although every entry by itself is allowed.
-#include <deltaform/analysis/stage_ends.h>
-#include <deltaform/model/function_values.h>
-#include <deltaform/model/reported_columns.h>
-#include <deltaform/model/tool_placement.h>
+#include <deltaform/checks/function_values.h>
+#include <deltaform/checks/tool_placement.h>
+#include <deltaform/conditions/stage_ends.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/ranks.h>
+#include <deltaform/reports/reported_columns.h>
 #include <deltaform/scene/scene.h>
 
 #include <algorithm>

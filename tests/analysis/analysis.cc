@@ -1,8 +1,10 @@
 // An analysis as a program uses it that is not ours: one increment at a time, no files.
+#include "../solver/mpi.h"
+
 #include <deltaform/analysis/analysis.h>
-#include <deltaform/model/accepted_increment.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/reports/accepted_increment.h>
 #include <deltaform/scene/scene.h>
 
 #include <boost/test/unit_test.hpp>

@@ -1,9 +1,9 @@
 // A load may couple unknowns that share no cell: a spring between the two ends of a strip.
 #include <deltaform/analysis/analysis.h>
-#include <deltaform/model/accepted_increment.h>
-#include <deltaform/model/boundary_entries.h>
+#include <deltaform/loads/boundary_entries.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/reports/accepted_increment.h>
 #include <deltaform/scene/scene.h>
 
 #include <boost/test/unit_test.hpp>

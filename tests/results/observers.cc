@@ -3,9 +3,9 @@
 #include "../solver/mpi.h"
 
 #include <deltaform/analysis/analysis.h>
-#include <deltaform/model/reported_columns.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/reports/reported_columns.h>
 #include <deltaform/results/condition_numbers.h>
 #include <deltaform/results/earlier_run.h>
 #include <deltaform/results/observers.h>

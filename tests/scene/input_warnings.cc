@@ -1,6 +1,6 @@
+#include <deltaform/checks/rigid_motions.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/scene/input_warnings.h>
-#include <deltaform/scene/rigid_motions.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <deltaform/analysis/conditions.h>
-#include <deltaform/analysis/increment.h>
 #include <deltaform/analysis/observer_list.h>
-#include <deltaform/analysis/stage_ends.h>
 #include <deltaform/analysis/state.h>
-#include <deltaform/analysis/step_control.h>
-#include <deltaform/model/checkpoint.h>
-#include <deltaform/model/function_values.h>
+#include <deltaform/checks/function_values.h>
+#include <deltaform/conditions/conditions.h>
+#include <deltaform/conditions/stage_ends.h>
+#include <deltaform/increment/increment.h>
+#include <deltaform/increment/step_control.h>
 #include <deltaform/model/model.h>
-#include <deltaform/model/observer.h>
 #include <deltaform/process/journal.h>
 #include <deltaform/process/timers.h>
+#include <deltaform/reports/checkpoint.h>
+#include <deltaform/reports/observer.h>
 
 #include <memory>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/model/accepted_increment.h>
-#include <deltaform/model/observer.h>
+#include <deltaform/reports/accepted_increment.h>
+#include <deltaform/reports/observer.h>
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/analysis/step_control.h>
+#include <deltaform/increment/step_control.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/parameters/skipped_time.h>
 

@@ -10,7 +10,8 @@ namespace deltaform
     double stretch = 0; ///< meridional logarithmic strain, mean over the thickness
     double thinning = 0; ///< -ln(thickness/initial thickness)
     double stress = 0; ///< meridional Kirchhoff stress, mean over the thickness (stress)
-    double clamping_pressure = 0; ///< smaller one of the contact pressures of both faces, each a mean over one thickness (stress)
+    double clamping_pressure = 0; ///< smaller one of the contact pressures of both faces, each a mean over one
+      ///< thickness (stress)
     double flow_stress = 0; ///< mean over the thickness; 0 where no tools press the section (stress)
   };
 } // namespace deltaform

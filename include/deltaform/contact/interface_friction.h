@@ -39,8 +39,8 @@ namespace deltaform
     /// First touch of point @p i within an increment: its slip starts where it was when the increment began.
     void start_slip(unsigned int i, const ContactPointState &before, ContactPointState &now) const;
 
-    /// Force of point @p i, whose face is @p offset away from its place, with its closest point @p closest, at the normal
-    /// force @p normal_force.
+    /// Force of point @p i, whose face is @p offset away from its place, with its closest point @p closest, at
+    /// the normal force @p normal_force.
     FrictionResponse respond(unsigned int i,
                              const ContactPointState &before,
                              const ContactPointState &now,

@@ -15,10 +15,10 @@ namespace deltaform
   double curvature_change(const Curve &curve, double arc_length, double reach);
 
   /**
-   * The slip of a node that is kept off the curve by @p offset while its closest point goes from @p a to @p b: the integral of
-   * (1 + k offset)/(1 + mean k offset) over the arc length, so that a friction force that reaches the node by the share
-   * 1/(1 + mean k offset) does the same work on both sides (doc/theory/contact.md). On lines, and on arcs away from
-   * their ends, the arc length itself.
+   * The slip of a node that is kept off the curve by @p offset while its closest point goes from @p a to @p b: the
+   * integral of (1 + k offset)/(1 + mean k offset) over the arc length, so that a friction force that reaches
+   * the node by the share 1/(1 + mean k offset) does the same work on both sides (doc/theory/contact.md). On lines, and
+   * on arcs away from their ends, the arc length itself.
    */
   double offset_slip(const Curve &curve, double a, double b, double offset);
 

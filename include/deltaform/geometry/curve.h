@@ -15,10 +15,10 @@ namespace deltaform
     double distance; ///< signed: positive on the left of the curve, the blank's side; negative inside the tool
     Tensor1 normal; ///< unit, gradient of the distance: points out of the tool, to the blank
     Tensor1 tangent; ///< unit, along growing arc length
-    double curvature; ///< of the parallel curve through the given point: d(angle of the normal)/d(displacement along the
-      ///< tangent) = k/(1 + k distance), k that of the curve, convex positive: d(normal)/dx = curvature tangent (x) tangent
-    double slip_rate; ///< d(arc length of the closest point)/d(displacement along the tangent) = 1/(1 + k distance); 0 at
-      ///< a corner
+    double curvature; ///< of the parallel curve through the given point: k/(1 + k distance), k that of the curve,
+      ///< convex positive; d(angle of the normal)/d(displacement along the tangent)
+    double slip_rate; ///< d(arc length of the closest point)/d(displacement along the tangent) = 1/(1 + k distance); 0
+      ///< at a corner
     double arc_length; ///< of the closest point along the curve
     unsigned int segment; ///< warm start of the next projection
   };

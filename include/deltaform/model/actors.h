@@ -3,12 +3,12 @@
 #include <deltaform/blanks/blank.h>
 #include <deltaform/contact/contact_interface.h>
 #include <deltaform/heat/heat_flow.h>
-#include <deltaform/model/flange_wrinkling.h>
-#include <deltaform/model/limit.h>
-#include <deltaform/model/load.h>
+#include <deltaform/limits/flange_wrinkling.h>
+#include <deltaform/limits/limit.h>
+#include <deltaform/loads/load.h>
+#include <deltaform/loads/support.h>
 #include <deltaform/model/probe.h>
 #include <deltaform/model/stage.h>
-#include <deltaform/model/support.h>
 
 #include <memory>
 #include <vector>

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <deltaform/assembly/accounts.h>
+#include <deltaform/assembly/term.h>
 #include <deltaform/contact/augmentation.h>
-#include <deltaform/model/accounts.h>
+#include <deltaform/increment/equations.h>
 #include <deltaform/model/actors.h>
-#include <deltaform/model/equations.h>
-#include <deltaform/model/term.h>
 #include <deltaform/solver/system.h>
 
 #include <array>

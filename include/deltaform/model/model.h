@@ -1,13 +1,13 @@
 #pragma once
 
-#include <deltaform/model/accounts.h>
+#include <deltaform/assembly/accounts.h>
+#include <deltaform/increment/increment_problem.h>
 #include <deltaform/model/actors.h>
 #include <deltaform/model/body.h>
 #include <deltaform/model/contact_account.h>
 #include <deltaform/model/contact_set.h>
 #include <deltaform/model/discretization.h>
 #include <deltaform/model/force_book.h>
-#include <deltaform/model/increment_problem.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/model/model_timers.h>
 #include <deltaform/model/stage_terms.h>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <deltaform/model/columns.h>
 #include <deltaform/model/model.h>
-#include <deltaform/model/observer.h>
 #include <deltaform/process/journal.h>
 #include <deltaform/process/timers.h>
+#include <deltaform/reports/columns.h>
+#include <deltaform/reports/observer.h>
 #include <deltaform/solver/condition.h>
 
 #include <limits>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <deltaform/model/columns.h>
-#include <deltaform/model/observer.h>
 #include <deltaform/parameters/makers.h>
+#include <deltaform/reports/columns.h>
+#include <deltaform/reports/observer.h>
 #include <deltaform/results/history.h>
 #include <deltaform/results/output_settings.h>
 #include <deltaform/results/results_folder.h>

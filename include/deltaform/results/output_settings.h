@@ -1,8 +1,8 @@
 #pragma once
 
+#include <deltaform/measures/measure.h>
 #include <deltaform/model/stage.h>
 #include <deltaform/parameters/section.h>
-#include <deltaform/results/measure.h>
 #include <deltaform/solver/condition_method.h>
 #include <deltaform/tools/tool.h>
 

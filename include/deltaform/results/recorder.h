@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/model/columns.h>
-#include <deltaform/model/observer.h>
+#include <deltaform/reports/columns.h>
+#include <deltaform/reports/observer.h>
 #include <deltaform/results/output_settings.h>
 #include <deltaform/results/snapshot.h>
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <deltaform/io/background_writer.h>
+#include <deltaform/io/units.h>
 #include <deltaform/process/folder_lock.h>
 #include <deltaform/process/journal.h>
 #include <deltaform/process/timers.h>
-#include <deltaform/results/units.h>
 
 #include <functional>
 #include <ostream>

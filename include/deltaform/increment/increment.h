@@ -1,0 +1,63 @@
+#pragma once
+
+#include <deltaform/increment/increment_cost.h>
+#include <deltaform/increment/strategy.h>
+
+#include <optional>
+#include <string>
+
+namespace deltaform
+{
+  struct StepSettings;
+
+  /// Why an increment was given up.
+  struct Rejected
+  {
+    enum class Kind : unsigned char
+    {
+      not_solved, ///< no strategy found an equilibrium
+      promise_broken, ///< there is one, but the blank penetrates a tool by more than delta
+      too_large ///< there is one, but it strains or turns the blank too much
+    };
+
+    Kind kind;
+    std::string sentence; ///< what happened, and where
+    std::string residuals = {}; ///< of the attempt, for the log
+  };
+
+  /// What became of an attempt at an increment.
+  struct IncrementResult
+  {
+    std::optional<Rejected> rejected; ///< nothing if it was accepted
+    Vector q; ///< the state that was found
+    IncrementCost cost; ///< of all strategies together
+    unsigned int iterations_to_equilibrium = 0; ///< of these, without the corrections of the last solve
+    double snap_rotation = 0; ///< rad; by how much a node has turned, if more than allowed in a snap that is accepted
+    double strain_at_rest = 0; ///< of a point, if more than allowed, in a new equilibrium at the same time
+  };
+
+  /**
+   * One increment: tries the strategies of its ladder, each from the committed state of the problem, until one finds an
+   * equilibrium, and judges whether it can be accepted. The committed state stays as it is.
+   */
+  class Increment
+  {
+  public:
+    Increment(IncrementProblem &problem, Newton &newton, const StepSettings &settings, Ladder ladder = usual_ladder());
+
+    /// @param length of the increment in time; 0: a new equilibrium at the same time
+    IncrementResult attempt(const IncrementStart &start, double length, Effort effort);
+
+  private:
+    /// Is the step to @p result too large? Remembers a snap, and the strain of a new equilibrium at the same time.
+    std::optional<Rejected> too_large(double length, bool may_snap, IncrementResult &result) const;
+
+    /// Why a solve failed, in words.
+    std::string explain(const NewtonResult &result) const;
+
+    IncrementProblem &problem_;
+    Newton &newton_;
+    const StepSettings &settings_;
+    Ladder ladder_;
+  };
+} // namespace deltaform

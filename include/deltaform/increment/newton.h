@@ -1,0 +1,103 @@
+#pragma once
+
+#include <deltaform/assembly/status.h>
+#include <deltaform/increment/damping.h>
+#include <deltaform/increment/equations.h>
+#include <deltaform/parameters/section.h>
+#include <deltaform/process/timers.h>
+#include <deltaform/solver/system.h>
+
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// Tolerances and limits of the Newton iteration.
+  struct NewtonSettings
+  {
+    explicit NewtonSettings(Section &section);
+
+    unsigned int max_iterations;
+    unsigned int max_rounds;
+    double force_tolerance, relaxed_tolerance, displacement_tolerance;
+    bool line_search;
+  };
+
+  /// What a Newton solve did.
+  struct NewtonResult
+  {
+    enum class Outcome : unsigned char
+    {
+      converged,
+      diverged,
+      singular,
+      inadmissible, ///< a status of the laws
+      not_corrected ///< converged, but the corrections did not end
+    };
+
+    Outcome outcome = Outcome::diverged;
+    unsigned int iterations = 0, rounds = 0, line_searches = 0;
+    unsigned int correction_iterations = 0; ///< those after the first convergence: what the corrections cost
+    Status status;
+    unsigned int worst_dof = invalid_index; ///< largest share of the residual
+    std::vector<double> residuals; ///< relative, of every iteration since the last correction
+
+    bool converged() const
+    {
+      return outcome == Outcome::converged;
+    }
+  };
+
+  /// What a solve adds to Newton's method.
+  enum class NewtonVariant : unsigned char
+  {
+    plain,
+    damped, ///< see Damping
+    with_tolerance ///< damped; inequalities with forces below a tolerance keep their status
+  };
+
+  /**
+   * Newton's method with a line search on the work of the residual along the step, and rounds of corrections after
+   * convergence. Converged: |R| <= tolerance * sum of absolute contributions, and the last step small against the
+   * increment; rotations are scaled by the problem's length, so that both norms have one unit.
+   */
+  class Newton
+  {
+  public:
+    /**
+     * @param scale of every unknown: makes rotations comparable with displacements (scale * q) and moments with forces
+     * (R / scale)
+     * @param size  of the numbers from which the forces of an unknown are computed (coordinates, angles): its unit in
+     * the last place times the stiffness is the round-off of the residual, below which nothing converges
+     */
+    Newton(Equations &equations, System &system, const NewtonSettings &settings, const std::vector<double> &scale,
+           const std::vector<double> &size, Timers &timers);
+
+    /**
+     * @param q          in: start; out: solution
+     * @param prescribed values that prescribed unknowns must reach
+     * @param is_prescribed which they are
+     * @param q_committed start of the increment, for the scale of the displacements
+     * @param force_floor forces below this are round-off
+     */
+    NewtonResult solve(Vector &q, const Vector &prescribed, const std::vector<bool> &is_prescribed,
+                       const Vector &q_committed, double force_floor, NewtonVariant variant = NewtonVariant::plain);
+
+    /// What it solves with.
+    const System &system() const
+    {
+      return system_;
+    }
+
+  private:
+    class Solve;
+
+    Equations &equations_;
+    System &system_;
+    const NewtonSettings &settings_;
+    const std::vector<double> &scale_, &size_;
+    double smallest_motion_; ///< displacements below are not a scale to measure steps by
+    Timers &timers_;
+    Timers::Index timer_solve_;
+  };
+} // namespace deltaform

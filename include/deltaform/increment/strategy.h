@@ -1,0 +1,52 @@
+#pragma once
+
+#include <deltaform/increment/effort.h>
+#include <deltaform/increment/increment_problem.h>
+#include <deltaform/increment/newton.h>
+#include <deltaform/parameters/makers.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// What an increment starts from, besides the committed state.
+  struct IncrementStart
+  {
+    double time; ///< at which it ends
+    double ratio; ///< of its length to that of the last one; 0: there is none that it continues
+    bool extrapolate; ///< may Newton start from the last increment's velocity?
+    const Vector &before; ///< the unknowns one increment before the committed state
+  };
+
+  /// One way to solve an increment. An increment tries those of its ladder in turn, each from the committed state.
+  class Strategy
+  {
+  public:
+    virtual ~Strategy() = default;
+
+    /// Begin the increment. @return where Newton's method starts; nothing if the strategy does not apply
+    virtual std::optional<Vector> begin(IncrementProblem &problem, const IncrementStart &start) const = 0;
+
+    virtual NewtonVariant variant() const = 0;
+
+    /// The least effort with which it is tried. Damped steps are last resorts: where shorter increments do not help
+    /// the blank may snap to another equilibrium, however short the increment is.
+    virtual Effort least_effort() const
+    {
+      return variant() == NewtonVariant::plain ? Effort::first : Effort::last_resorts;
+    }
+  };
+
+  /// Strategies by their names. The last line of a strategy's file is an Entry.
+  using StrategyMakers = Makers<Strategy>;
+
+  using Ladder = std::vector<std::unique_ptr<Strategy>>;
+
+  /// Strategies by their names, in the order in which an increment tries them.
+  Ladder make_ladder(const std::vector<std::string> &names);
+
+  Ladder usual_ladder();
+} // namespace deltaform

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <deltaform/assembly/accounts.h>
+#include <deltaform/increment/increment_cost.h>
+#include <deltaform/model/model.h>
+#include <deltaform/reports/checkpoint.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace deltaform
+{
+  /// An increment that was accepted, and the state at its end. What nobody asks for is not computed.
+  class AcceptedIncrement
+  {
+  public:
+    const Model &model;
+    const Stage &stage;
+    double time; ///< at its end
+    unsigned int number; ///< counts from 1
+    IncrementCost cost;
+    double strain_at_rest = 0; ///< of a point, if more than allowed, where a refinement had left no equilibrium
+    double snap_rotation = 0; ///< rad; by how much a node has turned, if more than allowed because the blank snapped
+    bool is_last_here = true; ///< else the mesh is refined, and another one ends at the same time
+    bool ends_stage = false;
+    std::function<Checkpoint()> checkpoint = {}; ///< makes what a run can go on from
+
+    const EnergyAccount &energies() const
+    {
+      if (!energies_)
+        energies_ = model.energies();
+      return *energies_;
+    }
+
+    const ContactAccount &contact() const
+    {
+      if (!contact_)
+        contact_ = model.contact();
+      return *contact_;
+    }
+
+    /// Cross-sections of a sheet at its nodes; none of a solid.
+    const std::vector<SheetSection> &sections() const
+    {
+      if (!sections_)
+        sections_ = model.blank().fields().sections();
+      return *sections_;
+    }
+
+    /// Values along the blank, see Fields::profile().
+    const Table &profile() const
+    {
+      if (!profile_)
+        profile_ = model.blank().fields().profile(model.committed());
+      return *profile_;
+    }
+
+    /// Criteria of the scene where they are largest.
+    const std::vector<LargestCriterion> &largest_criteria() const
+    {
+      if (!largest_criteria_)
+        largest_criteria_ = model.blank().fields().largest_criteria();
+      return *largest_criteria_;
+    }
+
+    /// Of the flange; none where the scene does not ask.
+    const FlangeWrinkling::Result &wrinkling() const
+    {
+      if (!wrinkling_)
+      {
+        const FlangeWrinkling *const asked = model.actors().wrinkling.get();
+        wrinkling_ = asked != nullptr ? asked->judge(profile(), model.interfaces()) : FlangeWrinkling::Result();
+      }
+      return *wrinkling_;
+    }
+
+    double smallest_thickness() const
+    {
+      if (!smallest_thickness_)
+        smallest_thickness_ = model.blank().fields().smallest_thickness();
+      return *smallest_thickness_;
+    }
+
+    double balance_error() const
+    {
+      if (!balance_error_)
+        balance_error_ = model.balance_error();
+      return *balance_error_;
+    }
+
+    AcceptedIncrement(const Model &the_model, const Stage &the_stage, const double the_time,
+                      const unsigned int the_number, const IncrementCost &the_cost)
+      : model(the_model), stage(the_stage), time(the_time), number(the_number), cost(the_cost)
+    {
+    }
+
+  protected: // what a test may know without a model
+    mutable std::optional<EnergyAccount> energies_;
+    mutable std::optional<ContactAccount> contact_;
+    mutable std::optional<FlangeWrinkling::Result> wrinkling_;
+    mutable std::optional<std::vector<SheetSection>> sections_;
+    mutable std::optional<Table> profile_;
+    mutable std::optional<std::vector<LargestCriterion>> largest_criteria_;
+    mutable std::optional<double> smallest_thickness_, balance_error_;
+  };
+} // namespace deltaform

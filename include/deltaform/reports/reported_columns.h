@@ -1,0 +1,39 @@
+#pragma once
+
+#include <deltaform/blanks/fields.h>
+#include <deltaform/model/probe.h>
+#include <deltaform/reports/columns.h>
+
+#include <string>
+#include <vector>
+
+namespace deltaform
+{
+  /// The name of a tool, support or load as columns carry it: underscores in place of blanks.
+  std::string column_name(const std::string &name);
+
+  /// @name What the parts of a model and of its increments have to report; tools, supports and loads by their names
+  ///@{
+  void describe_increment(Columns &columns);
+  void describe_tools(const std::vector<std::string> &names, Columns &columns);
+  void describe_cost(Columns &columns);
+  void describe_contact(Columns &columns);
+  void describe_thickness(Columns &columns);
+  void describe_criteria(const std::vector<LargestCriterion> &criteria, Columns &columns);
+  void describe_linear_solver(Columns &columns);
+  void describe_mesh(Columns &columns);
+  void describe_energies(Columns &columns);
+  void describe_heat(Columns &columns);
+  void describe_half_spaces(Columns &columns);
+  void describe_supports(const std::vector<std::string> &names, Columns &columns);
+  void describe_loads(const std::vector<std::string> &names, Columns &columns);
+  /// Of those that do not press on a face.
+  void describe_load_sizes(const std::vector<std::string> &names, Columns &columns);
+  /// Of those that do.
+  void describe_pressures(const std::vector<std::string> &names, Columns &columns);
+  void describe_wrinkling(Columns &columns);
+  void describe_beads(const std::vector<std::string> &names, Columns &columns);
+  void describe_probes(const std::vector<Probe> &probes, Columns &columns);
+  void describe_balance(Columns &columns);
+  ///@}
+} // namespace deltaform

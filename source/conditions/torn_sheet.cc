@@ -1,0 +1,60 @@
+#include <deltaform/conditions/conditions.h>
+#include <deltaform/limits/necking.h>
+#include <deltaform/reports/accepted_increment.h>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Does the sheet tear? It ends the run, unless its stage says to go on.
+    class TornSheet : public SavedCondition<TornSheet>
+    {
+    public:
+      void observe(const AcceptedIncrement &increment) override
+      {
+        watch_.observe(increment.sections());
+      }
+
+      std::string failure(const Stage &stage) override
+      {
+        if (!watch_.torn())
+          return "";
+        if (!stage.continue_after_necking)
+          return "the sheet tears: " + watch_.finding() +
+                 ". Form less deep, or with less friction, less holder force or larger radii; to go on all the same, "
+                 "set Steps/" +
+                 stage.name + "/Continue after necking = true and --resume";
+        passed_over_ = watch_.finding();
+        return "";
+      }
+
+      std::string likely_cause() const override
+      {
+        return watch_.finding();
+      }
+
+      std::vector<std::string> warnings(bool) const override
+      {
+        if (passed_over_.empty())
+          return {};
+        return {"necked: " + passed_over_ + ". What was computed after that depends on the mesh."};
+      }
+
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int)
+      {
+        archive &watch_ &passed_over_;
+      }
+
+    private:
+      NeckingWatch watch_;
+      std::string passed_over_; ///< the last neck with which the run went on
+    };
+
+    const ConditionMakers::Entry
+      entry("torn sheet", "the sheet necks; ends the run, unless its stage says to go on", make_condition<TornSheet>);
+  } // namespace
+} // namespace deltaform

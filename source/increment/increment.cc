@@ -1,0 +1,163 @@
+#include <deltaform/increment/increment.h>
+#include <deltaform/increment/step_control.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/process/interruption.h>
+#include <deltaform/process/ranks.h>
+
+#include <cmath>
+#include <utility>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// No equilibrium. One whose penalty factors are not yet right is an equilibrium, and no other strategy helps.
+    bool failed(const NewtonResult &result)
+    {
+      return !result.converged() && result.outcome != NewtonResult::Outcome::not_corrected;
+    }
+
+    /// The tolerance on the status is about small forces. A damped solve that ended far from equilibrium has not
+    /// failed for want of it, and goes the same way with it.
+    bool is_pointless(const Strategy &strategy, const NewtonResult &last)
+    {
+      constexpr double far_from_equilibrium = 1e-2;
+      return strategy.variant() == NewtonVariant::with_tolerance && last.outcome == NewtonResult::Outcome::diverged &&
+             !last.residuals.empty() && last.residuals.back() > far_from_equilibrium;
+    }
+
+    /// How it began and how it ended says what went wrong; there may be hundreds between.
+    std::string listed(const std::vector<double> &residuals)
+    {
+      constexpr std::size_t first = 3, last = 5;
+      std::string result;
+      for (std::size_t i = 0; i < residuals.size(); ++i)
+        if (i < first || i + last >= residuals.size())
+          result += (i == 0 ? "" : " ") + text::format(std::round(residuals[i] * 1e12) / 1e12);
+        else if (i == first)
+          result += " ...";
+      return result;
+    }
+  } // namespace
+
+
+  Ladder make_ladder(const std::vector<std::string> &names)
+  {
+    Ladder ladder;
+    for (const auto &name : names)
+      ladder.push_back(StrategyMakers::make(name));
+    return ladder;
+  }
+
+
+  Ladder usual_ladder()
+  {
+    return make_ladder({"plain", "soft first touch", "damped", "damped with status tolerance"});
+  }
+
+
+  Increment::Increment(IncrementProblem &problem, Newton &newton, const StepSettings &settings, Ladder ladder)
+    : problem_(problem), newton_(newton), settings_(settings), ladder_(std::move(ladder))
+  {
+  }
+
+
+  IncrementResult Increment::attempt(const IncrementStart &start, const double length, const Effort effort)
+  {
+    IncrementResult result;
+    NewtonResult solved;
+    bool any = false, may_be_snap = false;
+    const unsigned int linear_iterations = newton_.system().n_linear_iterations();
+    for (const auto &strategy : ladder_)
+    {
+      if (strategy->least_effort() > effort)
+        continue;
+      if (is_pointless(*strategy, solved))
+        continue;
+      auto q = strategy->begin(problem_, start);
+      if (!q)
+        continue;
+      any = true;
+      result.q = std::move(*q);
+      solved = newton_.solve(result.q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(),
+                             problem_.force_floor(), strategy->variant());
+      result.cost.iterations += solved.iterations;
+      result.cost.rounds += solved.rounds;
+      result.cost.correction_iterations += solved.correction_iterations;
+      may_be_snap = strategy->least_effort() == Effort::last_resorts;
+      if (!failed(solved) || ranks::max(interruption::signal()) != 0)
+        break;
+    }
+    if (!any)
+    {
+      result.rejected = Rejected{Rejected::Kind::not_solved, "no strategy applies to this increment"};
+      return result;
+    }
+    result.cost.linear_iterations = newton_.system().n_linear_iterations() - linear_iterations;
+    result.iterations_to_equilibrium = result.cost.iterations - solved.correction_iterations;
+
+    if (!failed(solved))
+      if (const std::string broken = problem_.broken_promise(); !broken.empty())
+        result.rejected = Rejected{Rejected::Kind::promise_broken, broken};
+    solved.iterations = result.cost.iterations;
+    if (!result.rejected && !solved.converged())
+      result.rejected = Rejected{Rejected::Kind::not_solved, explain(solved), listed(solved.residuals)};
+    if (!result.rejected)
+      result.rejected =
+        too_large(length, effort == Effort::all && (may_be_snap || problem_.releases_at_once()), result);
+    return result;
+  }
+
+
+  std::optional<Rejected> Increment::too_large(const double length, const bool may_snap, IncrementResult &result) const
+  {
+    const auto refused = [](const char *what, const double value, const double allowed) {
+      return Rejected{Rejected::Kind::too_large,
+                      std::string("the largest ") + what + " increment is " + text::rounded(value) + ", allowed are " +
+                        text::rounded(allowed) + " (Solver/Largest " + what + " increment)"};
+    };
+    Vector dq = result.q;
+    dq -= problem_.committed();
+    const auto [strain, rotation] = problem_.increment_size(dq);
+    // A new equilibrium at the same time is as far as the mesh was wrong, and no shorter increment brings it closer: it
+    // is said.
+    if (length <= 0.)
+    {
+      result.strain_at_rest = strain > settings_.largest_strain ? strain : 0.;
+      return std::nullopt;
+    }
+    if (strain > settings_.largest_strain)
+      return refused("strain", strain, settings_.largest_strain);
+    if (rotation <= settings_.largest_rotation)
+      return std::nullopt;
+    // Where the blank snaps through, a shorter increment does not make the way shorter.
+    if (!may_snap)
+      return refused("rotation", rotation, settings_.largest_rotation);
+    result.snap_rotation = rotation;
+    return std::nullopt;
+  }
+
+
+  std::string Increment::explain(const NewtonResult &result) const
+  {
+    std::string where;
+    if (const std::string name = result.worst_dof == invalid_index ? "" : problem_.describe(result.worst_dof);
+        !name.empty())
+      where = " (largest residual at " + name + ")";
+    switch (result.outcome)
+    {
+    case NewtonResult::Outcome::singular:
+      if (const std::string failure = newton_.system().linear_failure(); !failure.empty())
+        return "the linear solver did not converge: " + failure +
+               " (Solver/Maximal linear iterations, Solver/Linear solver tolerance). Try Linear solver = mumps" + where;
+      return "the tangent is singular: a part of the blank is free to move, or a limit load is reached" + where;
+    case NewtonResult::Outcome::inadmissible:
+      return std::string(result.status.cause) + ", cell " + std::to_string(result.status.place);
+    case NewtonResult::Outcome::not_corrected:
+      return "the corrections of the penalty factors did not end after " + std::to_string(result.rounds) + " rounds" +
+             where;
+    default:
+      return "Newton did not converge in " + std::to_string(result.iterations) + " iterations" + where;
+    }
+  }
+} // namespace deltaform

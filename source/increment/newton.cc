@@ -1,0 +1,383 @@
+#include <deltaform/increment/line_search.h>
+#include <deltaform/increment/newton.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace deltaform
+{
+  namespace
+  {
+    // Of an undamped solve: steps of which less than this share is taken, that far from equilibrium, lead nowhere;
+    // after some of them damping and shorter increments do.
+    constexpr double creeping = 1e-2, far_from_equilibrium = 1e-2;
+    constexpr unsigned int most_creeping_steps = 3;
+
+    // It goes on beyond the maximal number of iterations where it is close to the relaxed tolerance.
+    constexpr double close_to_tolerance = 1e2;
+    constexpr unsigned int most_iterations_if_close = 2; ///< times the maximal number
+
+    // Of a damped solve: iterations instead of the maximal number; relative residual below which it may go on, up to so
+    // many times that number.
+    constexpr unsigned int damped_iterations = 200, most_extensions = 4;
+    constexpr double on_its_way = .5;
+
+    // A damped solve is at rest if the smallest residual of so many iterations is that of as many before, but for this
+    // share: in a state that is no equilibrium, or in one that points without force do not let be exact.
+    constexpr unsigned int rest_window = 25;
+    constexpr double rest_share = .01;
+    constexpr unsigned int most_windows_at_rest = 4; ///< in a row, however close to the relaxed tolerance
+
+    // As close to equilibrium the tangent of the blank is good for all sets that the solve may meet; so many of them
+    // are tried with it. In the first iterations of an increment the start, which extrapolation has pressed into the
+    // tools, is put on their surfaces.
+    constexpr double near_equilibrium = 3e-3;
+    constexpr unsigned int most_sets = 60, first_iterations = 2;
+
+    // Closer to equilibrium than this, factors that will not do are corrected between two iterations.
+    constexpr double close_enough_to_correct = .1;
+
+    constexpr unsigned int tolerant_after = 4; ///< iterations: a tolerance on the status; three times: a larger one
+  } // namespace
+
+
+  Newton::Newton(Equations &equations, System &system, const NewtonSettings &settings,
+                 const std::vector<double> &scale, const std::vector<double> &size, Timers &timers)
+    : equations_(equations), system_(system), settings_(settings), scale_(scale), size_(size),
+      smallest_motion_(.01 * equations.typical_length()), timers_(timers),
+      timer_solve_(timers.section("11 factorization and solve"))
+  {
+  }
+
+
+  /// One solve: where it is, and the steps of an iteration.
+  class Newton::Solve
+  {
+  public:
+    Solve(const Newton &newton, Vector &q, const Vector &prescribed, const std::vector<bool> &is_prescribed,
+          const Vector &q_committed, const double force_floor, const NewtonVariant variant)
+      : newton_(newton), equations_(newton.equations_), system_(newton.system_), settings_(newton.settings_),
+        scale_(newton.scale_), active_set_(newton.equations_.active_set()), q_(q), prescribed_(prescribed),
+        is_prescribed_(is_prescribed), q_committed_(q_committed), force_floor_(force_floor), variant_(variant),
+        max_iterations_(variant == NewtonVariant::plain ? settings_.max_iterations
+                                                        : std::max(damped_iterations, settings_.max_iterations)),
+        damping_(newton.system_, newton.scale_), increments_(q.size()), d_(q.size()), start_(q.size())
+    {
+      system_.set_prescribed(is_prescribed);
+    }
+
+    NewtonResult run()
+    {
+      if (!assemble())
+        return ended(Outcome::inadmissible);
+      residual_ = relative_residual();
+      result_.residuals.push_back(residual_);
+      for (iteration_ = 0;; ++iteration_)
+      {
+        // 1. Balanced? Then the corrections have their say; without any this is the end.
+        measure_way();
+        if (is_balanced())
+        {
+          if (equations_.correct() == 0)
+            return ended(Outcome::converged);
+          if (++result_.rounds > settings_.max_rounds)
+            return ended(Outcome::not_corrected);
+          if (!begin_round())
+            return ended(Outcome::inadmissible);
+        }
+        // 2. Is there no hope left?
+        if (is_hopeless())
+          return ended(Outcome::diverged);
+        // 3. The step: linear solve, downhill if that is asked for.
+        if (!find_step())
+          return ended(result_.status.good() ? Outcome::singular : Outcome::inadmissible);
+        // 4. As far as it is admissible.
+        if (!take_step())
+          return ended(Outcome::inadmissible);
+        // 5. Shorter where it leads to a larger residual.
+        double residual = relative_residual();
+        damping_.relax(residual <= residual_);
+        if (wants_search(residual))
+        {
+          search();
+          residual = relative_residual();
+        }
+        // 6. Close to equilibrium, with penalty factors that keep the promise.
+        if (!correct_early(residual))
+          return ended(Outcome::inadmissible);
+        finish_iteration(residual);
+        // 7. Steps that are all but taken back far from equilibrium are given up early.
+        if (creeps())
+          return ended(Outcome::diverged);
+      }
+    }
+
+  private:
+    using Outcome = NewtonResult::Outcome;
+
+    NewtonResult ended(const Outcome outcome)
+    {
+      result_.outcome = outcome;
+      return std::move(result_);
+    }
+
+    bool assemble()
+    {
+      result_.status = equations_.assemble(q_, true);
+      return result_.status.good();
+    }
+
+    /// |R| over the sum of absolute contributions; remembers that sum, and the worst unknown.
+    double relative_residual()
+    {
+      constexpr double epsilon = 8 * std::numeric_limits<double>::epsilon();
+      double square = 0., magnitude = 0., noise = 0., worst = -1.;
+      for (unsigned int i = 0; i < scale_.size(); ++i)
+      {
+        const double m = system_.magnitude()[i] / scale_[i];
+        magnitude += m * m;
+        if (is_prescribed_[i])
+          continue;
+        const double round_off = epsilon * system_.diagonal(i) * newton_.size_[i] / scale_[i];
+        noise += round_off * round_off;
+        const double r = system_.residual()[i] / scale_[i];
+        square += r * r;
+        if (std::abs(r) > worst)
+        {
+          worst = std::abs(r);
+          result_.worst_dof = i;
+        }
+      }
+      magnitude_ = std::max({std::sqrt(magnitude), force_floor_, std::sqrt(noise) / settings_.force_tolerance});
+      return std::sqrt(square) / magnitude_;
+    }
+
+    /// How far prescribed unknowns still have to go, and how far the increment has moved the others.
+    void measure_way()
+    {
+      pending_ = 0.;
+      travelled_ = newton_.smallest_motion_;
+      for (unsigned int i = 0; i < q_.size(); ++i)
+      {
+        if (is_prescribed_[i])
+          pending_ = std::max(pending_, std::abs(prescribed_[i] - q_[i]) * scale_[i]);
+        travelled_ = std::max(travelled_, std::abs(q_[i] - q_committed_[i]) * scale_[i]);
+      }
+    }
+
+    bool is_balanced()
+    {
+      const bool late = iteration_ >= max_iterations_ || at_rest_;
+      // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
+      const double tolerance = late ? settings_.relaxed_tolerance : settings_.force_tolerance;
+      if (variant_ == NewtonVariant::with_tolerance && iteration_ >= tolerant_after && active_set_ != nullptr)
+        active_set_->allow_status_tolerance(
+          (iteration_ >= 3 * tolerant_after ? settings_.relaxed_tolerance : settings_.force_tolerance) * magnitude_);
+      const bool fresh = iteration_ == 0 && result_.rounds == 0; // forces of the extrapolated start
+      if (fresh || pending_ != 0. || !(residual_ <= tolerance) ||
+          (active_set_ != nullptr && !active_set_->consistent(tolerance * magnitude_)))
+        return false;
+      const bool moved = last_step_ <= settings_.displacement_tolerance * travelled_ || last_step_ <= 1e-14;
+      return moved || residual_ <= 1e-3 * tolerance || late;
+    }
+
+    bool begin_round()
+    {
+      iteration_ = 0;
+      at_rest_ = false;
+      n_windows_at_rest_ = 0;
+      result_.residuals.clear();
+      if (!assemble())
+        return false;
+      residual_ = relative_residual();
+      return true;
+    }
+
+    bool is_hopeless() const
+    {
+      if (!std::isfinite(residual_))
+        return true;
+      // At rest far from the relaxed tolerance; close to it the next residuals may be below, for a while.
+      if (at_rest_ && (smallest_residual() >= close_to_tolerance * settings_.relaxed_tolerance ||
+                       n_windows_at_rest_ >= most_windows_at_rest))
+        return true;
+      if (iteration_ < max_iterations_)
+        return false;
+      if (variant_ == NewtonVariant::plain)
+        return residual_ >= close_to_tolerance * settings_.relaxed_tolerance ||
+               iteration_ >= most_iterations_if_close * max_iterations_;
+      return residual_ >= on_its_way || iteration_ >= most_extensions * max_iterations_;
+    }
+
+    bool solve(const double shift)
+    {
+      Timers::Scope timer(newton_.timers_, newton_.timer_solve_);
+      return system_.factorize(shift) && system_.solve(increments_, d_);
+    }
+
+    bool find_step()
+    {
+      for (unsigned int i = 0; i < q_.size(); ++i)
+        increments_[i] = is_prescribed_[i] ? prescribed_[i] - q_[i] : 0.;
+      ++result_.iterations;
+      result_.correction_iterations += result_.rounds > 0;
+      if (!solve(0.))
+      {
+        // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
+        if (!assemble() || !solve(1e-6))
+          return false;
+      }
+      if (!find_active_set())
+        return false;
+      return variant_ == NewtonVariant::plain || pending_ != 0. ||
+             damping_.descend(
+               d_, [&]() { return assemble(); }, [&](const double shift) { return solve(shift); });
+    }
+
+    /// Solve again for the set that the step leads to, until it leads to its own: with the tangent of the blank, which
+    /// changes little close to equilibrium. Else a zone of contact grows or shrinks by a point in an iteration.
+    bool find_active_set()
+    {
+      const bool first = result_.rounds == 0 && iteration_ < first_iterations;
+      if (active_set_ == nullptr || variant_ != NewtonVariant::plain || !(first || residual_ <= near_equilibrium))
+        return true;
+      for (unsigned int k = 0; k < most_sets && active_set_->foresee(d_); ++k)
+      {
+        if (!equations_.assemble_foreseen(q_))
+          return true;
+        if (!solve(0.) && !(equations_.assemble_foreseen(q_) && solve(1e-6)))
+          return false;
+      }
+      return true;
+    }
+
+    /// To the start of the step plus a share of it.
+    bool go(const double factor)
+    {
+      for (unsigned int i = 0; i < q_.size(); ++i)
+        q_[i] = factor == 1. && is_prescribed_[i] ? prescribed_[i] : start_[i] + factor * d_[i];
+      if (active_set_ != nullptr)
+        active_set_->advance(factor);
+      return assemble();
+    }
+
+    bool take_step()
+    {
+      constexpr unsigned int most_returns = 6;
+      if (active_set_ != nullptr)
+        active_set_->prepare_step(d_);
+      factor_ = equations_.limit_step(q_, d_);
+      start_ = q_;
+      work_start_ = damping_.work_along(d_);
+      // Go back until the laws can be evaluated.
+      bool good = go(factor_);
+      for (unsigned int back = 0; !good && back < most_returns; ++back)
+      {
+        factor_ *= .25;
+        ++result_.line_searches;
+        good = go(factor_);
+      }
+      return good;
+    }
+
+    bool wants_search(const double residual) const
+    {
+      return settings_.line_search && pending_ == 0. && residual > residual_ &&
+             (active_set_ == nullptr || !active_set_->changed() || iteration_ >= active_set_->patience());
+    }
+
+    void search()
+    {
+      constexpr unsigned int lenient_iterations = 3;
+      LineSearch search;
+      factor_ = search.search(factor_, work_start_, damping_.work_along(d_), iteration_ >= lenient_iterations ? .2 : .8,
+                              [&](const double factor) -> std::optional<double> {
+                                if (!go(factor))
+                                  return std::nullopt;
+                                return damping_.work_along(d_);
+                              });
+      result_.line_searches += search.n_evaluations();
+    }
+
+    /// Corrections that need not wait for convergence converge with the unknowns; rounds of their own would cost two
+    /// iterations each.
+    bool correct_early(double &residual)
+    {
+      const bool is_time = variant_ == NewtonVariant::plain && settings_.max_rounds > 0 && pending_ == 0. &&
+                           residual <= close_enough_to_correct && residual > settings_.force_tolerance;
+      if (!is_time || equations_.correct_early() == 0)
+        return true;
+      if (!equations_.assemble_foreseen(q_) && !assemble())
+        return false;
+      residual = relative_residual();
+      return true;
+    }
+
+    void finish_iteration(const double residual)
+    {
+      residual_ = residual;
+      last_step_ = 0.;
+      for (unsigned int i = 0; i < q_.size(); ++i)
+        last_step_ = std::max(last_step_, factor_ * std::abs(d_[i]) * scale_[i]);
+      result_.residuals.push_back(residual_);
+      if (variant_ != NewtonVariant::plain && result_.residuals.size() % rest_window == 0)
+      {
+        at_rest_ = is_at_rest();
+        n_windows_at_rest_ = at_rest_ ? n_windows_at_rest_ + 1 : 0;
+      }
+    }
+
+    /// Smallest of the residuals of a window of iterations, @p before how many windows ago.
+    double smallest_residual(const unsigned int before = 0) const
+    {
+      const auto end = result_.residuals.end() - before * rest_window;
+      return *std::min_element(end - rest_window, end);
+    }
+
+    bool is_at_rest() const
+    {
+      if (result_.residuals.size() < 2 * rest_window)
+        return false;
+      const double now = smallest_residual(), before = smallest_residual(1);
+      return std::abs(now - before) <= rest_share * before;
+    }
+
+    bool creeps()
+    {
+      return variant_ == NewtonVariant::plain && residual_ > far_from_equilibrium && factor_ < creeping &&
+             ++n_creeping_ == most_creeping_steps;
+    }
+
+    const Newton &newton_;
+    Equations &equations_;
+    System &system_;
+    const NewtonSettings &settings_;
+    const std::vector<double> &scale_;
+    ActiveSet *active_set_;
+    Vector &q_;
+    const Vector &prescribed_;
+    const std::vector<bool> &is_prescribed_;
+    const Vector &q_committed_;
+    double force_floor_;
+    NewtonVariant variant_;
+    unsigned int max_iterations_;
+
+    NewtonResult result_;
+    Damping damping_;
+    Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
+    unsigned int iteration_ = 0, n_creeping_ = 0, n_windows_at_rest_ = 0;
+    bool at_rest_ = false; ///< a damped solve, at the end of the last window of iterations
+    double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to
+    double pending_ = 0., travelled_ = 0.;
+    double factor_ = 1., work_start_ = 0.; ///< of the step that is taken, and of the residual along it at its start
+    double last_step_ = std::numeric_limits<double>::infinity();
+  };
+
+
+  NewtonResult Newton::solve(Vector &q, const Vector &prescribed, const std::vector<bool> &is_prescribed,
+                             const Vector &q_committed, const double force_floor, const NewtonVariant variant)
+  {
+    return Solve(*this, q, prescribed, is_prescribed, q_committed, force_floor, variant).run();
+  }
+} // namespace deltaform

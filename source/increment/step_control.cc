@@ -1,0 +1,141 @@
+#include <deltaform/increment/step_control.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  StepSettings::StepSettings(Section &section, const unsigned int target)
+    : target_iterations(section.integer("Target iterations", static_cast<int>(target), 1, 1000,
+                                        "Newton iterations aimed at: more shorten the next increment, fewer lengthen "
+                                        "it. Default is 5 for a shell, 8 for a solid.")),
+      growth(section.number("Growth", 1.5, Range{1., 10., false, false}, "1",
+                            "Largest factor from one increment to the next.")),
+      shrink(section.number("Shrink", .5, Range::inside(0, 1), "1", "Factor of the increment after a failure.")),
+      largest_strain(section.number("Largest strain increment",
+                                    .1,
+                                    Range::positive(),
+                                    "1",
+                                    "An increment that strains any point by more is repeated with a smaller size.")),
+      largest_rotation(section.number("Largest rotation increment",
+                                      .3,
+                                      Range::positive(),
+                                      "rad",
+                                      "An increment that turns any node by more is repeated with a smaller size.")),
+      max_increments(section.integer("Maximal increments",
+                                     10000,
+                                     1,
+                                     1000000000,
+                                     "Increments of the whole run; then it stops with status 2 and can be resumed.")),
+      flow_error(
+        section.number("Flow error",
+                       0.,
+                       Range{0., 1., false, true},
+                       "1",
+                       "Largest relative error of the plastic strain that an increment adds, estimated from the turn "
+                       "of its direction; increments are made as long as this allows. 0: not used.")),
+      extrapolate(section.flag("Extrapolate", true,
+                               "Predictor: an increment starts from the linear extrapolation of the last one."))
+  {
+  }
+
+
+  StepControl::StepControl(const StepSettings &settings,
+                           const double begin,
+                           const double end,
+                           const double first,
+                           const double smallest,
+                           const double largest,
+                           const std::vector<double> &meet)
+    : settings_(settings), end_(end), smallest_(smallest), largest_(largest),
+      increment_(std::clamp(first, smallest, largest))
+  {
+    for (const double time : meet)
+      if (time > begin && time < end)
+        meet_.push_back(time);
+    meet_.push_back(end);
+  }
+
+
+  double StepControl::next(const double time) const
+  {
+    const double target = *std::upper_bound(meet_.begin(), meet_.end(), time);
+    const double left = target - time;
+    if (left <= increment_ * (1 + 1e-9))
+      return target;
+    // Two equal increments instead of one and a sliver.
+    return left < 2 * increment_ ? time + .5 * left : time + increment_;
+  }
+
+
+  void StepControl::accept(const unsigned int iterations, const double error)
+  {
+    constexpr double integral = .3, proportional = .4;
+    longer_tries_ = 0;
+    const double last = error_ > 0. ? error_ : error;
+    error_ = error;
+    double by_error = settings_.growth;
+    if (settings_.flow_error > 0. && error > 0.)
+      by_error = std::pow(settings_.flow_error / error, integral) * std::pow(last / error, proportional);
+    if (quiet_ > 0)
+    {
+      --quiet_;
+      return;
+    }
+    double ratio = std::sqrt(static_cast<double>(settings_.target_iterations) / std::max(iterations, 1u));
+    // A shorter increment took as many: it is not its length that makes them, and ever shorter ones never end. Lightly
+    // loaded nodes that come and go do that.
+    if (ratio >= 1)
+      shortened_ = 0;
+    else if (shortened_ > 0 && iterations >= shortened_)
+      ratio = 1.;
+    else
+      shortened_ = iterations;
+    ratio = std::min(ratio, by_error);
+    increment_ = std::clamp(increment_ * std::clamp(ratio, settings_.shrink, settings_.growth), smallest_, largest_);
+  }
+
+
+  bool StepControl::reject(const double tried)
+  {
+    const double shorter = tried * settings_.shrink;
+    quiet_ = 1;
+    if (longer_tries_ == 0 && shorter >= smallest_)
+    {
+      increment_ = shorter;
+      return true;
+    }
+    // At a place where the blank snaps through a longer increment may lead to the equilibrium beyond.
+    if (longer_tries_ == most_longer_tries)
+      return false;
+    ++longer_tries_;
+    increment_ = std::min(10. * tried, largest_);
+    return true;
+  }
+
+
+  Effort StepControl::effort(const double length, const unsigned int cutbacks, const bool continues) const
+  {
+    // As short as it may be, or cut twice: the length of the increment is not the reason.
+    if (length * settings_.shrink < smallest_)
+      return Effort::all;
+    if (cutbacks >= 2 || longer_tries_ > 0)
+      return Effort::last_resorts;
+    return cutbacks == 0 && continues ? Effort::first : Effort::usual;
+  }
+
+
+  void StepControl::restore(const State &state)
+  {
+    increment_ = state.increment > smallest_ ? std::min(state.increment, largest_) : smallest_;
+    quiet_ = state.quiet;
+    shortened_ = state.shortened;
+    error_ = state.error;
+  }
+
+
+  bool StepControl::finished(const double time) const
+  {
+    return time >= end_;
+  }
+} // namespace deltaform

@@ -1,0 +1,23 @@
+#include <deltaform/limits/ironing.h>
+#include <deltaform/parameters/text.h>
+
+namespace deltaform
+{
+  void IroningWatch::observe(const std::vector<SheetSection> &sections)
+  {
+    worst_.clear();
+    double worst = 1.;
+    for (std::size_t i = 0; i < sections.size(); ++i)
+    {
+      const SheetSection &section = sections[i];
+      if (!(section.flow_stress > 0. && section.clamping_pressure > worst * section.flow_stress))
+        continue;
+      worst = section.clamping_pressure / section.flow_stress;
+      worst_ = "node " + std::to_string(i) + " at R0 = " + text::rounded(section.place) +
+               " is pressed on both faces with " + text::rounded(section.clamping_pressure) +
+               ", more than its flow stress of " + text::rounded(section.flow_stress) +
+               ": the tools iron the sheet here, and a shell does not flow through its thickness";
+    }
+    n_pressed_ = worst_.empty() ? 0 : n_pressed_ + 1;
+  }
+} // namespace deltaform

@@ -1,0 +1,230 @@
+// What ends a run, or makes its result doubtful.
+#include "../solver/mpi.h"
+
+#include <deltaform/conditions/conditions.h>
+#include <deltaform/conditions/worst_imbalance.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/reports/accepted_increment.h>
+#include <deltaform/scene/scene.h>
+
+#include <boost/test/unit_test.hpp>
+
+using namespace deltaform;
+
+namespace
+{
+  /// An increment that was not computed: only what is said of it matters.
+  class Told : public AcceptedIncrement
+  {
+  public:
+    explicit Told(const Model &the_model)
+      : AcceptedIncrement(the_model, the_model.actors().stages.front(), 1., 1, {})
+    {
+      energies_ = EnergyAccount();
+      contact_ = ContactAccount();
+      balance_error_ = 0.;
+      smallest_thickness_ = 3.;
+      sections_.emplace();
+    }
+
+    EnergyAccount &account()
+    {
+      return *energies_;
+    }
+
+    using AcceptedIncrement::balance_error_;
+    using AcceptedIncrement::contact_;
+    using AcceptedIncrement::sections_;
+    using AcceptedIncrement::smallest_thickness_;
+  };
+
+  /// A disc on a plate.
+  struct Fixture
+  {
+    Fixture()
+      : tree(ParameterTree::parse("", "test",
+                                  {"Blank/Points=0 0; 40 0", "Blank/Thickness=3", "Material/Young's modulus=206e3",
+                                   "Material/Poisson's ratio=.3", "Material/Model=linear elastic", "Tools/Names=plate",
+                                   "Tools/plate/Shape=plate", "Tools/plate/Side=bottom", "Tools/plate/Position z=-1.6",
+                                   "Tools/plate/Motion=t"})),
+        scene(tree), model(scene.actors, *scene.linear_solver, timers), increment(model),
+        conditions(scene.actors)
+    {
+    }
+
+    void observe()
+    {
+      conditions.observe(increment);
+    }
+
+    std::vector<std::string> said(const bool done = false) const
+    {
+      return conditions.warnings(done);
+    }
+
+    /// Warnings after the increment.
+    std::vector<std::string> warnings(const bool done = false)
+    {
+      observe();
+      return said(done);
+    }
+
+    Timers timers;
+    ParameterTree tree;
+    Scene scene;
+    Model model;
+    Told increment;
+    Conditions conditions;
+  };
+
+  bool one_has(const std::vector<std::string> &texts, const std::string &part)
+  {
+    return texts.size() == 1 && texts.front().find(part) != std::string::npos;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(conditions)
+
+BOOST_AUTO_TEST_CASE(a_sound_increment_says_nothing)
+{
+  Fixture fixture;
+  fixture.increment.account().tool_work = 1.0199;
+  fixture.increment.account().elastic = 1.;
+  fixture.increment.balance_error_ = 9e-4;
+  fixture.increment.smallest_thickness_ = 1.01;
+  BOOST_TEST(fixture.warnings().empty());
+  BOOST_TEST(fixture.conditions.failure(fixture.scene.actors.stages.front()).empty());
+  BOOST_TEST(fixture.conditions.likely_cause().empty());
+}
+
+BOOST_AUTO_TEST_CASE(energies_count_at_the_end_only)
+{
+  Fixture fixture;
+  fixture.increment.account().tool_work = 1.;
+  fixture.increment.account().elastic = .5;
+  BOOST_TEST(one_has(fixture.warnings(), "works and energies differ by 50 %"));
+  fixture.increment.account().elastic = .99;
+  BOOST_TEST(fixture.warnings().empty());
+}
+
+BOOST_AUTO_TEST_CASE(work_of_friction_counts_where_it_matters)
+{
+  Fixture fixture;
+  EnergyAccount &account = fixture.increment.account();
+  account.tool_work = 1.;
+  account.plastic = .98;
+  account.friction = .02;
+  account.friction_error = .0019;
+  BOOST_TEST(one_has(fixture.warnings(), "friction work: it is uncertain by about 9.5 %"));
+  account.friction = .005;
+  account.plastic = .995;
+  BOOST_TEST(fixture.warnings().empty());
+}
+
+BOOST_AUTO_TEST_CASE(forces_count_in_every_increment)
+{
+  Fixture fixture;
+  fixture.increment.balance_error_ = 2e-3;
+  BOOST_TEST(one_has(fixture.warnings(), "leave 0.2 % of the largest of them unbalanced at time 1"));
+  fixture.increment.balance_error_ = 0.;
+  fixture.increment.time = 2.;
+  BOOST_TEST(one_has(fixture.warnings(), "at time 1"));
+}
+
+BOOST_AUTO_TEST_CASE(forces_are_judged_by_those_of_the_run)
+{
+  WorstImbalance imbalance;
+  BOOST_TEST(imbalance.worst() == nullptr);
+  // All of .1 N, where the run goes on to 37 kN: a tool alone at a blank that hangs free.
+  imbalance.tell(1., .1, .25);
+  BOOST_TEST_REQUIRE(imbalance.worst() != nullptr); // so far it is all there is
+  BOOST_TEST(imbalance.worst()->time == .25);
+  imbalance.tell(1e-9, 37e3, 46.);
+  BOOST_TEST(imbalance.worst() == nullptr);
+  // Half of 10 N is not: the curve of the force begins wrong.
+  imbalance.tell(.5, 10., 50.);
+  BOOST_TEST_REQUIRE(imbalance.worst() != nullptr);
+  BOOST_TEST(imbalance.worst()->time == 50.);
+  // The largest error counts, and one of a thousandth does not.
+  imbalance.tell(.2, 37e3, 51.);
+  imbalance.tell(.9, 37e3, 52.);
+  imbalance.tell(9e-4, 37e3, 53.);
+  BOOST_TEST(imbalance.worst()->time == 52.);
+}
+
+BOOST_AUTO_TEST_CASE(a_face_that_is_deep_in_a_tool_between_its_points)
+{
+  Fixture fixture;
+  auto &deepest = fixture.increment.contact_->deepest;
+  deepest = {49., .149, Point2(12., 1.), 0};
+  BOOST_TEST(fixture.warnings().empty());
+  deepest = {120., .36, Point2(12., 1.), 0};
+  BOOST_TEST(one_has(fixture.warnings(),
+                     "the blank is 0.36 deep in tool 'plate', 12 % of the thickness and 120 times delta, "
+                     "at r = 12, z = 1, time 1"));
+  // The worst stays, with its time.
+  deepest = {100., .31, Point2(13., 1.), 0};
+  fixture.increment.time = 2.;
+  BOOST_TEST(one_has(fixture.warnings(), "at r = 12, z = 1, time 1"));
+}
+
+BOOST_AUTO_TEST_CASE(a_third_of_the_thickness)
+{
+  Fixture fixture;
+  fixture.increment.smallest_thickness_ = .99;
+  BOOST_TEST(one_has(fixture.warnings(), "33 % of what it was"));
+}
+
+BOOST_AUTO_TEST_CASE(a_tool_that_never_touched)
+{
+  Fixture fixture;
+  BOOST_TEST(one_has(fixture.warnings(true), "tool 'plate' has never touched"));
+  // A run that stopped may have stopped before.
+  BOOST_TEST(fixture.said(false).empty());
+}
+
+BOOST_AUTO_TEST_CASE(snaps_are_counted)
+{
+  Fixture fixture;
+  for (const double rotation : {.4, .5, .45})
+  {
+    fixture.increment.snap_rotation = rotation;
+    fixture.observe();
+    fixture.increment.time += 1.;
+  }
+  const auto said = fixture.said();
+  BOOST_TEST(one_has(said, "in 3 increments"));
+  BOOST_TEST(one_has(said, "by up to 0.5 rad (the most at time 2)"));
+}
+
+BOOST_AUTO_TEST_CASE(strain_of_a_refinement_is_said)
+{
+  Fixture fixture;
+  fixture.increment.strain_at_rest = .3;
+  BOOST_TEST(one_has(fixture.warnings(), "after 1 refinements strained a point by up to 0.3"));
+}
+
+BOOST_AUTO_TEST_CASE(an_ironed_shell_ends_the_run_after_two_increments)
+{
+  Fixture fixture;
+  SheetSection section{};
+  section.flow_stress = 200.;
+  section.clamping_pressure = 250.;
+  fixture.increment.sections_ = std::vector<SheetSection>{section};
+  const auto failures = [&]() {
+    return fixture.conditions.failure(fixture.increment.stage);
+  };
+  fixture.observe();
+  BOOST_TEST(failures().empty());
+  fixture.observe();
+  BOOST_TEST(failures().find("iron the sheet") != std::string::npos);
+  BOOST_TEST(failures().find("Blank/Kind = solid") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_name_is_taken_once)
+{
+  const auto again = [](const Actors &) { return std::unique_ptr<Condition>(); };
+  BOOST_CHECK_THROW(ConditionMakers::Entry("snaps", "again", again), std::logic_error);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

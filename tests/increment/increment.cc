@@ -1,0 +1,330 @@
+// An increment and its strategies, on a problem of two unknowns: an arch with a limit point, and a node that is moved.
+#include "convergence.h"
+
+#include <deltaform/increment/increment.h>
+#include <deltaform/increment/step_control.h>
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/process/child_process.h>
+#include <deltaform/process/interruption.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <csignal>
+#include <limits>
+
+using namespace deltaform;
+using namespace deltaform::testing;
+
+namespace
+{
+  /// R(u) = u (u - 1) (u - 2) - t: its limit point is at u = 1 - 1/sqrt(3), t = .3849; beyond it only u > 2 is left.
+  class Arch : public IncrementProblem
+  {
+  public:
+    Arch()
+      : system(pattern(), 0, "klu"), q(2), goal(2)
+    {
+    }
+
+    static dealii::DynamicSparsityPattern pattern()
+    {
+      dealii::DynamicSparsityPattern result(2, 2);
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int j = 0; j < 2; ++j)
+          result.add(i, j);
+      return result;
+    }
+
+    double typical_length() const override
+    {
+      return 1.;
+    }
+
+    Status assemble(const Vector &state, const bool tangent) override
+    {
+      system.clear(tangent);
+      visited.push_back(state[0]);
+      const double u = state[0];
+      if (is_stiff && u > first_touch)
+        return Status::shorten("too stiff");
+      const DofIndex dof = 0, end = 1;
+      const double one = 1., zero = 0.;
+      system.add(&end, 1, tangent ? &one : nullptr, &zero);
+      const double force = u * (u - 1.) * (u - 2.), load = -time, slope = 3. * u * u - 6. * u + 2.;
+      system.add(&dof, 1, tangent ? &slope : nullptr, &force);
+      system.add(&dof, 1, nullptr, &load);
+      return {};
+    }
+
+    double limit_step(const Vector &, Vector &) const override
+    {
+      return share_of_steps;
+    }
+
+    ActiveSet *active_set() override
+    {
+      return nullptr;
+    }
+
+    unsigned int correct() override
+    {
+      if (n_corrections == 0)
+        return 0;
+      --n_corrections;
+      return 1;
+    }
+
+    void begin(const double the_time, double) override
+    {
+      time = the_time;
+      ++n_begun;
+      is_stiff = touches;
+    }
+
+    bool soften(const double share) override
+    {
+      if (!touches)
+        return false;
+      is_stiff = false;
+      softened_to = share;
+      return true;
+    }
+
+    const Vector &committed() const override
+    {
+      return q;
+    }
+    const Vector &prescribed() const override
+    {
+      return goal;
+    }
+    const std::vector<bool> &is_prescribed() const override
+    {
+      return held;
+    }
+    double force_floor() const override
+    {
+      return 0.;
+    }
+    IncrementSize increment_size(const Vector &dq) const override
+    {
+      return {strain, std::abs(dq[0])};
+    }
+    std::string broken_promise() const override
+    {
+      return broken;
+    }
+    bool releases_at_once() const override
+    {
+      return false;
+    }
+    std::string describe(const DofIndex unknown) const override
+    {
+      return unknown == 0 ? "crown" : "end";
+    }
+
+    System system;
+    Vector q, goal;
+    std::vector<bool> held{false, true};
+    std::vector<double> visited;
+    double time = 0., strain = 0., softened_to = 0.;
+    double share_of_steps = 1.; ///< that is admissible
+    double first_touch = .01; ///< where a stiff first touch begins
+    bool touches = false, is_stiff = false;
+    unsigned int n_begun = 0, n_corrections = 0;
+    std::string broken;
+  };
+
+  struct Fixture
+  {
+    explicit Fixture(const std::vector<std::string> &entries = {})
+      : tree(ParameterTree::parse("", "test", entries)), section(tree.root()), steps(section),
+        settings(newton_settings(entries)), scale(2, 1.), size(2, 1.),
+        newton(problem, problem.system, settings, scale, size, timers), increment(problem, newton, steps), before(2)
+    {
+    }
+
+    IncrementResult to(const double time, const Effort effort, const double ratio = 0.)
+    {
+      return increment.attempt({time, ratio, true, before}, time, effort);
+    }
+
+    ParameterTree tree;
+    Section section;
+    StepSettings steps;
+    NewtonSettings settings;
+    std::vector<double> scale, size;
+    Timers timers;
+    Arch problem;
+    Newton newton;
+    Increment increment;
+    Vector before;
+  };
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(increment)
+
+BOOST_AUTO_TEST_CASE(the_plain_strategy_is_enough_for_most)
+{
+  Fixture fixture;
+  const auto result = fixture.to(.1, Effort::all);
+  BOOST_TEST(!result.rejected);
+  const double u = result.q[0];
+  BOOST_TEST(std::abs(u * (u - 1.) * (u - 2.) - .1) < 1e-6);
+  BOOST_TEST(fixture.problem.n_begun == 1u);
+  BOOST_TEST(result.snap_rotation == 0.);
+  BOOST_TEST(result.cost.iterations == result.iterations_to_equilibrium);
+  // What was found is the caller's to accept.
+  BOOST_TEST(fixture.problem.q[0] == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(a_ladder_is_a_list_of_names)
+{
+  BOOST_TEST(usual_ladder().size() == 4u);
+  BOOST_CHECK_THROW(make_ladder({"plain", "wishful thinking"}), std::out_of_range);
+  // Nothing can touch: the only strategy is none for this problem.
+  Fixture fixture;
+  Increment soft(fixture.problem, fixture.newton, fixture.steps, make_ladder({"soft first touch"}));
+  const auto result = soft.attempt({.1, 0., true, fixture.before}, .1, Effort::usual);
+  BOOST_REQUIRE(result.rejected.has_value());
+  BOOST_TEST((result.rejected->kind == Rejected::Kind::not_solved));
+  BOOST_TEST(result.rejected->sentence == "no strategy applies to this increment");
+}
+
+BOOST_AUTO_TEST_CASE(strategies_wait_for_their_effort)
+{
+  const auto effort = [](const char *name) { return make_ladder({name}).front()->least_effort(); };
+  BOOST_TEST((effort("plain") == Effort::first));
+  BOOST_TEST((effort("soft first touch") == Effort::usual));
+  BOOST_TEST((effort("damped") == Effort::last_resorts));
+  BOOST_TEST((effort("damped with status tolerance") == Effort::last_resorts));
+  // The first attempt is Newton's method alone.
+  Fixture fixture;
+  Increment both(fixture.problem, fixture.newton, fixture.steps, make_ladder({"damped", "plain"}));
+  BOOST_TEST(!both.attempt({.1, 0., true, fixture.before}, .1, Effort::first).rejected.has_value());
+  BOOST_TEST(fixture.problem.n_begun == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(it_starts_from_the_last_velocity)
+{
+  Fixture fixture;
+  fixture.problem.q[0] = .05;
+  fixture.before[0] = .03;
+  fixture.to(.12, Effort::usual, .5);
+  BOOST_TEST(fixture.problem.visited.front() == .06, boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(a_stiff_first_touch_is_softened)
+{
+  Fixture fixture;
+  fixture.problem.touches = true;
+  const auto result = fixture.to(.1, Effort::usual);
+  BOOST_TEST(!result.rejected);
+  BOOST_TEST(fixture.problem.n_begun == 2u);
+  BOOST_TEST(fixture.problem.softened_to == 1e-4);
+  // The iterations of the attempt that failed count.
+  BOOST_TEST(result.cost.iterations > 3u);
+}
+
+BOOST_AUTO_TEST_CASE(a_snap_needs_the_last_resorts)
+{
+  Fixture fixture({"Largest strain increment=1"});
+  fixture.problem.q[0] = .4;
+  const auto usual = fixture.to(.4049, Effort::usual);
+  BOOST_REQUIRE(usual.rejected.has_value());
+  BOOST_TEST((usual.rejected->kind == Rejected::Kind::not_solved));
+  BOOST_TEST(usual.rejected->sentence.find("crown") != std::string::npos);
+
+  const auto far = fixture.to(.4049, Effort::last_resorts);
+  BOOST_REQUIRE(far.rejected.has_value());
+  BOOST_TEST((far.rejected->kind == Rejected::Kind::too_large), far.rejected->sentence);
+  BOOST_TEST(far.rejected->sentence.find("Largest rotation increment") != std::string::npos);
+  BOOST_TEST(far.cost.iterations > usual.cost.iterations); // both strategies
+
+  const auto all = fixture.to(.4049, Effort::all);
+  BOOST_TEST(!all.rejected);
+  BOOST_TEST(all.q[0] > 2.);
+  BOOST_TEST(all.snap_rotation == all.q[0] - .4, boost::test_tools::tolerance(1e-12));
+
+  // However it came about, what is strained too far is refused.
+  fixture.problem.strain = 1.1;
+  const auto strained = fixture.to(.4049, Effort::all);
+  BOOST_REQUIRE(strained.rejected.has_value());
+  BOOST_TEST(strained.rejected->sentence.find("Largest strain increment") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_signal_ends_the_ladder)
+{
+  // As in the case before, but that no other strategy is tried after a signal has come.
+  const auto n_tried = [](const bool signal) {
+    start_process(
+      [signal]() {
+        interruption::watch();
+        if (signal)
+          std::raise(SIGTERM);
+        Fixture fixture({"Largest strain increment=1"});
+        fixture.problem.q[0] = .4;
+        fixture.to(.4049, Effort::all);
+        return static_cast<int>(fixture.problem.n_begun);
+      },
+      "/dev/null");
+    return wait_for_process(std::numeric_limits<double>::infinity())->exit_status;
+  };
+  BOOST_TEST(n_tried(true) == 1);
+  BOOST_TEST(n_tried(false) > 1);
+}
+
+BOOST_AUTO_TEST_CASE(tolerance_is_not_tried_far_from_equilibrium)
+{
+  // No step leads anywhere: plain, the soft first touch that the problem declines, damped, and nothing after it.
+  Fixture fixture;
+  fixture.problem.share_of_steps = 1e-7;
+  const auto result = fixture.to(.1, Effort::all);
+  BOOST_REQUIRE(result.rejected.has_value());
+  BOOST_TEST((result.rejected->kind == Rejected::Kind::not_solved));
+  BOOST_TEST(fixture.problem.n_begun == 3u);
+}
+
+BOOST_AUTO_TEST_CASE(at_the_same_time_any_rotation_will_do_and_a_large_strain_is_said)
+{
+  Fixture fixture({"Largest rotation increment=1e-3"});
+  fixture.problem.q[0] = .3;
+  const IncrementStart start{.1, 0., true, fixture.before};
+  const auto result = fixture.increment.attempt(start, 0., Effort::usual);
+  BOOST_TEST(!result.rejected);
+  BOOST_TEST(result.strain_at_rest == 0.);
+  // So will any strain, but it is remembered.
+  fixture.problem.strain = .7;
+  const auto far = fixture.increment.attempt(start, 0., Effort::last_resorts);
+  BOOST_TEST(!far.rejected);
+  BOOST_TEST(far.strain_at_rest == .7);
+}
+
+BOOST_AUTO_TEST_CASE(a_broken_promise_is_no_solution)
+{
+  Fixture fixture;
+  fixture.problem.broken = "the promise is broken at the crown";
+  const auto result = fixture.to(.1, Effort::all);
+  BOOST_REQUIRE(result.rejected.has_value());
+  BOOST_TEST((result.rejected->kind == Rejected::Kind::promise_broken));
+  BOOST_TEST(result.rejected->sentence == fixture.problem.broken);
+  BOOST_TEST(fixture.problem.n_begun == 1u); // no other strategy helps
+}
+
+BOOST_AUTO_TEST_CASE(corrections_are_counted_apart)
+{
+  Fixture fixture;
+  fixture.problem.n_corrections = 2;
+  const auto result = fixture.to(.1, Effort::usual);
+  BOOST_TEST(!result.rejected);
+  BOOST_TEST(result.cost.rounds == 2u);
+  BOOST_TEST(result.iterations_to_equilibrium == result.cost.iterations - result.cost.correction_iterations);
+
+  fixture.problem.n_corrections = 1000;
+  const auto endless = fixture.to(.1, Effort::all);
+  BOOST_REQUIRE(endless.rejected.has_value());
+  BOOST_TEST(endless.rejected->sentence.find("corrections") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

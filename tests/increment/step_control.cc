@@ -1,0 +1,153 @@
+#include <deltaform/increment/step_control.h>
+#include <deltaform/parameters/parameter_tree.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+
+using namespace deltaform;
+
+namespace
+{
+  StepSettings settings(const std::vector<std::string> &entries = {})
+  {
+    ParameterTree tree = ParameterTree::parse("", "test", entries);
+    Section section = tree.root();
+    return StepSettings(section);
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(step_control)
+
+BOOST_AUTO_TEST_CASE(times_that_must_be_met)
+{
+  const StepSettings what = settings();
+  StepControl control(what, 1., 3., .1, 1e-3, .3, {.5, 1., 1.55, 2.2, 3., 7.}); // those outside do not count
+  std::vector<double> times;
+  double time = 1.;
+  while (!control.finished(time))
+  {
+    const double next = control.next(time);
+    BOOST_TEST_REQUIRE(next > time);
+    BOOST_TEST(next - time <= .3 * (1. + 1e-9));
+    time = next;
+    times.push_back(time);
+    control.accept(8);
+    BOOST_TEST_REQUIRE(times.size() < 100u);
+  }
+  BOOST_TEST(time == 3.);
+  for (const double wanted : {1.55, 2.2, 3.})
+    BOOST_TEST((std::find(times.begin(), times.end(), wanted) != times.end())); // exactly
+}
+
+BOOST_AUTO_TEST_CASE(no_slivers)
+{
+  const StepSettings what = settings();
+  const StepControl control(what, 0., 1., .3, 1e-3, .3, {});
+  BOOST_TEST(control.next(0.) == .3);
+  BOOST_TEST(std::abs(control.next(.6) - .8) < 1e-15); // two equal increments instead of .3 and .1
+  BOOST_TEST(control.next(.8) == 1.);
+  BOOST_TEST(control.next(1. - .3 * (1. + 1e-12)) == 1.);
+}
+
+BOOST_AUTO_TEST_CASE(easy_increments_grow_and_hard_ones_shrink)
+{
+  const StepSettings what = settings({"Target iterations=8", "Growth=1.5", "Shrink=.5"});
+  const auto after = [&](const unsigned int iterations) {
+    StepControl control(what, 0., 1., .01, 1e-3, .1, {});
+    control.accept(iterations);
+    return control.increment();
+  };
+  BOOST_TEST(after(8) == .01);
+  BOOST_TEST(std::abs(after(7) - .01 * std::sqrt(8. / 7.)) < 1e-15);
+  BOOST_TEST(after(1) == .015);
+  BOOST_TEST(after(0) == .015);
+  BOOST_TEST(std::abs(after(16) - .01 * std::sqrt(.5)) < 1e-15);
+  BOOST_TEST(after(1000) == .005);
+
+  StepControl control(what, 0., 1., .01, 1e-3, .1, {});
+  for (unsigned int k = 0; k < 20; ++k)
+    control.accept(1);
+  BOOST_TEST(control.increment() == .1);
+  for (unsigned int k = 0; k < 20; ++k)
+    control.accept(100 - k); // fewer from time to time: it helps
+  BOOST_TEST(control.increment() == 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(failures_cut_back)
+{
+  const StepSettings what = settings({"Shrink=.5", "Growth=1.5"});
+  StepControl control(what, 0., 1., .08, .01, .1, {});
+  BOOST_TEST(control.reject(.08));
+  BOOST_TEST(control.increment() == .04);
+  // What was tried counts, not what was planned: the end of a stage may have been nearer.
+  BOOST_TEST(control.reject(.03));
+  BOOST_TEST(control.increment() == .015);
+  // After a failure the first success does not make it grow.
+  control.accept(1);
+  BOOST_TEST(control.increment() == .015);
+  control.accept(1);
+  BOOST_TEST(std::abs(control.increment() - .0225) < 1e-15);
+  BOOST_TEST(control.reject(.02));
+  // Two cuts, or an increment that cannot be cut: not its length is the reason.
+  BOOST_TEST((control.effort(.02, 0, true) == Effort::first));
+  BOOST_TEST((control.effort(.02, 0, false) == Effort::usual));
+  BOOST_TEST((control.effort(.02, 1, true) == Effort::usual));
+  BOOST_TEST((control.effort(.02, 2, true) == Effort::last_resorts));
+  BOOST_TEST((control.effort(.019, 0, true) == Effort::all));
+  // At the smallest increment longer ones are tried, up to the largest one, and then no more.
+  for (const double expected : {.1, .1, .1, .1})
+  {
+    BOOST_TEST(control.reject(.01));
+    BOOST_TEST(control.increment() == expected);
+    BOOST_TEST((control.effort(.1, 1, true) == Effort::last_resorts));
+  }
+  BOOST_TEST(!control.reject(.01));
+}
+
+BOOST_AUTO_TEST_CASE(shorter_increments_that_do_not_help_stay)
+{
+  const StepSettings what = settings();
+  StepControl control(what, 0., 10., 1., 1e-3, 2., {});
+  control.accept(32);
+  const double shorter = control.increment();
+  BOOST_TEST(shorter < 1.);
+  // As many iterations again: it stays, however often.
+  for (unsigned int k = 0; k < 5; ++k)
+    control.accept(32);
+  BOOST_TEST(control.increment() == shorter);
+  // Fewer, and still too many: shorter increments help.
+  control.accept(20);
+  BOOST_TEST(control.increment() < shorter);
+  const double help = control.increment();
+  control.accept(2);
+  BOOST_TEST(control.increment() > help);
+}
+
+BOOST_AUTO_TEST_CASE(the_first_increment_lies_between_the_limits)
+{
+  const StepSettings what = settings();
+  BOOST_TEST(StepControl(what, 0., 1., 1., .01, .1, {}).increment() == .1);
+  BOOST_TEST(StepControl(what, 0., 1., 1e-6, .01, .1, {}).increment() == .01);
+}
+
+BOOST_AUTO_TEST_CASE(resumed_control_goes_on_as_the_first)
+{
+  const StepSettings what = settings();
+  StepControl first(what, 0., 1., .01, 1e-6, .1, {});
+  first.accept(2);
+  first.reject(.01);
+  StepControl second(what, 0., 1., .02, 1e-6, .1, {});
+  second.restore(first.state());
+  for (const unsigned int iterations : {3u, 20u, 8u, 1u}) // of which the first is waited for after the failure
+  {
+    BOOST_TEST(second.next(.3) == first.next(.3));
+    first.accept(iterations);
+    second.accept(iterations);
+  }
+  StepControl bounded(what, 0., 1., .1, .05, .1, {});
+  bounded.restore(first.state());
+  BOOST_TEST(bounded.increment() >= .05);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

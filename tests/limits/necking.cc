@@ -1,0 +1,103 @@
+#include <deltaform/limits/necking.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+
+using namespace deltaform;
+
+namespace
+{
+  /// A bar of five nodes in tension, of Hollomon's metal tau = eps^n, whose node 3 has the strain @p neck.
+  std::vector<SheetSection> bar(const double n, const double rest, const double neck)
+  {
+    std::vector<SheetSection> sections;
+    for (unsigned int i = 0; i < 5; ++i)
+    {
+      const double strain = i == 3 ? neck : rest;
+      sections.push_back({.1 * i, std::exp(-strain / 2), strain, strain / 2, std::pow(strain, n)});
+    }
+    return sections;
+  }
+
+  std::string
+  finding(const double n, const double rest, const double neck, const double next_rest, const double next_neck)
+  {
+    NeckingWatch watch;
+    watch.observe(bar(n, rest, neck));
+    watch.observe(bar(n, next_rest, next_neck));
+    return watch.finding();
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(necking)
+
+BOOST_AUTO_TEST_CASE(force_passes_its_maximum_at_strain_n)
+{
+  // Considere: tau = eps^n has the largest force at eps = n.
+  BOOST_TEST(finding(.2, .15, .18, .15, .199) == "");
+  const std::string found = finding(.2, .15, .21, .15, .22);
+  BOOST_TEST(found.find("node 3 at R0 = 0.3") == 0u);
+  BOOST_TEST(found.find("necks") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_that_thins_evenly_does_not_neck)
+{
+  BOOST_TEST(finding(.2, .3, .31, .31, .32) == "");
+}
+
+BOOST_AUTO_TEST_CASE(unloading_is_no_neck)
+{
+  BOOST_TEST(finding(.2, .15, .22, .15, .21) == "");
+}
+
+BOOST_AUTO_TEST_CASE(falling_stress_is_no_neck)
+{
+  // The section stretches and thins, but its stress falls: a sheet that is unloaded or bent back.
+  NeckingWatch watch;
+  watch.observe(bar(.2, .15, .21));
+  auto next = bar(.2, .15, .22);
+  next[3].stress -= .05;
+  watch.observe(next);
+  BOOST_TEST(watch.finding() == "");
+}
+
+BOOST_AUTO_TEST_CASE(torn_is_what_necks_for_some_increments_and_loses_its_force)
+{
+  // F = eps^n exp(-eps), past its maximum at .2: from .3 to .35 it falls by 1.9 %, from .21 to .25 by .3 %.
+  const auto torn_after = [](const double start, const double step, const unsigned int increments) {
+    NeckingWatch watch;
+    for (unsigned int k = 0; k <= increments; ++k)
+      watch.observe(bar(.2, .15, start + k * step));
+    return watch.torn();
+  };
+  BOOST_TEST(!torn_after(.3, .01, 4));
+  BOOST_TEST(torn_after(.3, .01, 5));
+  BOOST_TEST(!torn_after(.3, .05, 1));
+  // Many increments that lose next to nothing.
+  BOOST_TEST(!torn_after(.21, .001, 40));
+  BOOST_TEST(torn_after(.21, .001, 100));
+}
+
+BOOST_AUTO_TEST_CASE(a_neck_that_stops_is_not_torn)
+{
+  NeckingWatch watch;
+  double strain = .3;
+  for (unsigned int k = 0; k < 20; ++k)
+  {
+    strain += k % 4 == 3 ? -.001 : .02; // unloads every fourth time
+    watch.observe(bar(.2, .15, strain));
+    BOOST_TEST(!watch.torn());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nothing_known_is_no_neck)
+{
+  NeckingWatch watch;
+  BOOST_TEST(watch.finding() == "");
+  watch.observe({});
+  watch.observe(bar(.2, .1, .3));
+  BOOST_TEST(watch.finding() == "");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
