@@ -52,10 +52,6 @@ namespace deltaform
     /// Small strain, a law without history, and the same moduli at zero and at some strain?
     bool has_linear_law() const;
 
-    /// The axes of the metal at a point, turned with it by @p F: axis 2 is normal to the meridian that the body was
-    /// built on. The rotation is that of the polar decomposition.
-    MetalAxes axes(std::size_t point, const Deformation &F) const;
-
     template <unsigned int n_nodes, unsigned int n_points>
     Status assemble_cells(const Vector &q, AssemblyTarget &target);
     Status assemble_all(const Vector &q, AssemblyTarget &target);

@@ -51,7 +51,7 @@ namespace deltaform
       return names;
     }
 
-    /// What a run has and asks for, of which its columns depend.
+    /// What a run has and asks for: its columns depend on it.
     struct Wishes
     {
       const Model &model;
