@@ -80,5 +80,32 @@ namespace deltaform
         }
       return result;
     }
+
+    /// Every yield surface with every backstress and rate factor, each with heat and without; hardening and softening
+    /// in turn. Flow curves, which know the rate themselves, take the place of a rate factor as well.
+    inline std::vector<DrawnMetal> metals_of_all_pairs(const unsigned int seed)
+    {
+      std::mt19937 generator(seed);
+      auto rates = names_of<RateFactor>();
+      rates.emplace_back("flow curves");
+      auto hardenings = laws_of_strain(), softenings = names_of<Softening>();
+      hardenings.erase(std::remove_if(hardenings.begin(), hardenings.end(),
+                                      [](const std::string &name) { return name.rfind("test: ", 0) == 0; }),
+                       hardenings.end());
+      std::vector<DrawnMetal> result;
+      unsigned int next = 0;
+      for (const auto &yield : names_of<YieldSurface>())
+        for (const auto &back : names_of<BackStress>())
+          for (const auto &rate : rates)
+            for (const bool heats : {false, true})
+            {
+              const bool curves = rate == "flow curves";
+              const auto turn = [&](const std::vector<std::string> &names) { return names[next % names.size()]; };
+              result.push_back(draw_metal(yield, back, curves ? "none" : rate, curves ? rate : turn(hardenings), heats,
+                                          turn(softenings), generator));
+              ++next;
+            }
+      return result;
+    }
   } // namespace testing
 } // namespace deltaform
