@@ -20,15 +20,16 @@ namespace deltaform
   class Chaboche final : public BackStress
   {
   public:
-    struct Term
-    {
-      double C; ///< initial modulus in tension (stress)
-      double gamma; ///< rate (1) at which it saturates, at C/gamma
-    };
+    using Term = BackStressTerm;
 
     explicit Chaboche(std::vector<Term> terms);
 
     HistoryLayout history_layout() const override;
+
+    const std::vector<Term> *terms() const override
+    {
+      return &terms_;
+    }
 
     Mandel value(const double *history) const override;
 

@@ -52,6 +52,11 @@ namespace deltaform
         return symmetry_;
       }
 
+      const std::array<double, 16> *quadratic_form() const override
+      {
+        return &P_;
+      }
+
     private:
       Mandel product(const Mandel &t) const
       {

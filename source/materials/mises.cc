@@ -43,6 +43,13 @@ namespace deltaform
         return Symmetry::isotropic;
       }
 
+      const std::array<double, 16> *quadratic_form() const override
+      {
+        static const std::array<double, 16> P = {
+          {1., -.5, -.5, 0., -.5, 1., -.5, 0., -.5, -.5, 1., 0., 0., 0., 0., 1.5}};
+        return &P;
+      }
+
       const ReturnMap *closed_form(const ThirdDirection third) const override
       {
         if (third == ThirdDirection::strain_given)

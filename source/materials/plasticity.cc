@@ -1,6 +1,7 @@
 #include <deltaform/materials/plasticity.h>
 
 #include "general_return.h"
+#include "quadratic_return.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -71,11 +72,13 @@ namespace deltaform
         continue;
       if (!laws_.back_stress && !laws_.rate_factor)
         map_[i] = laws_.yield_surface->closed_form(third);
-      if (map_[i] == nullptr)
-      {
-        general_[i] = std::make_unique<GeneralReturn>(laws_, third, history_.size());
-        map_[i] = general_[i].get();
-      }
+      if (map_[i] != nullptr)
+        continue;
+      if (QuadraticReturn::serves(laws_))
+        own_[i] = std::make_unique<QuadraticReturn>(laws_, third, elastic_.poisson, history_.size());
+      else
+        own_[i] = std::make_unique<GeneralReturn>(laws_, third, history_.size());
+      map_[i] = own_[i].get();
     }
   }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace deltaform
 {
@@ -14,6 +15,14 @@ namespace deltaform
     Mandel value; ///< backstress alpha (Kirchhoff stress)
     std::array<double, 16> by_relative_stress; ///< d alpha/d xi at fixed x, 4 x 4, row-major (1)
     Mandel by_flow; ///< d alpha/dx at fixed xi (stress)
+  };
+
+
+  /// Armstrong and Frederick's: d alpha = (C/q) dev(xi) dx - gamma alpha dx.
+  struct BackStressTerm
+  {
+    double C; ///< initial modulus in tension (stress)
+    double gamma; ///< rate (1) at which it saturates, at C/gamma
   };
 
 
@@ -60,6 +69,12 @@ namespace deltaform
     virtual bool symmetric() const
     {
       return false;
+    }
+
+    /// Of a law that is a sum of such terms and keeps each as a tensor in its history; null: it is not. At most 8.
+    virtual const std::vector<BackStressTerm> *terms() const
+    {
+      return nullptr;
     }
 
     /// Why the law does not go together with a yield surface and a flow curve; empty: it does.

@@ -98,7 +98,7 @@ namespace deltaform
     HistoryLayout history_;
     double initial_flow_stress_;
     unsigned int rate_first_; ///< where the history of the rate factor begins
-    std::array<std::unique_ptr<ReturnMap>, 2> general_; ///< for each ThirdDirection; null: there is a closed form
-    std::array<const ReturnMap *, 2> map_{}; ///< closed form or general; null: the question cannot be answered
+    std::array<std::unique_ptr<ReturnMap>, 2> own_; ///< for each ThirdDirection; null: the surface has a closed form
+    std::array<const ReturnMap *, 2> map_{}; ///< closed form or own; null: the question cannot be answered
   };
 } // namespace deltaform

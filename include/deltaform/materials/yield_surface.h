@@ -56,6 +56,12 @@ namespace deltaform
       return true;
     }
 
+    /// P of a surface q^2 = t . P t, 4 x 4, row-major (1), for which a pressure is in the null space; null: it is none.
+    virtual const std::array<double, 16> *quadratic_form() const
+    {
+      return nullptr;
+    }
+
     /// A return map in closed form, for the metal without backstress and rate factor; null: the general one.
     virtual const ReturnMap *closed_form(ThirdDirection) const
     {
