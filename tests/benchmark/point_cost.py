@@ -26,11 +26,11 @@ LAWS = [
     ("hill, r-bar = 1.6", ["Yield surface/Law=hill", "Yield surface/r-bar=1.6"], 1.2),
     ("hosford, a = 6", ["Yield surface/Law=hosford", "Yield surface/Exponent=6", "Yield surface/r-bar=1.6"], 3.),
     ("hosford, a = 8", ["Yield surface/Law=hosford", "Yield surface/Exponent=8"], 3.),
-    ("hill, r0 = 1.6, r90 = .8", ["Yield surface/Law=hill", "Yield surface/r0=1.6", "Yield surface/r90=.8"], 2.),
+    ("hill, r0 = 1.6, r90 = .8", ["Yield surface/Law=hill", "Yield surface/r0=1.6", "Yield surface/r90=.8"], None),
     ("yld2000-2d, a = 8", ["Yield surface/Law=yld2000-2d", "Yield surface/Exponent=8", "Yield surface/Alpha=" + ALPHA], None),
     ("mises, chaboche of 2 terms", ["Backstress/Law=chaboche", "Backstress/Terms=20000 100; 500 0"], 3.),
     ("mises, cowper-symonds", ["Rate factor/Law=cowper-symonds", "Rate factor/Reference rate=40.4",
-                               "Rate factor/Rate exponent=5"], 3.),
+                               "Rate factor/Rate exponent=5"], None),
 ]
 
 
