@@ -59,6 +59,11 @@ def has_promise(path):
     return "subsection Tools" in text and not re.search(r"Enforcement *= *active set|Penalty rule *= *constant", text)
 
 
+def is_solid(path):
+    with open(path, encoding="utf-8") as file:
+        return bool(re.search(r"^ *set Kind *= *solid", file.read(), re.MULTILINE))
+
+
 def cells(summary):
     if summary is None:
         return ["", "", ""]
@@ -67,15 +72,18 @@ def cells(summary):
 
 
 def scenes(run):
-    table = MeasuredTable(["scene", "iterations", "deepest/delta", "at sharp corners", "gauss: iterations", "deepest/delta",
-                           "at sharp corners"])
+    own = ["iterations", "deepest/delta", "at sharp corners"]
+    table = MeasuredTable(["scene", *own, "gauss: " + own[0], *own[1:], "10 points: " + own[0], *own[1:]])
     files = [path for pattern in ("prm/*.prm", "prm/shop/*.prm") for path in sorted(glob.glob(os.path.join(ROOT, pattern)))]
     for path in files:
         name = os.path.splitext(os.path.basename(path))[0]
         if name in SKIPPED or not has_promise(path):
             continue
         found = []
-        for kind, entries in (("nodes", ()), ("gauss", (GAUSS,))):
+        for kind, entries in (("nodes", ()), ("gauss", (GAUSS,)), ("ten", (GAUSS, "Blank/Gauss points=10"))):
+            if kind == "ten" and is_solid(path):
+                found += cells(None)
+                continue
             if name == "redraw_2":
                 entries += ("Start from=" + os.path.join(run.folder, "redraw_1_" + kind),)
             found += cells(run(path, f"{name}_{kind}", *entries))
@@ -105,8 +113,9 @@ def main():
     options = parser.parse_args()
     run = Runs(options.program, os.path.abspath(options.output))
     for name, title, study in (("cup", "cup to 1 in: deepest place of the face over delta", cup),
-                               ("scenes", "shipped scenes: deepest place of the face over delta, at the nodes and with "
-                                          "'Contact points = gauss'", scenes)):
+                               ("scenes", "shipped scenes: deepest place of the face over delta, at the nodes, with "
+                                          "'Contact points = gauss' and with 10 of them in each element of a shell",
+                                scenes)):
         if options.only in (None, name):
             table = study(run)
             if options.write:

@@ -2,23 +2,59 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <map>
+
 namespace deltaform
 {
-  void BlankSurface::read_points(Section &section, const GaussPoints &offered)
+  void BlankSurface::read_points(Section &section, const GaussPoints &offered, const unsigned int degree)
   {
     const bool inside = section.choice("Contact points", "nodes", {"nodes", "gauss"}, offered.which) == "gauss";
-    const int n_points = section.integer("Gauss points", offered.default_number, 1, offered.most, offered.number);
+    const unsigned int n = section.integer("Gauss points", offered.default_number, 1, offered.most, offered.number);
     if (!inside)
       return;
-    const dealii::QGauss<1> rule(n_points);
-    rule_ = rule.get_points();
-    weights_ = rule.get_weights();
+    inner_ = outer_ = dealii::QGauss<1>(n);
+    // Exact for a uniform pressure, or else it would not be met by equal pressures of the points.
+    if (2 * n >= degree + 3)
+      outer_ = dealii::QGaussLobatto<1>(n);
+  }
+
+
+  void BlankSurface::find_ends(const Side side)
+  {
+    const auto &edges = contact_edges(side);
+    std::map<unsigned int, unsigned int> n_edges; // that meet at a node
+    for (const auto &[a, b, middle] : edges)
+    {
+      ++n_edges[a];
+      ++n_edges[b];
+    }
+    const Vector undeformed(n_contact_dofs());
+    auto &ends = ends_[static_cast<unsigned int>(side)];
+    ends.assign(edges.size(), false);
+    for (unsigned int e = 0; e < edges.size(); ++e)
+      for (const unsigned int end : {0, 1})
+        // On the axis the face does not end.
+        if (n_edges[edges[e][end]] == 1 && area_at(undeformed, side, e, end) > 0.)
+          ends[e] = true;
+  }
+
+
+  std::vector<double> BlankSurface::areas_of_points(const Vector &q, const Side side) const
+  {
+    std::vector<double> result;
+    for (unsigned int e = 0; e < contact_edges(side).size(); ++e)
+    {
+      const auto &points = rule(side, e);
+      for (unsigned int g = 0; g < points.size(); ++g)
+        result.push_back(points.weight(g) * area_at(q, side, e, points.point(g)[0]));
+    }
+    return result;
   }
 
 
   unsigned int BlankSurface::n_contact_points(const Side side) const
   {
-    return at_nodes() ? n_contact_nodes(side) : contact_edges(side).size() * rule_.size();
+    return at_nodes() ? n_contact_nodes(side) : contact_edges(side).size() * inner_.size();
   }
 
 
@@ -34,9 +70,10 @@ namespace deltaform
     if (at_nodes())
       return values;
     std::vector<double> result;
-    for (const auto &[a, b, middle] : contact_edges(side))
-      for (const auto &xi : rule_)
-        result.push_back((1. - xi[0]) * values[a] + xi[0] * values[b]);
+    const auto &edges = contact_edges(side);
+    for (unsigned int e = 0; e < edges.size(); ++e)
+      for (const auto &xi : rule(side, e).get_points())
+        result.push_back((1. - xi[0]) * values[edges[e][0]] + xi[0] * values[edges[e][1]]);
     return result;
   }
 
@@ -52,8 +89,8 @@ namespace deltaform
       nodal_point(q, side, point, thickness, result);
       return;
     }
-    const unsigned int n = rule_.size();
-    contact_place(q, side, point / n, rule_[point % n][0], thickness, result);
+    const unsigned int n = inner_.size();
+    contact_place(q, side, point / n, rule(side, point / n).point(point % n)[0], thickness, result);
     result.area = point_area(side, point);
     result.compliance = result.offset > 0. ? result.offset / (modulus() * result.area) : 0.;
   }
@@ -61,6 +98,12 @@ namespace deltaform
 
   unsigned int BlankSurface::points_per_edge() const
   {
-    return rule_.size();
+    return inner_.size();
+  }
+
+
+  std::vector<dealii::Point<1>> BlankSurface::points_of_edge(const Side side, const unsigned int edge) const
+  {
+    return rule(side, edge).get_points();
   }
 } // namespace deltaform

@@ -5,15 +5,16 @@
 #include <deltaform/assembly/contact_surface.h>
 #include <deltaform/parameters/section.h>
 
-#include <deal.II/base/point.h>
+#include <deal.II/base/quadrature.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace deltaform
 {
-  /// What the faces of all blanks have in common: the metal behind them, and contact points that are the nodes or Gauss
-  /// points of the edges between them.
+  /// What the faces of all blanks have in common: the metal behind them, and contact points that are the nodes or lie
+  /// inside the edges between them. They are Gauss points; where the face ends Lobatto points, so that the end touches.
   class BlankSurface : public ContactSurface
   {
   public:
@@ -26,6 +27,7 @@ namespace deltaform
                        ContactThickness thickness,
                        ContactPoint &result) const override;
     unsigned int points_per_edge() const override;
+    std::vector<dealii::Point<1>> points_of_edge(Side side, unsigned int edge) const override;
 
   protected:
     explicit BlankSurface(const MaterialPoints &material)
@@ -39,17 +41,21 @@ namespace deltaform
       std::string which, number; ///< what the scene's entries `Contact points` and `Gauss points` say
     };
 
-    /// Read where the contact points are.
-    void read_points(Section &section, const GaussPoints &offered);
+    /// Read where the contact points are. @p degree of the polynomials that the places of an edge are
+    void read_points(Section &section, const GaussPoints &offered, unsigned int degree);
 
     bool at_nodes() const
     {
-      return rule_.empty();
+      return inner_.size() == 0;
     }
 
+    /// The edges of @p side are there, or others than before.
+    void find_ends(Side side);
+
+    /// Areas of the contact points of a side at @p q, if they lie inside the edges.
+    std::vector<double> areas_of_points(const Vector &q, Side side) const;
+
     const MaterialPoints &material_;
-    std::vector<dealii::Point<1>> rule_; ///< contact points of an edge; none: the nodes are
-    std::vector<double> weights_; ///< of the rule
 
   private:
     /// Accepted, at the nodes that may touch (stress).
@@ -66,5 +72,17 @@ namespace deltaform
 
     /// Accepted, of a contact point inside an edge.
     virtual double point_area(Side side, unsigned int point) const = 0;
+
+    /// Area per unit of xi at a place of an edge.
+    virtual double area_at(const Vector &q, Side side, unsigned int edge, double xi) const = 0;
+
+    /// Contact points of an edge, from 0 to 1 of it, and their weights.
+    const dealii::Quadrature<1> &rule(const Side side, const unsigned int edge) const
+    {
+      return ends_[static_cast<unsigned int>(side)][edge] ? outer_ : inner_;
+    }
+
+    dealii::Quadrature<1> inner_, outer_; ///< of an edge between others, of one where the face ends; empty: nodes touch
+    std::array<std::vector<bool>, 2> ends_; ///< does the face end at this edge? For each side
   };
 } // namespace deltaform

@@ -139,6 +139,7 @@ namespace deltaform
   void Shell::begin_increment(const double duration, const double ratio)
   {
     material_.begin_increment(duration, ratio);
+    state_.begin_increment(ratio);
   }
 
 
@@ -277,6 +278,7 @@ namespace deltaform
   {
     material_.take(state);
     ShellState::each_array(state_, TakeFrom(state));
+    state_.begin_increment(0.);
     ShellSurface::each_array(surface_, TakeFrom(state));
     for (unsigned int i = 0; i < material_.size(); ++i)
       material_.strain(i) = state_.strain(i);

@@ -38,6 +38,17 @@ namespace deltaform
         pieces_.push_back({{{cell.nodes[2], cell.nodes[1]}}, {{cell.angle[2], cell.angle[1]}}});
       }
     length_.assign(pieces_.size(), 0.);
+    directions_.resize(pieces_.size());
+  }
+
+
+  const Tensor1 &ShellMeridian::direction(const Vector &q, const unsigned int piece, const unsigned int end) const
+  {
+    const double theta = angle(q, pieces_[piece], end);
+    Direction &kept = directions_[piece][end];
+    if (kept.angle != theta)
+      kept = {theta, Tensor1({std::cos(theta), std::sin(theta)})};
+    return kept.value;
   }
 
 
@@ -55,8 +66,8 @@ namespace deltaform
     for (const unsigned int k : {0, 1})
     {
       const unsigned int end = k == 0 ? nearest : 1 - nearest, node = own.nodes[end];
-      const double theta = angle(q, own, end), share = end == 0 ? 1. - xi : xi;
-      const Tensor1 t({std::cos(theta), std::sin(theta)}), d({-std::sin(theta), std::cos(theta)});
+      const double share = end == 0 ? 1. - xi : xi;
+      const Tensor1 &t = direction(q, piece, end), d({-t[1], t[0]});
       const double arm = shape.tangent[end] * length;
       result.nodes[k] = {node, share};
       for (unsigned int c = 0; c < 3; ++c)
@@ -83,8 +94,7 @@ namespace deltaform
     double r = 0.;
     for (const unsigned int end : {0, 1})
     {
-      const double theta = angle(q, own, end);
-      const Tensor1 x = space_.position(q, own.nodes[end]), t({std::cos(theta), std::sin(theta)});
+      const Tensor1 x = space_.position(q, own.nodes[end]), &t = direction(q, piece, end);
       along += slope.place[end] * x + slope.tangent[end] * length_[piece] * t;
       r += shape.place[end] * x[0] + shape.tangent[end] * length_[piece] * t[0];
     }

@@ -5,6 +5,7 @@
 #include <deltaform/assembly/contact_point.h>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace deltaform
@@ -44,11 +45,20 @@ namespace deltaform
     }
 
   private:
+    struct Direction
+    {
+      double angle = std::numeric_limits<double>::quiet_NaN(); ///< of which it is
+      Tensor1 value;
+    };
+
     struct Piece
     {
       std::array<unsigned int, 2> nodes;
       std::array<double, 2> angle; ///< of the undeformed tangent at its ends
     };
+
+    /// Direction of the tangent at an end of a piece. The points of a piece ask for the same one in turn: it is kept.
+    const Tensor1 &direction(const Vector &q, unsigned int piece, unsigned int end) const;
 
     /// Angle of the tangent at an end of a piece.
     double angle(const Vector &q, const Piece &piece, const unsigned int end) const
@@ -59,5 +69,6 @@ namespace deltaform
     const ShellSpace &space_;
     std::vector<Piece> pieces_;
     std::vector<double> length_; ///< of the tangents of a piece
+    mutable std::vector<std::array<Direction, 2>> directions_; ///< at the ends of a piece, as last asked for
   };
 } // namespace deltaform

@@ -8,7 +8,8 @@ namespace deltaform
     : space_(space), points_(points), transverse_normal_stress_(settings.transverse_normal_stress),
       strain_(static_cast<std::size_t>(points.size()) * points.n_layers(), Mandel{}),
       thickness_ratio_(points.size(), 1.), node_thickness_(space.n_nodes(), points.thickness()),
-      node_recovery_(space.n_nodes(), 0.), third_stress_(strain_.size(), 0.)
+      node_recovery_(space.n_nodes(), 0.), thickness_change_(space.n_nodes(), 0.), face_thickness_(node_thickness_),
+      third_stress_(strain_.size(), 0.)
   {
     for (auto &pressure : contact_pressure_)
       pressure.assign(space.n_nodes(), 0.);
@@ -18,6 +19,13 @@ namespace deltaform
   double ShellState::smallest_thickness() const
   {
     return points_.thickness() * *std::min_element(thickness_ratio_.begin(), thickness_ratio_.end());
+  }
+
+
+  void ShellState::begin_increment(const double ratio)
+  {
+    for (unsigned int i = 0; i < face_thickness_.size(); ++i)
+      face_thickness_[i] = node_thickness_[i] + std::max(0., ratio * thickness_change_[i]);
   }
 
 
@@ -86,7 +94,10 @@ namespace deltaform
     std::vector<double> thickness(thickness_ratio_);
     for (auto &value : thickness)
       value *= points_.thickness();
-    node_thickness_ = points_.to_nodes(thickness);
+    thickness = points_.to_nodes(thickness);
+    for (unsigned int i = 0; i < thickness.size(); ++i)
+      thickness_change_[i] = thickness[i] - node_thickness_[i];
+    node_thickness_ = face_thickness_ = thickness;
     // The pressures are those that the transverse stress of this increment was made of.
     for (unsigned int i = 0; i < node_recovery_.size() && transverse_normal_stress_; ++i)
       node_recovery_[i] = .25 * node_thickness_[i] * (contact_pressure_[0][i] + contact_pressure_[1][i]) / modulus;

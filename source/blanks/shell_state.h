@@ -40,6 +40,17 @@ namespace deltaform
       return node_thickness_[node];
     }
 
+    /// As contact sees it: the accepted one. Where the sheet thickens, that of the end of the increment, by the rate of
+    /// the last one: the lag of the accepted one would be penetration that nobody asked for. Where it thins, the lag is
+    /// a gap, and a thickness foreseen too small would be penetration.
+    double face_thickness(const unsigned int node) const
+    {
+      return face_thickness_[node];
+    }
+
+    /// See Blank::begin_increment().
+    void begin_increment(double ratio);
+
     /// By how much a face of the node would spring back if nothing pressed on it: the elastic part of half the
     /// thickness (length).
     double node_recovery(const unsigned int node) const
@@ -72,6 +83,7 @@ namespace deltaform
       action("strain", state.strain_);
       action("thickness ratio", state.thickness_ratio_);
       action("thickness at nodes", state.node_thickness_);
+      action("change of thickness at nodes", state.thickness_change_);
       action("elastic recovery at nodes", state.node_recovery_);
       action("contact pressure, bottom", state.contact_pressure_[0]);
       action("contact pressure, top", state.contact_pressure_[1]);
@@ -91,6 +103,8 @@ namespace deltaform
     std::vector<Mandel> strain_;
     std::vector<double> thickness_ratio_; ///< of the quadrature points
     std::vector<double> node_thickness_, node_recovery_;
+    std::vector<double> thickness_change_; ///< at the nodes, in the last increment
+    std::vector<double> face_thickness_; ///< of the increment that is solved; not kept: each one begins with it
     std::array<std::vector<double>, 2> contact_pressure_; ///< bottom, top
     std::vector<double> third_stress_; ///< of the material points
   };

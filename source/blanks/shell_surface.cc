@@ -41,6 +41,12 @@ namespace deltaform
     const auto areas = space.areas(undeformed);
     for (unsigned int i = 0; i < areas.size(); ++i)
       weightless_[i] = areas[i] < 1e-9 * points.node_weight(i);
+    if (!at_nodes())
+    {
+      meridian_.update(undeformed);
+      for (const Side side : {Side::bottom, Side::top})
+        find_ends(side);
+    }
     update(undeformed);
   }
 
@@ -61,9 +67,11 @@ namespace deltaform
     read_points(section,
                 {2,
                  16,
-                 "Which points touch: the nodes, or points inside the elements on the smooth curve through the nodes.",
+                 "Which points touch: the nodes, or points inside the elements on the smooth curve through the nodes; "
+                 "with 3 and more of them the ends of the sheet touch as well.",
                  "Contact points between two neighbouring nodes ('Contact points = gauss'). With 2 the force of each "
-                 "is determinate; with 10 hardly any of the face enters a tool."});
+                 "is determinate; with 10 hardly any of the face enters a tool."},
+                3);
     if (at_nodes())
       return;
     if (space_.membrane())
@@ -113,7 +121,7 @@ namespace deltaform
       return thickness == ContactThickness::initial ? points_.thickness() : 0.;
     double h = 0.;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
-      h += point.nodes[a].share * state_.node_thickness(point.nodes[a].node);
+      h += point.nodes[a].share * state_.face_thickness(point.nodes[a].node);
     return h;
   }
 
@@ -142,13 +150,19 @@ namespace deltaform
   }
 
 
+  double ShellSurface::area_at(const Vector &q, Side, const unsigned int edge, const double xi) const
+  {
+    return meridian_.area(q, edge, xi);
+  }
+
+
   void ShellSurface::nodal_point(const Vector &q,
                                  const Side side,
                                  const unsigned int node,
                                  const ContactThickness thickness,
                                  ContactPoint &result) const
   {
-    const double h = thickness == ContactThickness::current   ? state_.node_thickness(node)
+    const double h = thickness == ContactThickness::current   ? state_.face_thickness(node)
                      : thickness == ContactThickness::initial ? points_.thickness()
                                                               : 0.;
     result.set_node(node);
@@ -202,9 +216,6 @@ namespace deltaform
     if (at_nodes())
       return;
     meridian_.update(q);
-    point_areas_.clear();
-    for (unsigned int i = 0; i < meridian_.n_pieces(); ++i)
-      for (unsigned int g = 0; g < rule_.size(); ++g)
-        point_areas_.push_back(weights_[g] * meridian_.area(q, i, rule_[g][0]));
+    point_areas_ = areas_of_points(q, Side::top);
   }
 } // namespace deltaform

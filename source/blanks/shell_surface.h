@@ -72,11 +72,13 @@ namespace deltaform
     /// Read where the contact points are.
     void read(Section &section);
 
+
     std::vector<double> nodal_flow_stress(Side side) const override;
     unsigned int n_contact_nodes(Side side) const override;
     void nodal_point(const Vector &q, Side side, unsigned int node, ContactThickness thickness, ContactPoint &result)
       const override;
     double point_area(Side side, unsigned int point) const override;
+    double area_at(const Vector &q, Side side, unsigned int edge, double xi) const override;
 
     /// Between nodes, as asked for.
     double thickness_at(const ContactPoint &point, ContactThickness thickness) const;

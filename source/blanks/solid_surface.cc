@@ -25,7 +25,8 @@ namespace deltaform
                  5,
                  "What touches: the nodes, or Gauss points of the edges of the cells.",
                  "Contact points of an edge ('Contact points = gauss'); as many as the degree of the cells give a "
-                 "uniform pressure."});
+                 "uniform pressure."},
+                body_.space().degree());
   }
 
 
@@ -44,7 +45,11 @@ namespace deltaform
       parts_[side] = there;
     }
     for (unsigned int side = 0; side < 2; ++side)
+    {
       faces_[side].set_up(body_.boundary(), parts_[side]);
+      if (!at_nodes())
+        find_ends(static_cast<Side>(side));
+    }
     shortest_edge_ = std::min(faces_[0].shortest_edge(), faces_[1].shortest_edge());
     if (!std::isfinite(shortest_edge_))
       shortest_edge_ = mesh.thickness();
@@ -59,6 +64,8 @@ namespace deltaform
     for (unsigned int side = 0; side < 2; ++side)
     {
       faces_[side].set_up(body_.boundary(), parts_[side]);
+      if (!at_nodes())
+        find_ends(static_cast<Side>(side));
       faces_[side].set_up_areas(shortest_edge_);
     }
   }
@@ -71,16 +78,8 @@ namespace deltaform
     {
       SolidFace &face = faces_[side];
       face.update_areas(moves_ ? q : none);
-      if (at_nodes())
-        continue;
-      point_areas_[side].clear();
-      ContactPoint place;
-      for (unsigned int e = 0; e < face.edges().size(); ++e)
-        for (unsigned int g = 0; g < rule_.size(); ++g)
-        {
-          face.contact_place(moves_ ? q : none, e, rule_[g][0], place);
-          point_areas_[side].push_back(weights_[g] * place.area);
-        }
+      if (!at_nodes())
+        point_areas_[side] = areas_of_points(moves_ ? q : none, static_cast<Side>(side));
     }
 
     const SolidSpace &space = body_.space();
@@ -142,6 +141,14 @@ namespace deltaform
   double SolidSurface::point_area(const Side side, const unsigned int point) const
   {
     return point_areas_[static_cast<unsigned int>(side)][point];
+  }
+
+
+  double SolidSurface::area_at(const Vector &q, const Side side, const unsigned int edge, const double xi) const
+  {
+    ContactPoint place;
+    faces_[static_cast<unsigned int>(side)].contact_place(q, edge, xi, place);
+    return place.area;
   }
 
 

@@ -75,6 +75,7 @@ namespace deltaform
     void nodal_point(const Vector &q, Side side, unsigned int node, ContactThickness thickness, ContactPoint &result)
       const override;
     double point_area(Side side, unsigned int point) const override;
+    double area_at(const Vector &q, Side side, unsigned int edge, double xi) const override;
 
     const SolidDiscretization &body_;
     bool moves_;

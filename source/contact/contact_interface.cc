@@ -122,6 +122,8 @@ namespace deltaform
       const Point2 &open = (state.touching ? before : state).position;
       const double open_gap = state.touching != before.touching ? projector_.look(i, open).distance - offset : 0.;
       account_.add(i, before, state, slip, open_gap, trial_.energy);
+      if (before.touching && state.touching)
+        trial_.energy.thickness += .5 * (before.force + state.force) * (offset - before.offset);
     }
     trial_.step = trial_.time - committed_.time;
     account_.finish(trial_);
@@ -133,14 +135,16 @@ namespace deltaform
   {
     if (!account_.counts())
       return;
-    // The thickness has changed at fixed positions; the forces stay those of the accepted equilibrium.
+    // The thickness has become another than was foreseen, at fixed positions; the forces stay those of the accepted
+    // equilibrium.
     const Tensor1 way = shift(q);
     for (unsigned int i = 0; i < committed_.points.size(); ++i)
     {
-      const ContactPointState &state = committed_.points[i];
+      ContactPointState &state = committed_.points[i];
       if (!state.touching)
         continue;
       const ContactPoint description = point(q, i);
+      state.offset = description.offset;
       const double gap = projector_.look(i, description.x - way).distance - face(description, state);
       // The force works on the face that moves towards the tool.
       committed_.energy.thickness += state.force * (state.gap - gap);

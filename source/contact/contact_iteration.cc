@@ -41,7 +41,8 @@ namespace deltaform
     {
       Work &work = work_[i];
       ContactPoint &point = work.point;
-      projector_.describe(q, i, point);
+      if (!in_place_)
+        projector_.describe(q, i, point);
       ContactPointState &state = trial[i];
       state.position = point.x - shift;
       state.area = point.area;
@@ -166,6 +167,7 @@ namespace deltaform
   bool ContactIteration::foresee(const Vector &d, const Points &trial)
   {
     bool other = false;
+    in_place_ = true;
     for (unsigned int i = 0; i < trial.size(); ++i)
     {
       const ContactPointState &state = trial[i];
@@ -202,6 +204,7 @@ namespace deltaform
 
   void ContactIteration::advance(const double factor, Points &trial)
   {
+    in_place_ = false;
     for (unsigned int i = 0; i < trial.size(); ++i)
     {
       work_[i].foreseen.reset();

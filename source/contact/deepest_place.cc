@@ -89,12 +89,9 @@ namespace deltaform
         if (std::none_of(own, own + n, [](const ContactPointState &state) { return state.touching; }))
           return;
         const Point2 start = projector_.place(q_, e, 0.).x, end = projector_.place(q_, e, 1.).x;
-        places_.resize(n);
-        for (unsigned int g = 0; g < n; ++g)
-        {
-          const Point2 x = contact_.point(q_, e * n + g).x;
-          places_[g] = x.distance(start) / (x.distance(start) + x.distance(end));
-        }
+        places_.clear();
+        for (const auto &place : projector_.surface().points_of_edge(contact_.tool().side(), e))
+          places_.push_back(place[0]);
         // How far the face is compressed: known at the points, taken for linear between them.
         const auto compression = [&](const double xi) {
           const unsigned int l = std::upper_bound(places_.begin(), places_.end(), xi) - places_.begin();

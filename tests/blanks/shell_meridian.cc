@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(an_arc_is_an_arc)
     std::array<double, 2> error{};
     for (const unsigned int k : {0, 1})
     {
-      const auto blank = strip(k == 0 ? 4 : 8, 3, {"Blank/Degree=" + std::to_string(degree)});
+      const auto blank = strip(k == 0 ? 4 : 8, 4, {"Blank/Degree=" + std::to_string(degree)});
       const double total = 2.;
       const Vector q = bent(*blank, total);
       Vector residual(blank->n_dofs());
@@ -112,6 +112,30 @@ BOOST_AUTO_TEST_CASE(an_arc_is_an_arc)
     }
     BOOST_TEST(error[0] < 2e-6);
     BOOST_TEST(error[1] < error[0] / 40.);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_ends_of_a_sheet_touch)
+{
+  // Both ends of a strip; of a disc the rim only: on the axis the face goes on. Inner nodes are no points.
+  for (const std::string symmetry : {"plane strain", "axisymmetric"})
+  {
+    const auto blank = strip(4, 3, {"Blank/Symmetry=" + symmetry});
+    const unsigned int n = blank->surface().n_contact_points(Side::bottom);
+    BOOST_TEST(n == 12u);
+    const Vector q(blank->n_dofs());
+    double area = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const ContactPoint p = point(*blank, q, i);
+      const bool at_node = std::abs(4. * p.x[0] - std::round(4. * p.x[0])) < 1e-9;
+      const bool in_outer_element = i > 8 || (i < 3 && symmetry == "plane strain");
+      BOOST_TEST(at_node == (in_outer_element && i % 3 != 1));
+      BOOST_TEST(p.area > 0.);
+      area += p.area;
+    }
+    BOOST_TEST(std::abs(point(*blank, q, n - 1).x[0] - 1.) < 1e-14);
+    BOOST_TEST(std::abs(area - (symmetry == "axisymmetric" ? pi : 1.)) < 1e-12);
   }
 }
 

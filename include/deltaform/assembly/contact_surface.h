@@ -4,6 +4,7 @@
 #include <deltaform/assembly/side.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/point.h>
 
 #include <array>
 #include <vector>
@@ -46,6 +47,12 @@ namespace deltaform
     virtual unsigned int points_per_edge() const
     {
       return 0;
+    }
+
+    /// Where they lie, from 0 to 1 along an edge.
+    virtual std::vector<dealii::Point<1>> points_of_edge(Side /*side*/, unsigned int /*edge*/) const
+    {
+      return {};
     }
 
     /// Where contact points lie inside the edges: describe any place of an edge, @p xi from 0 to 1. Its area is 0.

@@ -58,6 +58,7 @@ namespace deltaform
       at_start_ = true;
       for (auto &work : work_)
         work.foreseen.reset();
+      in_place_ = false;
       status_tolerance_ = 0.;
     }
 
@@ -146,6 +147,7 @@ namespace deltaform
 
     std::vector<Work> work_;
     bool status_changed_ = false;
+    bool in_place_ = false; ///< no step has been made since the last assembly: points are described as it left them
     bool at_start_ = false; ///< no step has been made in this increment: points touch that did in the last one
     double status_tolerance_ = 0; ///< see ContactInterface::allow_status_tolerance()
     Tensor1 tool_force_;
