@@ -148,6 +148,8 @@ namespace deltaform
           warn({does_not_find_the_blank(tool, stage())});
         if (state_.stage == 0)
         {
+          if (model_.formed_start().drop_transfer_error())
+            regain_equilibrium();
           const Timers::Scope timer(timers_, timer_output_);
           observers_.tell([&](Observer &observer) { observer.begin(model_, stage()); });
         }

@@ -1,4 +1,4 @@
-// Refinement between two increments, and the equilibrium after it.
+// Another mesh, and the equilibrium after it.
 #include <deltaform/analysis/analysis.h>
 #include <deltaform/blanks/refinement.h>
 #include <deltaform/parameters/command_line.h>
@@ -65,5 +65,15 @@ namespace deltaform
       notify(increment);
     }
     return true;
+  }
+
+
+  void Analysis::regain_equilibrium()
+  {
+    const IncrementResult result = attempt(time(), Effort::last_resorts);
+    cost_ += result.cost;
+    if (!result.rejected)
+      model_.commit(result.q);
+    journal_.note(model_.formed_start().end(result.rejected ? result.rejected->sentence : ""));
   }
 } // namespace deltaform

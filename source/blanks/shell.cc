@@ -285,7 +285,7 @@ namespace deltaform
   }
 
 
-  KeyedArrays Shell::formed(const Vector &q) const
+  KeyedArrays Shell::formed(const Vector &q)
   {
     KeyedArrays result = Blank::formed(q);
     ShellTransfer(space_, points_, material_).describe(q, result);
@@ -293,12 +293,13 @@ namespace deltaform
   }
 
 
-  void Shell::take_formed(const KeyedArrays &formed, Vector &q)
+  Inherited Shell::take_formed(const KeyedArrays &formed)
   {
     if (has_nodes_of(formed))
-      return Blank::take_formed(formed, q);
+      return Blank::take_formed(formed);
     const ShellTransfer transfer(space_, points_, material_);
     KeyedArrays own = state();
+    Vector q(n_dofs());
     transfer.set_unknowns(formed, q);
     transfer.set_state(formed, q, own);
     set_state(own);
@@ -307,6 +308,7 @@ namespace deltaform
     for (unsigned int place = 0; place < points_.size(); ++place)
       add_energy(q, place / points_.per_cell(), place, state_.thickness_ratio(place), sum);
     material_.account().add(sum.elastic, 0.);
+    return {q, std::nullopt};
   }
 
 

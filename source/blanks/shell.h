@@ -54,8 +54,8 @@ namespace deltaform
     void count_no_energy() override;
     KeyedArrays state() const override;
     void set_state(const KeyedArrays &state) override;
-    KeyedArrays formed(const Vector &q) const override;
-    void take_formed(const KeyedArrays &formed, Vector &q) override;
+    KeyedArrays formed(const Vector &q) override;
+    Inherited take_formed(const KeyedArrays &formed) override;
 
   private:
     /// Thickness of a quadrature point in the trial state (length).

@@ -1,4 +1,5 @@
 #include "solid.h"
+#include "held_forces.h"
 
 #include <deltaform/materials/flow_error.h>
 #include <deltaform/parameters/registry.h>
@@ -293,6 +294,40 @@ namespace deltaform
     SolidMotion::each_array(motion_, TakeFrom(state));
     motion_.start_from_committed();
     kernel_.turn_axes();
+  }
+
+
+  KeyedArrays Solid::formed(const Vector &q)
+  {
+    KeyedArrays result = Blank::formed(q);
+    if (const auto &places = refinement_.first_places(); !places.empty())
+      result.put("undeformed places of nodes", places);
+    transfer_.describe(q, result);
+    HeldForces(body_, kernel_).describe(q, result);
+    return result;
+  }
+
+
+  bool Solid::goes_on_like(const KeyedArrays &formed) const
+  {
+    return transfer_.same_kind(formed) && has_nodes_of(formed) &&
+           (refinement_settings_.active || !SolidRefinement::has_passes(formed));
+  }
+
+
+  Inherited Solid::take_formed(const KeyedArrays &formed)
+  {
+    if (goes_on_like(formed))
+      return Blank::take_formed(formed);
+    transfer_.cut_cells(formed);
+    std::vector<Vector> fields(1);
+    transfer_.take_over(fields);
+    Vector &q = fields.front();
+    for (const auto dof : fixed_dofs())
+      q[dof] = 0.;
+    surface_.update(q);
+    refinement_.update(q);
+    return {q, HeldForces(body_, kernel_).come_over(formed)};
   }
 
 

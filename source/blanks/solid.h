@@ -64,8 +64,13 @@ namespace deltaform
     void count_no_energy() override;
     KeyedArrays state() const override;
     void set_state(const KeyedArrays &state) override;
+    KeyedArrays formed(const Vector &q) override;
+    Inherited take_formed(const KeyedArrays &formed) override;
 
   private:
+    /// Is the mesh as read that of a formed solid, and does what has happened to that one since happen to this one?
+    bool goes_on_like(const KeyedArrays &formed) const;
+
     /// Stress at the begin of the increment, turned with the material.
     Mandel start_stress(std::size_t point, const Turn &turn) const;
 

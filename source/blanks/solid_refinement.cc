@@ -159,6 +159,8 @@ namespace deltaform
 
   void SolidRefinement::refine(std::vector<Vector> &fields)
   {
+    if (passes_.empty())
+      first_places_ = body_.space().nodes();
     passes_.emplace_back();
     body_.space().triangulation().save_refine_flags(passes_.back());
     const std::array<std::vector<Point2>, 2> old_places{{surface_.face(0).places(), surface_.face(1).places()}};
@@ -196,6 +198,12 @@ namespace deltaform
   const std::vector<std::array<unsigned int, 2>> &SolidRefinement::parent_nodes(const Side side) const
   {
     return parent_nodes_[static_cast<unsigned int>(side)];
+  }
+
+
+  bool SolidRefinement::has_passes(const KeyedArrays &state)
+  {
+    return state.has(pass_name(0));
   }
 
 

@@ -40,6 +40,15 @@ namespace deltaform
     /// An increment was accepted.
     void update(const Vector &q);
 
+    /// Undeformed places of the nodes of the mesh as read; of none if nothing is refined.
+    const std::vector<Point2> &first_places() const
+    {
+      return first_places_;
+    }
+
+    /// Does a state have refinements?
+    static bool has_passes(const KeyedArrays &state);
+
     /// Put the refinements so far into a state, or refine as it was there. @throws SceneError if there were fewer
     void put(KeyedArrays &state) const;
     void take(const KeyedArrays &state);
@@ -70,6 +79,7 @@ namespace deltaform
     std::vector<std::vector<bool>> passes_; ///< which cells were refined, pass by pass
     std::array<std::vector<std::array<unsigned int, 2>>, 2> parent_nodes_;
     double estimated_error_ = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Point2> first_places_;
     std::vector<Point2> places_; ///< of the nodes, accepted; of none if nothing is refined
   };
 } // namespace deltaform

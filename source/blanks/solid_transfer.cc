@@ -1,6 +1,8 @@
 #include "solid_transfer.h"
 
 #include <deltaform/kinematics/logarithmic_strain.h>
+#include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/text.h>
 #include <deltaform/process/ranks.h>
 
 #include <deal.II/distributed/cell_data_transfer.templates.h>
@@ -25,24 +27,6 @@ namespace deltaform
     {
       const unsigned int right = child % 2, upper = child / 2;
       return {.5 * (xi[0] + right), .5 * (xi[1] + upper)};
-    }
-
-    /// Lagrange's polynomials of the points of Gauss's rule of the parent, at a place.
-    std::vector<double> point_weights(const std::vector<Point2> &points, const Point2 &xi)
-    {
-      const auto n = static_cast<unsigned int>(std::lround(std::sqrt(points.size())));
-      std::vector<double> result;
-      const auto line = [&](const unsigned int i, const double x) {
-        double product = 1.;
-        for (unsigned int k = 0; k < n; ++k)
-          if (k != i)
-            product *= (x - points[k][0]) / (points[i][0] - points[k][0]);
-        return product;
-      };
-      for (unsigned int j = 0; j < n; ++j)
-        for (unsigned int i = 0; i < n; ++i)
-          result.push_back(line(i, xi[0]) * line(j, xi[1]));
-      return result;
     }
   } // namespace
 
@@ -76,7 +60,7 @@ namespace deltaform
   }
 
 
-  void SolidTransfer::divide_cells(const std::vector<Vector> &fields)
+  std::vector<CellData> SolidTransfer::pack_all(const std::vector<Vector> &fields) const
   {
     const SolidSpace &space = body_.space();
     std::vector<Vector> all_nodes;
@@ -88,13 +72,20 @@ namespace deltaform
     std::vector<CellData> own;
     for (unsigned int c = 0; c < space.cells().size(); ++c)
       own.push_back(pack(c, all_nodes));
+    return own;
+  }
 
+
+  void SolidTransfer::divide_cells(const std::vector<Vector> &fields)
+  {
+    const std::vector<CellData> own = pack_all(fields);
+    const CellCut cutter(body_.space().degree(), n_state(), material_.law());
     using Cell = dealii::Triangulation<2>::cell_iterator;
     auto &triangulation = body_.space().triangulation();
-    const auto divide = [this](const Cell &, const CellData &parent) {
+    const auto divide = [&](const Cell &, const CellData &parent) {
       std::vector<CellData> children;
       for (unsigned int child = 0; child < 4; ++child)
-        children.push_back(child_of(parent, child));
+        children.push_back(child_of(cutter, parent, child));
       return children;
     };
     // Nothing is coarsened.
@@ -130,82 +121,74 @@ namespace deltaform
   }
 
 
-  CellData SolidTransfer::child_of(const CellData &parent, const unsigned int child) const
+  CellData SolidTransfer::child_of(const CellCut &cutter, const CellData &parent, const unsigned int child) const
   {
-    const std::size_t n = body_.space().n_nodes_per_cell(), n_points = body_.points().per_cell();
-    const std::size_t n_history = material_.law().history_size();
-    const std::size_t n_vectors = (parent.size() - n_points * n_state()) / (2 * n);
-    CellData result(parent.size(), 0.);
-    interpolate_nodes(parent, child, n_vectors, result);
-    if (n_history > 0)
-      interpolate_points(&parent[2 * n_vectors * n], child, &result[2 * n_vectors * n]);
-    return result;
-  }
-
-
-  void SolidTransfer::interpolate_nodes(const CellData &parent,
-                                        const unsigned int child,
-                                        const std::size_t n_vectors,
-                                        CellData &result) const
-  {
-    // Displacements and places: exactly, since the parent's shape functions are among those of the children.
-    const dealii::FE_Q<2> shapes(body_.space().degree());
-    const std::size_t n = body_.space().n_nodes_per_cell();
-    std::vector<std::vector<double>> weights(n, std::vector<double>(n));
-    for (unsigned int b = 0; b < n; ++b)
-      for (unsigned int a = 0; a < n; ++a)
-      {
-        const double weight = shapes.shape_value(a, in_parent(shapes.unit_support_point(b), child));
-        const double round = std::round(weight);
-        weights[b][a] = std::abs(weight - round) < 1e-13 ? round : weight; // old nodes keep their numbers exactly
-      }
-    for (unsigned int v = 0; v < n_vectors; ++v)
-      for (unsigned int b = 0; b < n; ++b)
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int k = 0; k < 2; ++k)
-            result[2 * (v * n + b) + k] += weights[b][a] * parent[2 * (v * n + a) + k];
-  }
-
-
-  void SolidTransfer::interpolate_points(const double *const parent,
-                                         const unsigned int child,
-                                         double *const result) const
-  {
-    // Plastic state: interpolated between the parent's points, towards their mean as far as the equivalent plastic
-    // strain would leave the range that a linear one with these values has at the points of the children, or get
-    // negative. The logarithm of C_p^-1 has no trace, whatever the weights.
+    // Displacements and places come over exactly: the parent's shape functions are among those of the children.
     const auto &unit_points = body_.points().unit_points();
-    const std::size_t n_points = unit_points.size(), n_state = this->n_state();
-    const auto equivalent = [&](const double *const state) { return material_.law().equivalent_plastic_strain(state); };
-    CellData mean(n_state, 0.), state(n_state);
-    double least = equivalent(parent), most = least;
-    for (unsigned int p = 0; p < n_points; ++p)
-    {
-      least = std::min(least, equivalent(parent + p * n_state));
-      most = std::max(most, equivalent(parent + p * n_state));
-      for (unsigned int k = 0; k < n_state; ++k)
-        mean[k] += parent[p * n_state + k] / n_points;
-    }
-    const double middle = equivalent(mean.data());
-    const double first = unit_points.front()[0], reach = .5 * first / (1. - 2. * first);
-    const double range = most - least;
-    most += reach * range;
-    least = std::max(0., least - reach * range);
-    for (unsigned int p = 0; p < n_points; ++p)
-    {
-      const auto w = point_weights(unit_points, in_parent(unit_points[p], child));
-      std::fill(state.begin(), state.end(), 0.);
-      for (unsigned int s = 0; s < n_points; ++s)
-        for (unsigned int k = 0; k < n_state; ++k)
-          state[k] += w[s] * parent[s * n_state + k];
-      const double value = equivalent(state.data());
-      // A little less, so that round-off does not make a strain negative.
-      const double part = value > most    ? (1. - 1e-14) * (most - middle) / (value - middle)
-                          : value < least ? (1. - 1e-14) * (least - middle) / (value - middle)
-                                          : 1.;
-      for (unsigned int k = 0; k < n_state; ++k)
-        result[p * n_state + k] = part == 1. ? state[k] : mean[k] + part * (state[k] - mean[k]);
-    }
+    std::vector<CellPlace> nodes, points;
+    for (const auto &xi : cutter.unit_nodes())
+      nodes.push_back({&parent, in_parent(xi, child)});
+    for (const auto &xi : unit_points)
+      points.push_back({&parent, in_parent(xi, child)});
+    return cutter.cut(nodes, points, .5 * unit_points.front()[0]);
+  }
+
+
+  CellData SolidTransfer::part_of(const CellSearch &old, const CellCut &cutter, const unsigned int cell) const
+  {
+    const SolidSpace &space = body_.space();
+    const unsigned int per_cell = body_.points().per_cell();
+    const auto find = [&](const Point2 &X) {
+      double distance = 0.;
+      const CellPlace place = old.find(X, distance);
+      if (distance > .1 * space.mesh().thickness())
+        throw SceneError("the blank is no part of the one that was formed: it has a point at R0 = " +
+                         text::rounded(X[0]) + ", Z0 = " + text::rounded(X[1]) +
+                         ". Its mesh is that of the undeformed blank, or of what is left of it by trimming");
+      return place;
+    };
+    std::vector<CellPlace> nodes, points;
+    for (unsigned int a = 0; a < space.n_nodes_per_cell(); ++a)
+      nodes.push_back(find(space.nodes()[space.cells()[cell][a]]));
+    for (unsigned int p = 0; p < per_cell; ++p)
+      points.push_back(find(body_.points().place(cell * per_cell + p)));
+    return cutter.cut(nodes, points, 0.);
+  }
+
+
+  void SolidTransfer::describe(const Vector &q, KeyedArrays &formed) const
+  {
+    std::vector<double> all;
+    for (const CellData &cell : pack_all({q}))
+      all.insert(all.end(), cell.begin(), cell.end());
+    formed.put("cells", ranks::gather(all));
+    formed.put("kind of cells", std::vector<double>{double(body_.space().degree()), double(n_state())});
+  }
+
+
+  bool SolidTransfer::same_kind(const KeyedArrays &formed) const
+  {
+    return formed.at("kind of cells") == std::vector<double>{double(body_.space().degree()), double(n_state())};
+  }
+
+
+  void SolidTransfer::cut_cells(const KeyedArrays &formed)
+  {
+    const auto &all = formed.at("cells"), &kind = formed.at("kind of cells");
+    if (kind[1] != double(n_state()))
+      throw SceneError("the points of the earlier operation knew other numbers: sections Material and Limits/Criteria "
+                       "must be those of the earlier scene");
+    const auto degree = static_cast<unsigned int>(kind[0]);
+    // As many nodes as points; place and displacement have two components each.
+    const std::size_t n = (degree + 1) * (degree + 1) * (4 + n_state());
+    std::vector<CellData> cells;
+    for (std::size_t first = 0; first < all.size(); first += n)
+      cells.emplace_back(&all[first], &all[first] + n);
+    const CellSearch old(degree, std::move(cells));
+    const CellCut cutter(degree, n_state(), material_.law());
+    cells_.clear();
+    for (unsigned int c = 0; c < body_.space().cells().size(); ++c)
+      cells_.push_back(part_of(old, cutter, c));
   }
 
 

@@ -1,6 +1,7 @@
 #include <deltaform/assembly/collector.h>
 
 #include <deltaform/model/force_book.h>
+#include <deltaform/process/ranks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -184,6 +185,8 @@ namespace deltaform
     Collector inside(state.unknowns.size());
     if (!body.assemble(state.unknowns, stage.begin, inside).good())
       return;
+    if (actors_.blank->may_be_distributed())
+      ranks::sum(inside.residual.begin(), inside.residual.size());
     double largest = 0.;
     for (unsigned int i = 0; i < numbering_.n_blank; ++i)
     {

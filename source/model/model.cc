@@ -7,7 +7,8 @@ namespace deltaform
   Model::Model(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers)
     : actors_(actors), timers_(timers), discretization_(actors, linear_solver), body_(actors, contact_), stops_(actors),
       contact_(actors), supports_(actors, discretization_.numbering()),
-      book_(actors, discretization_.numbering(), supports_, contact_), terms_(body_, contact_)
+      book_(actors, discretization_.numbering(), supports_, contact_), terms_(body_, contact_),
+      formed_start_(actors, body_, supports_, discretization_.numbering(), state_)
   {
     clear_state();
     for (const auto &tool : actors_.tools)

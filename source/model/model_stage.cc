@@ -1,8 +1,6 @@
 // What happens between the increments: stages begin, states are accepted.
 #include <deltaform/model/model.h>
 
-#include <utility>
-
 namespace deltaform
 {
   std::vector<std::string> Model::begin_stage(const Stage &stage)
@@ -15,18 +13,17 @@ namespace deltaform
     time_ = state_.time = stage.begin;
     auto lost = contact_.begin_stage(stage.begin, discretization_.numbering().size[0], state_.unknowns);
     supports_.hold(state_);
-    if (std::exchange(starts_formed_, false))
-      book_.release_formed(body_, stage, state_);
+    formed_start_.enter(stage, book_);
     return lost;
   }
 
 
   void Model::start_from(const KeyedArrays &formed)
   {
-    actors_.blank->take_formed(formed, state_.unknowns);
-    const BlankEnergy energy = actors_.blank->energy();
-    state_.work.loads = energy.elastic + energy.plastic - energy.normal; // what the earlier operation has put in
-    starts_formed_ = true;
+    const Inherited inherited = actors_.blank->take_formed(formed);
+    contact_.resize();
+    renumber();
+    formed_start_.begin(inherited);
   }
 
 

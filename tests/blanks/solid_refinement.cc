@@ -342,6 +342,59 @@ BOOST_AUTO_TEST_CASE(a_refined_state_is_saved_and_loaded)
           });
 }
 
+BOOST_AUTO_TEST_CASE(another_mesh_begins_with_a_formed_body)
+{
+  // What is the same everywhere comes over exactly to any mesh, and so does the work of the forces on a linear field.
+  const auto block = [](const std::string &degree, const std::string &symmetry, const Entries &mesh) {
+    Entries entries = {"Blank/Kinematics=finite", "Blank/Symmetry=" + symmetry, "Blank/Degree=" + degree,
+                       "Blank/Points=.5 0; 2 0", "Blank/Thickness=.6", "Material/Young's modulus=2e3"};
+    entries.insert(entries.end(), mesh.begin(), mesh.end());
+    entries.insert(entries.end(), plastic.begin(), plastic.end());
+    return make_blank("solid", entries);
+  };
+  const Entries coarse = {"Blank/Elements=4", "Blank/Elements through thickness=2", "Blank/Grading=1+t"},
+                fine = {"Blank/Elements=7", "Blank/Elements through thickness=3"},
+                trimmed = {"Blank/Elements=5", "Blank/Elements through thickness=3", "Blank/Points=.5 0; 1.5 0"};
+  for (const std::string symmetry : {"axisymmetric", "plane strain"})
+    for (const auto &[from, to] : {std::pair("1", "1"), std::pair("2", "1"), std::pair("1", "2")})
+      BOOST_TEST_CONTEXT(symmetry << ", degree " << from << " to " << to)
+      {
+        const auto old = block(from, symmetry, coarse);
+        const Vector q = field(*old, stretch);
+        assemble(*old, q, *std::make_unique<DenseTarget>(q.size(), false));
+        old->commit(q);
+        old->begin_increment(0., 0.);
+        const KeyedArrays formed = old->formed(q);
+        const double strain = drawn(*old, q, "equivalent_plastic_strain").front();
+        const auto forces = residual(*old, q);
+
+        const auto other = block(to, symmetry, fine);
+        const Inherited inherited = other->take_formed(formed);
+        const Vector expected = field(*other, stretch);
+        for (unsigned int i = 0; i < expected.size(); ++i)
+          BOOST_TEST(std::abs(inherited.unknowns[i] - expected[i]) < 1e-13);
+        for (const double value : drawn(*other, expected, "equivalent_plastic_strain"))
+          BOOST_TEST(value == strain, boost::test_tools::tolerance(1e-11));
+        BOOST_TEST(other->energy().elastic == old->energy().elastic, boost::test_tools::tolerance(1e-10));
+        BOOST_TEST(largest_inside(*other, expected) < 1e-11);
+        BOOST_TEST_REQUIRE(inherited.held.has_value());
+        double work = 0., old_work = 0.;
+        for (unsigned int i = 0; i < expected.size(); ++i)
+          work += (*inherited.held)[i] * expected[i];
+        for (unsigned int i = 0; i < q.size(); ++i)
+          old_work += forces[i] * q[i];
+        BOOST_TEST(work == old_work, boost::test_tools::tolerance(1e-12));
+
+        const auto part = block(to, symmetry, trimmed);
+        BOOST_TEST(largest_inside(*part, part->take_formed(formed).unknowns) < 1e-11);
+        const auto longer = block(to, symmetry, {"Blank/Elements=4", "Blank/Points=.5 0; 2.5 0"});
+        const auto is_no_part = [](const SceneError &error) {
+          return std::string(error.what()).find("no part of the one that was formed") != std::string::npos;
+        };
+        BOOST_CHECK_EXCEPTION(longer->take_formed(formed), SceneError, is_no_part);
+      }
+}
+
 BOOST_AUTO_TEST_CASE(the_error_of_a_linear_stress_is_none)
 {
   // Pure bending of a beam by its exact displacements: degree 2 has the stress in its space, and so has the recovery.

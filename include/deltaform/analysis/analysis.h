@@ -123,6 +123,7 @@ namespace deltaform
     bool refine();
 
     bool refinement_marked();
+    void regain_equilibrium();
 
     /// The stage ends before its end time: the time up to there is skipped.
     void end_stage_early();

@@ -16,11 +16,23 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace deltaform
 {
+  /// What a blank begins with that an earlier operation has formed.
+  struct Inherited
+  {
+    Vector unknowns;
+
+    /// On another mesh: forces on the unknowns that held the blank in its shape (force, moment). What else misses
+    /// equilibrium there is the error of the transfer. Empty: the two are not told apart.
+    std::optional<Vector> held;
+  };
+
+
   /**
    * The body that is formed: its unknowns, its internal forces and their tangent, and its state from increment to
    * increment. It owns its material and the history of its points. Contact, loads, refinement and results see parts of
@@ -176,16 +188,18 @@ namespace deltaform
 
     /// @name From one operation to the next
     ///@{
-    /// What the blank has been formed to at its accepted unknowns @p q: its state, and where it is known.
-    virtual KeyedArrays formed(const Vector &q) const;
+    /// What the blank has been formed to at its accepted unknowns @p q: its state, and where it is known. Leaves the
+    /// trial state at @p q.
+    virtual KeyedArrays formed(const Vector &q);
 
-    /// Begin with what another blank of the same kind has been formed to; of the unknowns @p q those of the blank are
-    /// set. @throws SceneError if this blank is no part of that one, or cannot have another mesh
-    virtual void take_formed(const KeyedArrays &formed, Vector &q);
+    /// Begin with what another blank of the same kind has been formed to. The number of unknowns may change: a mesh
+    /// that was refined comes over as it was.
+    /// @throws SceneError if this blank is no part of that one, or cannot have another mesh
+    virtual Inherited take_formed(const KeyedArrays &formed);
     ///@}
 
   protected:
-    /// Do formed blanks and this one have the same nodes?
+    /// Do a formed blank, before any refinement, and this one have the same nodes?
     bool has_nodes_of(const KeyedArrays &formed) const;
   };
 } // namespace deltaform

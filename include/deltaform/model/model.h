@@ -8,6 +8,7 @@
 #include <deltaform/model/contact_set.h>
 #include <deltaform/model/discretization.h>
 #include <deltaform/model/force_book.h>
+#include <deltaform/model/formed_start.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/model/model_timers.h>
 #include <deltaform/model/stage_terms.h>
@@ -101,6 +102,11 @@ namespace deltaform
 
     /// Before the first stage: the blank is what an earlier operation has formed. What had held it fades out.
     void start_from(const KeyedArrays &formed);
+
+    FormedStart &formed_start()
+    {
+      return formed_start_;
+    }
 
     /// Discard what was tried since the last commit. @param time of the state that is looked for next
     void discard(double time);
@@ -245,7 +251,7 @@ namespace deltaform
     StageTerms terms_;
 
     ModelState state_; ///< committed; body and contact points are with the blank and the interfaces
-    bool starts_formed_ = false; ///< the blank comes from an earlier operation, whose forces fade out
+    FormedStart formed_start_;
     double time_ = 0; ///< at the end of the increment that is tried
     std::function<void(const System &)> before_contact_; ///< mostly empty
   };

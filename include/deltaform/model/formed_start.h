@@ -1,0 +1,59 @@
+#pragma once
+
+#include <deltaform/blanks/blank.h>
+#include <deltaform/model/force_book.h>
+#include <deltaform/model/model_state.h>
+#include <deltaform/model/numbering.h>
+#include <deltaform/model/stage.h>
+
+#include <optional>
+#include <string>
+
+namespace deltaform
+{
+  /// A run begins with a blank that an earlier operation has formed: what held it fades out; what it misses to
+  /// equilibrium on another mesh is sought anew.
+  class FormedStart
+  {
+  public:
+    FormedStart(const Actors &actors,
+                Body &body,
+                const SupportSet &supports,
+                const Numbering &numbering,
+                ModelState &state)
+      : actors_(actors), body_(body), supports_(supports), numbering_(numbering), state_(state)
+    {
+    }
+
+    /// The blank, whose unknowns are numbered, has come over.
+    void begin(const Inherited &inherited);
+
+    /// A stage begins; if it is the first since begin(), the forces that miss equilibrium become released ones.
+    void enter(const Stage &stage, const ForceBook &book);
+
+    /**
+     * Of these forces keep those that held the blank on its earlier mesh; the rest is the error of the transfer. Then
+     * find equilibrium at the same time, and end().
+     * @return has anything been dropped?
+     */
+    bool drop_transfer_error();
+
+    /// There is equilibrium without what was dropped, and it is accepted; if not, @p why, and all of it fades out.
+    /// @return what has happened, a sentence
+    std::string end(const std::string &why);
+
+  private:
+    /// What the blank holds counts as put in by the earlier operation.
+    void begin_accounts();
+
+    const Actors &actors_;
+    Body &body_;
+    const SupportSet &supports_;
+    const Numbering &numbering_;
+    ModelState &state_;
+    bool due_ = false;
+    std::optional<Vector> held_; ///< see Inherited
+    Vector missing_; ///< to equilibrium, at the begin of the first stage
+    double dropped_share_ = 0.; ///< of the forces in the cells; norms over the unknowns
+  };
+} // namespace deltaform

@@ -1,0 +1,90 @@
+#include <deltaform/assembly/collector.h>
+#include <deltaform/model/formed_start.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/process/ranks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// What the cells add to the residual, without regard to its sign.
+    class Magnitude : public Collector
+    {
+    public:
+      using Collector::Collector;
+
+      void add(const DofIndex *dofs, const unsigned int n, const double *, const double *vector) override
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          residual[dofs[i]] += std::abs(vector[i]);
+      }
+    };
+  } // namespace
+
+
+  void FormedStart::begin(const Inherited &inherited)
+  {
+    std::copy(inherited.unknowns.begin(), inherited.unknowns.end(), state_.unknowns.begin());
+    held_ = inherited.held;
+    due_ = true;
+    begin_accounts();
+  }
+
+
+  void FormedStart::begin_accounts()
+  {
+    const BlankEnergy energy = actors_.blank->energy();
+    state_.work = ModelState().work;
+    state_.work.loads = energy.elastic + energy.plastic - energy.normal;
+  }
+
+
+  void FormedStart::enter(const Stage &stage, const ForceBook &book)
+  {
+    if (std::exchange(due_, false))
+      book.release_formed(body_, stage, state_);
+  }
+
+
+  bool FormedStart::drop_transfer_error()
+  {
+    ReleasedForces &released = state_.released;
+    if (!held_ || !released.any)
+      return false;
+    Magnitude inside(state_.unknowns.size());
+    body_.assemble(state_.unknowns, state_.time, inside);
+    ranks::sum(inside.residual.begin(), inside.residual.size());
+    missing_ = released.on_blank;
+    double dropped = 0., in_cells = 0.;
+    for (DofIndex i = 0; i < held_->size(); ++i)
+    {
+      in_cells += std::pow(inside.residual[i] / numbering_.scale[i], 2);
+      if (supports_.is_prescribed()[i])
+        continue; // a support of this stage holds it
+      dropped += std::pow((missing_[i] - (*held_)[i]) / numbering_.scale[i], 2);
+      released.on_blank[i] = (*held_)[i];
+    }
+    dropped_share_ = in_cells > 0. ? std::sqrt(dropped / in_cells) : 0.;
+    return dropped > 0.;
+  }
+
+
+  std::string FormedStart::end(const std::string &why)
+  {
+    const std::string error = "the blank begins on another mesh than that on which it was formed, where " +
+                              text::rounded(100. * dropped_share_) + " % of the forces in its cells do not balance";
+    if (!why.empty())
+    {
+      state_.released.on_blank = missing_;
+      return error + "; they fade out over the stage, as without them there is no equilibrium: " + why;
+    }
+    const double before = state_.work.loads;
+    begin_accounts();
+    return error + ". Equilibrium is regained; elastic energy and what was dissipated since go from " +
+           text::format(before) + " to " + text::format(state_.work.loads);
+  }
+} // namespace deltaform
