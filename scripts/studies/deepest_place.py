@@ -49,19 +49,24 @@ class Runs:
         return summary
 
 
-def has_promise(path):
-    """Does the scene, with what it includes, have tools, and is its contact a penalty that keeps delta?"""
+def text_of(path):
+    """Of a scene, with what it includes."""
     with open(path, encoding="utf-8") as file:
         text = file.read()
     for name in re.findall(r"^include (\S+)", text, re.MULTILINE):
         with open(os.path.join(os.path.dirname(path), name), encoding="utf-8") as file:
             text += file.read()
+    return text
+
+
+def has_promise(path):
+    """Does the scene have tools, and is its contact a penalty that keeps delta?"""
+    text = text_of(path)
     return "subsection Tools" in text and not re.search(r"Enforcement *= *active set|Penalty rule *= *constant", text)
 
 
 def is_solid(path):
-    with open(path, encoding="utf-8") as file:
-        return bool(re.search(r"^ *set Kind *= *solid", file.read(), re.MULTILINE))
+    return bool(re.search(r"^ *set Kind *= *solid", text_of(path), re.MULTILINE))
 
 
 def cells(summary):
