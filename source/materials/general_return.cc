@@ -1,6 +1,7 @@
 #include "general_return.h"
 
 #include "consistency.h"
+#include "rate_dependent_flow.h"
 
 #include <Eigen/Dense>
 
@@ -77,18 +78,6 @@ namespace deltaform
       back_stress_first_(FlowHistory::size),
       rate_first_(FlowHistory::size + (laws.back_stress ? laws.back_stress->history_layout().size() : 0))
   {
-  }
-
-
-  FlowStress GeneralReturn::flow_stress(const FlowLaw &law, const State &state, const double x) const
-  {
-    const PointUpdate &point = state.point;
-    const double strain = point.start[FlowHistory::equivalent] + x;
-    const FlowStress slow = law.hardening.evaluate(strain);
-    if (!laws_.rate_factor)
-      return slow;
-    return laws_.rate_factor->evaluate(
-      slow, {strain, x, law.duration}, point.start + rate_first_, point.trial + rate_first_);
   }
 
 
@@ -198,7 +187,7 @@ namespace deltaform
     const double q = laws_.yield_surface->equivalent_stress(mandel(state.relative_stress));
     if (!std::isfinite(q + vector(point.stress).sum()))
       return PointOutcome::not_finite;
-    FlowStress flow = flow_stress(law, state, 0.);
+    FlowStress flow = rate_dependent_flow_stress(laws_, law, point, rate_first_, 0.);
     // Twice: what has flowed before has solved equations whose terms, strains, are rounded again.
     if (q - flow.value <= 2. * yield_round_off(law, point.start, q))
       return stay_elastic(law, point, state);
@@ -209,7 +198,7 @@ namespace deltaform
         return {none, none};
       const double q_now = state.at.value;
       const double q_slope = -vector(state.at.gradient).dot(state.jacobian.partialPivLu().solve(state.by_mu));
-      flow = flow_stress(law, state, state.flow);
+      flow = rate_dependent_flow_stress(laws_, law, point, rate_first_, state.flow);
       const double ratio = flow.value / q_now;
       return {1. - ratio, (ratio * q_slope - flow.slope * (q_now + mu * q_slope)) / q_now};
     };

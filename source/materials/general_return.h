@@ -32,7 +32,6 @@ namespace deltaform
     void set_elastic(const FlowLaw &law, const PointUpdate &point, State &state) const;
     void set_residual(const FlowLaw &law, State &state, double mu) const;
     bool find_stress(const FlowLaw &law, State &state, double mu) const;
-    FlowStress flow_stress(const FlowLaw &law, const State &state, double x) const;
     double largest_multiplier(const FlowLaw &law, const State &state) const;
     PointOutcome stay_elastic(const FlowLaw &law, const PointUpdate &point, State &state) const;
     /// Strains and stress at the end of the flow that @p state solves.

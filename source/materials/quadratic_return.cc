@@ -1,6 +1,7 @@
 #include "quadratic_return.h"
 
 #include "consistency.h"
+#include "rate_dependent_flow.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -115,17 +116,6 @@ namespace deltaform
   }
 
 
-  FlowStress QuadraticReturn::flow_stress(const FlowLaw &law, const PointUpdate &point, const double x) const
-  {
-    const double strain = point.start[FlowHistory::equivalent] + x;
-    const FlowStress slow = law.hardening.evaluate(strain);
-    if (!laws_.rate_factor)
-      return slow;
-    return laws_.rate_factor->evaluate(
-      slow, {strain, x, law.duration}, point.start + rate_first_, point.trial + rate_first_);
-  }
-
-
   void QuadraticReturn::set_flow(const Trial &trial, const double x, Flow &flow) const
   {
     Vector3 Z = trial.y, Z_by_x = Vector3::Zero();
@@ -167,14 +157,14 @@ namespace deltaform
     if (!std::isfinite(q + trial.pressure))
       return PointOutcome::not_finite;
     Flow flow;
-    flow.stress = flow_stress(law, point, 0.);
+    flow.stress = rate_dependent_flow_stress(laws_, law, point, rate_first_, 0.);
     // Twice: what has flowed before has solved equations whose terms, strains, are rounded again.
     if (q - flow.stress.value <= 2. * yield_round_off(law, point.start, q))
       return stay_elastic(law, point, trial);
 
     const double guess = expected_increment(point.start, point.trial);
     const auto excess = [&](const double x) -> Excess {
-      flow.stress = flow_stress(law, point, x);
+      flow.stress = rate_dependent_flow_stress(laws_, law, point, rate_first_, x);
       set_flow(trial, x, flow);
       const double inverse = 1. / flow.size;
       const Vector3 wn = weight_.cwiseProduct(flow.direction);

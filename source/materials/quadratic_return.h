@@ -46,7 +46,6 @@ namespace deltaform
     struct Flow;
 
     Trial trial_of(const FlowLaw &law, const PointUpdate &point) const;
-    FlowStress flow_stress(const FlowLaw &law, const PointUpdate &point, double x) const;
     void set_flow(const Trial &trial, double x, Flow &flow) const;
     PointOutcome stay_elastic(const FlowLaw &law, const PointUpdate &point, const Trial &trial) const;
     void set_stress(const FlowLaw &law, const PointUpdate &point, const Trial &trial, const Vector3 &y) const;
