@@ -54,7 +54,7 @@ namespace deltaform
 
     Section solver = root.sub("Solver");
     newton = std::make_unique<NewtonSettings>(solver);
-    // The touching points of a solid are not iterated (doc/decisions/settled_sets.md): short increments save nothing.
+    // The touching points of a solid are not iterated (doc/decisions/README.md): short increments save nothing.
     steps = std::make_unique<StepSettings>(solver, actors.blank->may_be_distributed() ? 8 : 5);
     linear_solver = std::make_unique<LinearSolverSettings>(solver);
 

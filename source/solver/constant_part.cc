@@ -89,7 +89,7 @@ namespace deltaform
   {
     condensed_ = false;
     // An iterative solver takes the whole matrix. Its preconditioner has to know the factors of contact: one that was
-    // kept took four times as long (doc/decisions/preconditioner.md).
+    // kept took four times as long (doc/decisions/README.md).
     if (!kept_ || rows.symmetric())
       return false;
     const auto &prescribed = rows.prescribed();

@@ -5,7 +5,7 @@
 namespace deltaform
 {
   /// What a scene may have at most: far more than any process needs, and little enough for memory and patience. The
-  /// page doc/fuzz.md lists them.
+  /// page doc/stress.md lists them.
   namespace ceilings
   {
     constexpr std::size_t scene_bytes = 16u << 20; ///< of a scene with all that it includes
