@@ -1,5 +1,6 @@
 #include "shell_meridian.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace deltaform
@@ -56,30 +57,33 @@ namespace deltaform
   ShellMeridian::describe(const Vector &q, const unsigned int piece, const double xi, ContactPoint &result) const
   {
     const Piece &own = pieces_[piece];
-    const double length = length_[piece];
     const Hermite shape = values(xi);
     result.n_nodes = 2;
     result.n_dofs = 6;
     result.x = Point2();
     result.reference_coordinate = result.arc_coordinate = 0.;
     const unsigned int nearest = xi > .5 ? 1 : 0;
-    for (const unsigned int k : {0, 1})
+    for (unsigned int k = 0; k < 2; ++k)
     {
       const unsigned int end = k == 0 ? nearest : 1 - nearest, node = own.nodes[end];
       const double share = end == 0 ? 1. - xi : xi;
-      const Tensor1 &t = direction(q, piece, end), d({-t[1], t[0]});
-      const double arm = shape.tangent[end] * length;
+      const Tensor1 &t = direction(q, piece, end);
+      const Point2 place = space_.position(q, node);
+      const double weight = shape.place[end], arm = shape.tangent[end] * length_[piece];
+      const double along_r = arm * t[0], along_z = arm * t[1];
       result.nodes[k] = {node, share};
-      for (unsigned int c = 0; c < 3; ++c)
-      {
-        result.dofs[3 * k + c] = space_.dofs()[node][c];
-        result.second[3 * k + c] = Tensor1();
-      }
-      result.x += shape.place[end] * Tensor1(space_.position(q, node)) + arm * t;
-      result.jacobian[3 * k] = Tensor1({shape.place[end], 0.});
-      result.jacobian[3 * k + 1] = Tensor1({0., shape.place[end]});
-      result.jacobian[3 * k + 2] = arm * d;
-      result.second[3 * k + 2] = -arm * t;
+      std::copy_n(space_.dofs()[node].begin(), 3, result.dofs.begin() + 3 * k);
+      result.x[0] += weight * place[0] + along_r;
+      result.x[1] += weight * place[1] + along_z;
+      const auto set = [&](const unsigned int c, const double r, const double z, const double dr, const double dz) {
+        result.jacobian[3 * k + c][0] = r;
+        result.jacobian[3 * k + c][1] = z;
+        result.second[3 * k + c][0] = dr;
+        result.second[3 * k + c][1] = dz;
+      };
+      set(0, weight, 0., 0., 0.);
+      set(1, 0., weight, 0., 0.);
+      set(2, -along_z, along_r, -along_r, -along_z);
       result.reference_coordinate += share * space_.mesh().nodes()[node][0];
       result.arc_coordinate += share * space_.mesh().arc_length()[node];
     }
@@ -99,6 +103,16 @@ namespace deltaform
       r += shape.place[end] * x[0] + shape.tangent[end] * length_[piece] * t[0];
     }
     return along.norm() * (space_.axisymmetric() ? 2. * dealii::numbers::PI * r : 1.);
+  }
+
+
+  double ShellMeridian::largest_motion(const unsigned int piece,
+                                       const std::array<double, ContactPoint::max_dofs> &change) const
+  {
+    // h_00 + h_01 = 1; h_10 and -h_11 are at most 4/27; the chord of an arc is shorter than the arc.
+    const double ends =
+      std::sqrt(std::max(change[0] * change[0] + change[1] * change[1], change[3] * change[3] + change[4] * change[4]));
+    return ends + 4. / 27. * length_[piece] * (std::abs(change[2]) + std::abs(change[5]));
   }
 
 

@@ -32,6 +32,9 @@ namespace deltaform
     /// Area per unit of xi at a place of a piece at @p q: of the full circumference, or per unit width.
     double area(const Vector &q, unsigned int piece, double xi) const;
 
+    /// An upper bound of how far a place of a piece moves if the unknowns of both ends change by @p change.
+    double largest_motion(unsigned int piece, const std::array<double, ContactPoint::max_dofs> &change) const;
+
     /// An increment was accepted.
     void update(const Vector &q);
 

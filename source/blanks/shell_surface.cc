@@ -144,6 +144,14 @@ namespace deltaform
   }
 
 
+  double ShellSurface::largest_motion(Side,
+                                      const unsigned int edge,
+                                      const std::array<double, ContactPoint::max_dofs> &change) const
+  {
+    return meridian_.largest_motion(edge, change);
+  }
+
+
   double ShellSurface::point_area(Side, const unsigned int point) const
   {
     return point_areas_[point];

@@ -41,6 +41,10 @@ namespace deltaform
                        ContactThickness thickness,
                        ContactPoint &result) const override;
 
+    double largest_motion(Side side,
+                          unsigned int edge,
+                          const std::array<double, ContactPoint::max_dofs> &change) const override;
+
     /// Angle of the director, of a membrane that of the meridian.
     double director_angle(const Vector &q, unsigned int node) const;
 

@@ -101,6 +101,7 @@ namespace deltaform
   void ContactInterface::commit(const Vector &q)
   {
     account_.begin(n_points());
+    iteration_.complete(q, shift(q), trial_.points);
     for (unsigned int i = 0; i < trial_.points.size(); ++i)
     {
       ContactPointState &state = trial_.points[i];

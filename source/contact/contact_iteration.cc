@@ -1,3 +1,5 @@
+#include "gathered_rows.h"
+
 #include <deltaform/contact/contact_force.h>
 #include <deltaform/contact/contact_iteration.h>
 #include <deltaform/contact/point_rows.h>
@@ -11,7 +13,7 @@ namespace deltaform
                                      ContactProjector &projector,
                                      const FactorControl &factors,
                                      const InterfaceFriction *friction)
-    : law_(law), projector_(projector), factors_(factors), friction_(friction)
+    : law_(law), projector_(projector), factors_(factors), friction_(friction), clear_(projector)
   {
   }
 
@@ -37,24 +39,87 @@ namespace deltaform
       const double residual = -tool_load, zero = 0.;
       target.add(&travel_dof_, 1, target.wants_tangent() ? &zero : nullptr, &residual);
     }
-    for (unsigned int i = 0; i < trial.size(); ++i)
+    const unsigned int n = projector_.group();
+    if (n == 1)
+      for (unsigned int i = 0; i < trial.size(); ++i)
+        assemble(i, q, shift, committed, trial, target);
+    else
     {
-      Work &work = work_[i];
-      ContactPoint &point = work.point;
-      if (!in_place_)
-        projector_.describe(q, i, point);
-      ContactPointState &state = trial[i];
-      state.position = point.x - shift;
-      state.area = point.area;
-      state.thickness = point.thickness;
-      work.is_near =
-        point.area > 0 && (work.foreseen || !law_.is_free_when_clear(state) ||
-                           !projector_.certainly_clear(i, state.position, point.offset));
-      if (work.is_near)
-        meet(i, point, q, committed, trial, target);
-      else
-        leave(i, point, q, state, target);
+      GatheredRows rows(target);
+      for (unsigned int e = 0; e * n < trial.size(); ++e)
+        if (!clear_.clear(e, q, nullptr, shift))
+        {
+          for (unsigned int i = e * n; i < (e + 1) * n; ++i)
+            assemble(i, q, shift, committed, trial, rows);
+          find_clear(e, q, shift, trial);
+        }
+      rows.flush();
     }
+  }
+
+
+  void ContactIteration::place(const unsigned int i, const Tensor1 &shift, ContactPointState &state) const
+  {
+    const ContactPoint &point = work_[i].point;
+    state.position = point.x - shift;
+    state.area = point.area;
+    state.thickness = point.thickness;
+  }
+
+
+  void ContactIteration::assemble(const unsigned int i,
+                                  const Vector &q,
+                                  const Tensor1 &shift,
+                                  const Points &committed,
+                                  Points &trial,
+                                  AssemblyTarget &target)
+  {
+    Work &work = work_[i];
+    ContactPoint &point = work.point;
+    ContactPointState &state = trial[i];
+    if (!in_place_)
+    {
+      projector_.describe(q, i, point);
+      place(i, shift, state);
+    }
+    const bool known = in_place_ && work.is_near;
+    work.is_near = point.area > 0 && (work.foreseen || !law_.is_free_when_clear(state) ||
+                                      !projector_.certainly_clear(i, state.position, point.offset));
+    if (work.is_near)
+      meet(i, known, point, q, committed, trial, target);
+    else
+      leave(i, point, q, state, target);
+  }
+
+
+  void ContactIteration::find_clear(const unsigned int e, const Vector &q, const Tensor1 &shift, const Points &trial)
+  {
+    if (!clear_.used())
+      return;
+    const unsigned int n = projector_.group();
+    double clearance = std::numeric_limits<double>::infinity();
+    for (unsigned int i = e * n; i < (e + 1) * n; ++i)
+    {
+      const Work &work = work_[i];
+      const ContactPointState &state = trial[i];
+      if (work.is_near || state.multiplier != 0. || work.base_multiplier != 0. || work.step_multiplier != 0.)
+        clearance = -1.;
+      else if (work.point.area > 0)
+        clearance = std::min(clearance, projector_.clear_way(i, state.position, work.point.offset));
+    }
+    clear_.set(e, q, shift, work_[e * n].point, clearance);
+  }
+
+
+  void ContactIteration::complete(const Vector &q, const Tensor1 &shift, Points &trial)
+  {
+    const unsigned int n = projector_.group();
+    for (unsigned int i = 0; i < trial.size(); ++i)
+      if (clear_.known(i / n))
+      {
+        projector_.describe(q, i, work_[i].point);
+        place(i, shift, trial[i]);
+      }
   }
 
 
@@ -85,6 +150,7 @@ namespace deltaform
 
 
   void ContactIteration::meet(const unsigned int i,
+                              const bool known,
                               const ContactPoint &point,
                               const Vector &q,
                               const Points &committed,
@@ -93,10 +159,12 @@ namespace deltaform
   {
     ContactPointState &state = trial[i];
     const ContactPointState &before = committed[i];
-    const Projection projection = projector_.project(i, state.position);
+    Work &work = work_[i];
+    if (!known)
+      work.projection = projector_.project(i, state.position);
+    const Projection &projection = work.projection;
     state.gap = gap(projection, point, state);
     state.arc_length = projection.arc_length;
-    const Work &work = work_[i];
     if ((law_.is_concerned(state) || work.foreseen.value_or(false)) && !(state.stiffness > 0))
     {
       factors_.touch(i, point, projection, committed, trial);
@@ -118,7 +186,6 @@ namespace deltaform
     state.force = normal.force;
     state.tangential_force = friction.force;
     state.sticking = friction.sticking;
-    work_[i].normal = projection.normal;
     if (normal.touching)
       state.compliance = point.compliance;
     if (law_.acts(normal))
@@ -164,39 +231,60 @@ namespace deltaform
   }
 
 
-  bool ContactIteration::foresee(const Vector &d, const Points &trial)
+  bool ContactIteration::foresee(const Vector &q, const Tensor1 &shift, const Vector &d, const Points &trial)
   {
     bool other = false;
     in_place_ = true;
-    for (unsigned int i = 0; i < trial.size(); ++i)
+    const Tensor1 end =
+      projector_.tool().force_driven() ? shift + d[travel_dof_] * projector_.tool().direction() : shift;
+    const unsigned int n = projector_.group();
+    for (unsigned int e = 0; e * n < trial.size(); ++e)
     {
-      const ContactPointState &state = trial[i];
-      Work &work = work_[i];
-      if (work.is_near)
+      if (clear_.clear(e, q, &d, end))
+        continue;
+      bool own = false;
+      for (unsigned int i = e * n; i < (e + 1) * n; ++i)
       {
-        work.foreseen = law_.foresee(state, work.normal * motion(i, d), work.point.compliance);
-        other |= *work.foreseen != state.touching;
+        if (clear_.known(e))
+          projector_.describe(q, i, work_[i].point);
+        own |= foresee(i, d, trial[i]);
       }
-      else if (state.area > 0 && motion(i, d).norm() > state.gap)
-      {
-        // It was not projected. If it may come to the tool it has to be, and is free until that is known.
-        work.foreseen = false;
-        other = true;
-      }
+      if (own)
+        clear_.discard(e);
+      other |= own;
     }
     return other;
+  }
+
+
+  bool ContactIteration::foresee(const unsigned int i, const Vector &d, const ContactPointState &state)
+  {
+    Work &work = work_[i];
+    if (work.is_near)
+    {
+      work.foreseen = law_.foresee(state, work.projection.normal * motion(i, d), work.point.compliance);
+      return *work.foreseen != state.touching;
+    }
+    if (!(state.area > 0 && motion(i, d).norm() > state.gap))
+      return false;
+    // It was not projected. If it may come to the tool it has to be, and is free until that is known.
+    work.foreseen = false;
+    return true;
   }
 
 
   void ContactIteration::prepare_step(const Vector &d, const Points &committed, const Points &trial)
   {
     at_start_ = false;
+    const unsigned int n = projector_.group();
     for (unsigned int i = 0; i < trial.size(); ++i)
     {
+      if (clear_.known(i / n))
+        continue;
       const ContactPointState &state = trial[i];
       Work &work = work_[i];
       work.base_multiplier = state.multiplier;
-      const double opening = state.touching ? work.normal * motion(i, d) : 0.;
+      const double opening = state.touching ? work.projection.normal * motion(i, d) : 0.;
       work.step_multiplier = law_.estimate(state, opening, factors_.share(committed[i])) - state.multiplier;
     }
   }
@@ -205,8 +293,11 @@ namespace deltaform
   void ContactIteration::advance(const double factor, Points &trial)
   {
     in_place_ = false;
+    const unsigned int n = projector_.group();
     for (unsigned int i = 0; i < trial.size(); ++i)
     {
+      if (clear_.known(i / n))
+        continue;
       work_[i].foreseen.reset();
       trial[i].multiplier = work_[i].base_multiplier + factor * work_[i].step_multiplier;
     }
@@ -218,7 +309,7 @@ namespace deltaform
     std::vector<Frame> result;
     for (unsigned int i = 0; i < trial.size(); ++i)
       if (trial[i].touching)
-        result.push_back({work_[i].point.dofs[0], work_[i].point.dofs[1], work_[i].normal});
+        result.push_back({work_[i].point.dofs[0], work_[i].point.dofs[1], work_[i].projection.normal});
     return result;
   }
 } // namespace deltaform

@@ -7,12 +7,45 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    /// Of each group of points (ContactProjector::group()): is a node of it pressed? Only there areas are needed.
+    std::vector<bool> groups_at_pressed_nodes(const ContactInterface &contact)
+    {
+      const auto &points = contact.committed();
+      const unsigned int n = contact.projector().group();
+      std::vector<bool> result(points.size() / n);
+      for (unsigned int i = 0; i < points.size(); ++i)
+        if (points[i].touching)
+          result[i / n] = true;
+      const auto &edges = contact.projector().edges();
+      if (contact.projector().surface().points_per_edge() == 0)
+        return result;
+      std::vector<bool> pressed(contact.projector().surface().n_nodes());
+      const auto mark = [&](const unsigned int e, const auto &action) {
+        for (const unsigned int node : edges[e])
+          if (node != invalid_index)
+            action(node);
+      };
+      for (unsigned int e = 0; e < edges.size(); ++e)
+        if (result[e])
+          mark(e, [&](const unsigned int node) { pressed[node] = true; });
+      for (unsigned int e = 0; e < edges.size(); ++e)
+        mark(e, [&](const unsigned int node) { result[e] = result[e] || pressed[node]; });
+      return result;
+    }
+  } // namespace
+
+
   std::vector<double> contact_pressure(const ContactInterface &contact, const Vector &q, const std::size_t n_nodes)
   {
     const auto &points = contact.committed();
     std::vector<double> force(n_nodes, 0.), area(n_nodes, 0.);
+    const std::vector<bool> concerned = groups_at_pressed_nodes(contact);
     for (unsigned int i = 0; i < points.size(); ++i)
     {
+      if (!concerned[i / contact.projector().group()])
+        continue;
       const ContactPoint point = contact.point(q, i);
       for (unsigned int a = 0; a < point.n_nodes; ++a)
       {

@@ -20,7 +20,6 @@ namespace deltaform
     slip_limit_ = settings_.allowed_slip(time);
     step_ = time - committed.time;
     last_step_ = committed.step;
-    blocks_.resize(committed.points.size());
     std::vector<double> factors;
     for (const auto &state : committed.points)
       if (state.touching && state.penalty_factor > 0)
@@ -37,13 +36,17 @@ namespace deltaform
   void FactorControl::read_stiffness(const Vector &q, const StiffnessView &stiffness, Points &trial)
   {
     ContactPoint point;
-    for (unsigned int i = 0; i < trial.size(); ++i)
+    const unsigned int n = projector_.group();
+    blocks_.resize(trial.size() / n);
+    for (unsigned int e = 0; e < blocks_.size(); ++e)
     {
-      projector_.describe(q, i, point);
-      stiffness.block(point.dofs.data(), point.n_dofs, blocks_[i].data());
-      // Touching points set their stiffness anew when factors are predicted; the others at their first touch.
-      trial[i].stiffness = 0.;
+      projector_.describe(q, e * n, point);
+      blocks_[e].dofs = point.dofs;
+      stiffness.block(point.dofs.data(), point.n_dofs, blocks_[e].values.data());
     }
+    for (auto &state : trial)
+      // Touching points set their stiffness anew when factors are predicted; the others at their first touch.
+      state.stiffness = 0.;
   }
 
 
@@ -93,10 +96,17 @@ namespace deltaform
 
   double FactorControl::point_stiffness(const unsigned int i, const ContactPoint &point, const Tensor1 &direction) const
   {
+    const Block &block = blocks_[i / projector_.group()];
+    const unsigned int n = point.n_dofs;
+    // The points of an edge name its unknowns in orders of their own.
+    std::array<double, ContactPoint::max_dofs> row{};
+    for (unsigned int k = 0; k < n; ++k)
+      row[std::find(block.dofs.begin(), block.dofs.begin() + n, point.dofs[k]) - block.dofs.begin()] =
+        point.jacobian[k] * direction;
     double sum = 0.;
-    for (unsigned int k = 0; k < point.n_dofs; ++k)
-      for (unsigned int l = 0; l < point.n_dofs; ++l)
-        sum += (point.jacobian[k] * direction) * blocks_[i][k * point.n_dofs + l] * (point.jacobian[l] * direction);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int l = 0; l < n; ++l)
+        sum += row[k] * block.values[k * n + l] * row[l];
     return std::max(sum, std::numeric_limits<double>::min());
   }
 

@@ -242,7 +242,7 @@ namespace deltaform
       const bool first = result_.rounds == 0 && iteration_ < first_iterations;
       if (active_set_ == nullptr || variant_ != NewtonVariant::plain || !(first || residual_ <= near_equilibrium))
         return true;
-      for (unsigned int k = 0; k < most_sets && active_set_->foresee(d_); ++k)
+      for (unsigned int k = 0; k < most_sets && active_set_->foresee(q_, d_); ++k)
       {
         if (!equations_.assemble_foreseen(q_))
           return true;

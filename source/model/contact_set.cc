@@ -338,11 +338,11 @@ namespace deltaform
   }
 
 
-  bool ContactSet::foresee(const Vector &d)
+  bool ContactSet::foresee(const Vector &q, const Vector &d)
   {
     unsigned int n_others = 0;
     for (auto *interface : active_)
-      n_others += interface->foresee(d);
+      n_others += interface->foresee(q, d);
     return n_others > 0;
   }
 

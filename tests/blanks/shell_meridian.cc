@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include <cmath>
+#include <random>
 
 using namespace deltaform;
 using namespace deltaform::testing;
@@ -113,6 +114,36 @@ BOOST_AUTO_TEST_CASE(an_arc_is_an_arc)
     BOOST_TEST(error[0] < 2e-6);
     BOOST_TEST(error[1] < error[0] / 40.);
   }
+}
+
+BOOST_AUTO_TEST_CASE(no_place_moves_further_than_the_bound)
+{
+  const auto blank = strip(3, 10);
+  const ContactSurface &surface = blank->surface();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-1., 1.);
+  double closest = 0.;
+  for (unsigned int trial = 0; trial < 200; ++trial)
+  {
+    Vector from(blank->n_dofs()), to(blank->n_dofs());
+    const double places = std::pow(10., 2. * any(random) - 1.);
+    for (unsigned int i = 0; i < from.size(); ++i)
+    {
+      from[i] = .3 * any(random);
+      to[i] = from[i] + places * any(random);
+    }
+    for (unsigned int i = 0; i < surface.n_contact_points(Side::top); ++i)
+    {
+      const ContactPoint a = point(*blank, from, i), b = point(*blank, to, i);
+      std::array<double, ContactPoint::max_dofs> change{};
+      for (unsigned int k = 0; k < a.n_dofs; ++k)
+        change[k] = to[a.dofs[k]] - from[a.dofs[k]];
+      const double bound = surface.largest_motion(Side::top, i / 10, change);
+      BOOST_TEST(a.x.distance(b.x) <= bound);
+      closest = std::max(closest, a.x.distance(b.x) / bound);
+    }
+  }
+  BOOST_TEST(closest > .8);
 }
 
 BOOST_AUTO_TEST_CASE(the_ends_of_a_sheet_touch)

@@ -99,14 +99,14 @@ BOOST_AUTO_TEST_CASE(a_step_tells_who_will_touch)
   Vector d(fixture.n);
   d[1] = .009;
   d[5] = -.001;
-  BOOST_TEST(!fixture.contact.foresee(d));
+  BOOST_TEST(!fixture.contact.foresee(q, d));
   d[3] = .011; // lets go
   d[5] = -.003; // meets
-  BOOST_TEST(fixture.contact.foresee(d));
+  BOOST_TEST(fixture.contact.foresee(q, d));
   // What was not near has to be looked at first.
   fixture.assemble(q);
   BOOST_TEST(!touches(2));
-  BOOST_TEST(fixture.contact.foresee(d));
+  BOOST_TEST(fixture.contact.foresee(q, d));
   // Assembled at the same place: the force of what lets go is gone, what meets is tied to the tool by its spring.
   const auto foreseen = fixture.assemble(q);
   BOOST_TEST((touches(0) && !touches(1) && touches(2) && !touches(3)));
@@ -114,13 +114,13 @@ BOOST_AUTO_TEST_CASE(a_step_tells_who_will_touch)
   BOOST_TEST(std::abs(before.residual[3] + 50. * .01) < 1e-12);
   BOOST_TEST(foreseen.residual[3] == 0.);
   BOOST_TEST(std::abs(foreseen.residual[5] - 50. * .002) < 1e-12);
-  BOOST_TEST(!fixture.contact.foresee(d));
+  BOOST_TEST(!fixture.contact.foresee(q, d));
   // What was far away is free until it has been looked at.
   d[7] = -3.001;
-  BOOST_TEST(fixture.contact.foresee(d));
+  BOOST_TEST(fixture.contact.foresee(q, d));
   fixture.assemble(q);
   BOOST_TEST(!touches(3));
-  BOOST_TEST(fixture.contact.foresee(d));
+  BOOST_TEST(fixture.contact.foresee(q, d));
   fixture.assemble(q);
   BOOST_TEST(touches(3));
   // The step is taken: from here on the forces decide, as ever.

@@ -98,6 +98,29 @@ namespace
     std::vector<std::array<unsigned int, 3>> edges{{{0, 1, invalid_index}}};
   };
 
+  /// The same one that says how far it moves; counts how often it is described.
+  class CountingBeam : public FakeBeam
+  {
+  public:
+    void contact_point(const Vector &q,
+                       const Side side,
+                       const unsigned int i,
+                       const ContactThickness thickness,
+                       ContactPoint &point) const override
+    {
+      ++n;
+      FakeBeam::contact_point(q, side, i, thickness, point);
+    }
+
+    double largest_motion(Side, unsigned int, const std::array<double, ContactPoint::max_dofs> &change) const override
+    {
+      return std::max(std::hypot(change[0], change[1]), std::hypot(change[3], change[4])) +
+             4. / 27. * length * (std::abs(change[2]) + std::abs(change[5]));
+    }
+
+    mutable unsigned int n = 0;
+  };
+
   const Entries circle{"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"};
 
   /// Both points in a circle of radius 1, by about @p depth.
@@ -182,6 +205,69 @@ BOOST_AUTO_TEST_CASE(nodes_feel_the_forces_of_their_points)
   const auto pressure = contact_pressure(fixture.contact, q, 2);
   BOOST_TEST(pressure[0] == (.8 * first + .3 * second) / (.8 * .5 + .3 * .3), boost::test_tools::tolerance(1e-13));
   BOOST_TEST(pressure[1] == (.2 * first + .7 * second) / (.2 * .5 + .7 * .3), boost::test_tools::tolerance(1e-13));
+}
+
+BOOST_AUTO_TEST_CASE(edges_that_are_clear_are_left_alone_and_nothing_changes)
+{
+  // Down to the circle, in, and up again, by steps of Newton's method that are foreseen and taken.
+  FakeBeam plain;
+  CountingBeam counting;
+  std::array<std::unique_ptr<InterfaceFixture>, 2> fixtures;
+  for (const unsigned int k : {0, 1})
+    fixtures[k] = std::make_unique<InterfaceFixture>(
+      k == 0 ? plain : static_cast<FakeBeam &>(counting),
+      Entries{},
+      circle + Entries{"Friction coefficient=.3", "Motion=.2*t"});
+  Vector q = pressed(*fixtures[0], 0., 0.);
+  q[1] = q[4] = 1.52;
+  for (auto &fixture : fixtures)
+    fixture->contact.begin_stage(q, 0.);
+  unsigned int n_touched = 0, n_described = 0;
+  for (unsigned int increment = 1; increment <= 40; ++increment)
+  {
+    for (auto &fixture : fixtures)
+      fixture->begin_increment(q, .025 * increment, stiffness);
+    for (unsigned int iteration = 0; iteration < 3; ++iteration)
+    {
+      const unsigned int n_before = counting.n;
+      std::array<DenseTarget, 2> targets{{fixtures[0]->assemble(q), fixtures[1]->assemble(q)}};
+      n_described += counting.n - n_before;
+      for (unsigned int i = 0; i < targets[0].residual.size(); ++i)
+        BOOST_TEST(targets[0].residual[i] == targets[1].residual[i]);
+      Vector d(fixtures[0]->n);
+      for (const unsigned int node : {0, 1})
+      {
+        d[3 * node] = .001 * (1. + node);
+        d[3 * node + 1] = increment < 25 ? -.009 : .015;
+        d[3 * node + 2] = node == 0 ? .004 : -.003;
+      }
+      BOOST_TEST(fixtures[0]->contact.foresee(q, d) == fixtures[1]->contact.foresee(q, d));
+      for (auto &fixture : fixtures)
+      {
+        fixture->contact.prepare_step(d);
+        fixture->contact.advance(1.);
+      }
+      q += d;
+    }
+    for (auto &fixture : fixtures)
+    {
+      fixture->assemble(q);
+      fixture->contact.commit(q);
+    }
+    n_touched += fixtures[0]->contact.n_touching();
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      const ContactPointState &a = fixtures[0]->contact.committed()[i], &b = fixtures[1]->contact.committed()[i];
+      BOOST_TEST(a.touching == b.touching);
+      BOOST_TEST(a.gap == b.gap);
+      BOOST_TEST(a.force == b.force);
+      BOOST_TEST(a.tangential_force == b.tangential_force);
+      BOOST_TEST(a.position.distance(b.position) == 0.);
+    }
+  }
+  BOOST_TEST(n_touched > 10u);
+  BOOST_TEST(n_touched < 60u);
+  BOOST_TEST(n_described < 160u); // of 240
 }
 
 BOOST_AUTO_TEST_CASE(the_deepest_place_is_found_between_the_points)

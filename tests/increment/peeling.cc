@@ -92,7 +92,7 @@ namespace
       return true;
     }
 
-    bool foresee(const Vector &d) override
+    bool foresee(const Vector & /*q*/, const Vector &d) override
     {
       next.resize(n);
       for (unsigned int i = 0; i < n; ++i)

@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace deltaform
@@ -64,6 +65,16 @@ namespace deltaform
                                ContactPoint & /*result*/) const
     {
       Assert(false, dealii::ExcPureFunctionCalled());
+    }
+
+    /// Where contact points lie inside the edges: an upper bound of how far any place of an edge moves (length) if the
+    /// unknowns of its points change by @p change, in the order in which one of them names them. Infinite: none is
+    /// known.
+    virtual double largest_motion(Side /*side*/,
+                                  unsigned int /*edge*/,
+                                  const std::array<double, ContactPoint::max_dofs> & /*change*/) const
+    {
+      return std::numeric_limits<double>::infinity();
     }
   };
 } // namespace deltaform

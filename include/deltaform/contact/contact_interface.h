@@ -146,11 +146,11 @@ namespace deltaform
     /// Residual and tangent of all points at @p q.
     void assemble(const Vector &q, AssemblyTarget &target);
 
-    /// Which points will touch after the step @p d from the last assembled state, if gaps are linear? Until the step
+    /// Which points will touch after the step @p d from @p q, assembled last, if gaps are linear? Until the step
     /// is taken, assembly uses this set. @return does it differ from that of the last assembly?
-    bool foresee(const Vector &d)
+    bool foresee(const Vector &q, const Vector &d)
     {
-      return iteration_.foresee(d, trial_.points);
+      return iteration_.foresee(q, shift(q), d, trial_.points);
     }
 
     /// A Newton step @p d was computed from the last assembled state. It is taken by a factor; the next assembly is at

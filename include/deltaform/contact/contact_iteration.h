@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/assembly/assembly_target.h>
+#include <deltaform/contact/clear_edges.h>
 #include <deltaform/contact/contact_projector.h>
 #include <deltaform/contact/factor_control.h>
 #include <deltaform/contact/interface_friction.h>
@@ -58,6 +59,7 @@ namespace deltaform
       at_start_ = true;
       for (auto &work : work_)
         work.foreseen.reset();
+      clear_.restart(projector_.surface().points_per_edge() > 0 && !law_.has_multiplier() ? projector_.edges().size() : 0);
       in_place_ = false;
       status_tolerance_ = 0.;
     }
@@ -72,7 +74,7 @@ namespace deltaform
 
     /// See ContactInterface.
     ///@{
-    bool foresee(const Vector &d, const Points &trial);
+    bool foresee(const Vector &q, const Tensor1 &shift, const Vector &d, const Points &trial);
     void prepare_step(const Vector &d, const Points &committed, const Points &trial);
     void advance(double factor, Points &trial);
 
@@ -94,6 +96,9 @@ namespace deltaform
     std::vector<Frame> frames(const Points &trial) const;
     ///@}
 
+    /// The trial state is accepted: describe the points that assembly did not look at.
+    void complete(const Vector &q, const Tensor1 &shift, Points &trial);
+
     /// A touching point, as it was assembled last.
     const ContactPoint &touching_point(const unsigned int i) const
     {
@@ -105,7 +110,7 @@ namespace deltaform
     struct Work
     {
       ContactPoint point; ///< at the last assembly
-      Tensor1 normal; ///< the same, of a point that may have contact
+      Projection projection; ///< the same, of a point that may have contact
       bool is_near = false; ///< it may have contact: it was projected
       std::optional<bool> foreseen; ///< will it touch? See ContactInterface::foresee()
       double base_multiplier = 0, step_multiplier = 0; ///< estimates of lambda along a Newton step
@@ -114,12 +119,30 @@ namespace deltaform
     /// Of a point relative to the tool in the step @p d.
     Tensor1 motion(unsigned int i, const Vector &d) const;
 
+    /// Put down where a point is, by its description.
+    void place(unsigned int i, const Tensor1 &shift, ContactPointState &state) const;
+
+    /// Residual and tangent of a point.
+    void assemble(unsigned int i,
+                  const Vector &q,
+                  const Tensor1 &shift,
+                  const Points &committed,
+                  Points &trial,
+                  AssemblyTarget &target);
+
+    /// Will a point change its status in the step @p d?
+    bool foresee(unsigned int i, const Vector &d, const ContactPointState &state);
+
+    /// The points of edge @p e were assembled: can they be left alone from now on?
+    void find_clear(unsigned int e, const Vector &q, const Tensor1 &shift, const Points &trial);
+
     /// A point that has no contact, whatever its force was.
     void leave(
       unsigned int i, const ContactPoint &point, const Vector &q, ContactPointState &state, AssemblyTarget &target);
 
-    /// A point that may have contact.
+    /// A point that may have contact. @p known: its projection is
     void meet(unsigned int i,
+              bool known,
               const ContactPoint &point,
               const Vector &q,
               const Points &committed,
@@ -146,6 +169,7 @@ namespace deltaform
     DofIndex first_multiplier_ = dealii::numbers::invalid_dof_index;
 
     std::vector<Work> work_;
+    ClearEdges clear_;
     bool status_changed_ = false;
     bool in_place_ = false; ///< no step has been made since the last assembly: points are described as it left them
     bool at_start_ = false; ///< no step has been made in this increment: points touch that did in the last one

@@ -6,6 +6,7 @@
 #include <deltaform/parameters/section.h>
 #include <deltaform/tools/tool.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -36,6 +37,12 @@ namespace deltaform
     unsigned int n_points() const
     {
       return surface_.n_contact_points(tool_.side());
+    }
+
+    /// Points that share their unknowns, one after the other: those of an edge; 1 where the nodes are the points.
+    unsigned int group() const
+    {
+      return std::max(1U, surface_.points_per_edge());
     }
 
     const std::vector<std::array<unsigned int, 3>> &edges() const
@@ -70,6 +77,12 @@ namespace deltaform
     {
       const double clearance = last_[i].distance - offset;
       return clearance > 0 && (x - last_[i].place).norm_square() < clearance * clearance;
+    }
+
+    /// How far point @p i at @p x may go and stay certainly clear. Not positive: it is not.
+    double clear_way(const unsigned int i, const Point2 &x, const double offset) const
+    {
+      return last_[i].distance - offset - x.distance(last_[i].place);
     }
 
     /// Distance at the last projection; -1: none known.

@@ -116,8 +116,14 @@ namespace deltaform
     const ContactSettings &settings_;
     const ContactProjector &projector_;
     const InterfaceFriction *friction_;
-    /// Of the blank's tangent at the start of the increment, as many rows as the point has unknowns.
-    std::vector<std::array<double, ContactPoint::max_dofs * ContactPoint::max_dofs>> blocks_;
+    /// Of the blank's tangent at the start of the increment, for the unknowns of a point, or of an edge's points.
+    struct Block
+    {
+      std::array<DofIndex, ContactPoint::max_dofs> dofs;
+      std::array<double, ContactPoint::max_dofs * ContactPoint::max_dofs> values; ///< as many rows as unknowns
+    };
+
+    std::vector<Block> blocks_; ///< of each point, or each edge
     double median_ = 0; ///< of the accepted factors
     double step_ = 0, last_step_ = 0; ///< lengths of this increment and the last one; 0: there is none
     double softening_ = 1; ///< share of the factor of first touches

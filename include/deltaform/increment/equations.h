@@ -14,9 +14,9 @@ namespace deltaform
   public:
     virtual ~ActiveSet() = default;
 
-    /// Which inequalities will be active after the step @p d, if everything is linear? @return is it another set than
-    /// that of the last assembly? Then Equations::assemble_foreseen() takes it
-    virtual bool foresee(const Vector & /*d*/)
+    /// Which inequalities will be active after the step @p d from @p q, the place of the last assembly, if everything
+    /// is linear? @return is it another set than that of the last assembly? Equations::assemble_foreseen() takes it
+    virtual bool foresee(const Vector & /*q*/, const Vector & /*d*/)
     {
       return false;
     }

@@ -102,7 +102,7 @@ namespace deltaform
 
     /// @name ActiveSet
     ///@{
-    bool foresee(const Vector &d) override;
+    bool foresee(const Vector &q, const Vector &d) override;
     void prepare_step(const Vector &d) override;
     void advance(double factor) override;
     bool changed() const override;

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <deltaform/contact/contact_point_state.h>
+#include <deltaform/contact/contact_projector.h>
+
+#include <array>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * Edges whose contact points, inside them, are all certainly clear of the tool: an edge moves at most as far as its
+   * surface says, and a distance changes at most by that. Nothing has to be computed for them: results are the same.
+   */
+  class ClearEdges
+  {
+  public:
+    explicit ClearEdges(const ContactProjector &projector)
+      : projector_(projector)
+    {
+    }
+
+    /// Nothing is known of @p n edges; 0: the contact points are nodes.
+    void restart(const unsigned int n)
+    {
+      edges_.assign(n, Edge());
+    }
+
+    bool used() const
+    {
+      return !edges_.empty();
+    }
+
+    /// Was edge @p e clear when it was looked at, and left alone since?
+    bool known(const unsigned int e) const
+    {
+      return e < edges_.size() && edges_[e].clearance > 0;
+    }
+
+    /// The points of an edge were looked at with the unknowns @p q and the tool at @p shift. @p first: one of them;
+    /// @p clearance: how far each of them may go and stay clear; not positive: the edge is not clear.
+    void set(unsigned int e, const Vector &q, const Tensor1 &shift, const ContactPoint &first, double clearance);
+
+    /// Its points have to be looked at again.
+    void discard(const unsigned int e)
+    {
+      if (e < edges_.size())
+        edges_[e].clearance = -1.;
+    }
+
+    /// Is it clear at @p q plus @p step, if there is one, with the tool at @p shift?
+    bool clear(unsigned int e, const Vector &q, const Vector *step, const Tensor1 &shift) const;
+
+  private:
+    struct Edge
+    {
+      double clearance = -1; ///< at the unknowns below; not positive: nothing is known
+      Tensor1 shift; ///< of the tool
+      unsigned int n_dofs = 0;
+      std::array<DofIndex, ContactPoint::max_dofs> dofs{};
+      std::array<double, ContactPoint::max_dofs> values{};
+    };
+
+    const ContactProjector &projector_;
+    std::vector<Edge> edges_;
+  };
+} // namespace deltaform
