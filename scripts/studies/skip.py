@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """What a scene does not ask for costs nothing: measures it.
 
-    scripts/studies/skip.py [--write] [--build FOLDER] [--runs N] [--only WORD]
+    scripts/studies/skip.py [--write] [--build FOLDER] [--only WORD]
 
 For each feature, a scene with and without it:
-* wall time of an increment: the named steps of timing.json, least of several runs;
 * instructions of an increment and of a Newton iteration, counted by callgrind: the difference of a long and a short run over
   the difference of their numbers of increments, so that start-up cancels;
 * the proof: how often callgrind saw the functions of the feature called over the whole run. Without it never, with it at
@@ -25,7 +24,7 @@ from measured import ROOT, MeasuredTable
 sys.path.insert(0, os.path.join(ROOT, "tests", "benchmark"))
 from callgrind import Counts, callgrind  # noqa: E402
 
-HEAD = ["feature", "scene", "increment [ms] without", "with", "million instructions per increment, without", "with",
+HEAD = ["feature", "scene", "million instructions per increment, without", "with",
         "per iteration, without", "with", "its functions without it"]
 NO_CHECKPOINT = "Output/Checkpoint interval=1e6"  # it goes by the clock, which callgrind stretches
 QUIET = ["Output/Pictures=0", "Output/Travels=", NO_CHECKPOINT]
@@ -58,7 +57,7 @@ FEATURES = [
     Feature("finite strain", "prm/hertz_sphere.prm", "press", (.5, 1), .125,
             r"LogarithmicStrain::", on=["Blank/Kinematics=finite"],
             common=["Blank/Elements=10", "Blank/Elements through thickness=10"]),
-    Feature("second tool, far away", "prm/pressed_plate.prm", "form", (2, 4), .2, r"Plate::", on=FAR_TOOL, equal=r"Shape::project$"),
+    Feature("second tool, far away", "prm/pressed_plate.prm", "form", (2, 4), .2, r"Plate::", on=FAR_TOOL, equal=r"Curve::project$"),
     Feature("condition number", "prm/cup.prm", "form", (.05, .1), .01,
             r"ConditionReport::|condition::", on=["Output/Condition number every=1"]),
     Feature("pictures (VTU)", "prm/cup.prm", "form", (.1, .2), .01,
@@ -92,23 +91,16 @@ def load(folder, name):
 class Cost:
     """Of one of the two runs of a feature."""
 
-    def __init__(self, program, feature, entries, ranks, runs, folder):
+    def __init__(self, program, feature, entries, ranks, folder):
         launcher = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-        counts, summaries, seconds = [], [], []
+        counts, summaries = [], []
         for end in feature.ends:
             counts.append(callgrind(command(program, feature, entries, end, folder), launcher))
             summaries.append(load(folder, "summary.json"))
             shutil.rmtree(folder)
-        for _ in range(runs):
-            subprocess.run(launcher + command(program, feature, entries, feature.ends[1], folder), check=True,
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            seconds.append(sum(section["seconds"] for section in load(folder, "timing.json")["sections"]
-                               if not section["name"].startswith("1 ")))  # of increments: without start-up
-            shutil.rmtree(folder)
         increments = summaries[1]["increments"] - summaries[0]["increments"]
         iterations = summaries[1]["newton_iterations"] - summaries[0]["newton_iterations"]
         instructions = counts[1].total - counts[0].total
-        self.milliseconds = 1e3 * min(seconds) / summaries[1]["increments"]
         self.per_increment = 1e-6 * instructions / increments
         self.per_iteration = 1e-6 * instructions / iterations
         self.called = counts[1].called(feature.functions)
@@ -135,7 +127,6 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", default=os.path.join(ROOT, "build", "release"), help="build folder")
     parser.add_argument("--program", help="measure this deltaform and build none")
-    parser.add_argument("--runs", type=int, default=5, help="runs of which the least time counts")
     parser.add_argument("--only", default="", help="features whose name contains this")
     parser.add_argument("--write", action="store_true", help="renew doc/measured/skip.csv")
     options = parser.parse_args()
@@ -150,17 +141,16 @@ def main():
         for feature in FEATURES:
             if options.only not in feature.name:
                 continue
-            without = Cost(program, feature, feature.off, 1, options.runs, os.path.join(folder, "run"))
-            with_it = Cost(program, feature, feature.on, feature.ranks, options.runs, os.path.join(folder, "run"))
+            without = Cost(program, feature, feature.off, 1, os.path.join(folder, "run"))
+            with_it = Cost(program, feature, feature.on, feature.ranks, os.path.join(folder, "run"))
             words, right = proof(feature, without, with_it)
             good &= right
-            table.add(feature.name, feature.scene, f"{without.milliseconds:.2f}", f"{with_it.milliseconds:.2f}",
-                      f"{without.per_increment:.2f}", f"{with_it.per_increment:.2f}", f"{without.per_iteration:.3f}",
-                      f"{with_it.per_iteration:.3f}", words)
+            table.add(feature.name, feature.scene, f"{without.per_increment:.2f}", f"{with_it.per_increment:.2f}",
+                      f"{without.per_iteration:.3f}", f"{with_it.per_iteration:.3f}", words)
             print(*table.rows[-1], file=sys.stderr, flush=True)
     print(table)
     if options.write:
-        table.write("skip", "a scene without and with a feature: time, instructions, calls")
+        table.write("skip", "a scene without and with a feature: instructions, calls")
     return 0 if good else 1
 
 
