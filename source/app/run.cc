@@ -23,6 +23,7 @@
 #include <deltaform/process/interruption.h>
 #include <deltaform/process/ranks.h>
 #include <deltaform/reports/damaged_state.h>
+#include <deltaform/reports/history_columns.h>
 #include <deltaform/results/earlier_run.h>
 #include <deltaform/results/observers.h>
 #include <deltaform/scene/earlier_operation.h>

@@ -1,6 +1,7 @@
 #include <deltaform/analysis/analysis.h>
 #include <deltaform/app/run_in_memory.h>
-#include <deltaform/results/condition_numbers.h>
+#include <deltaform/reports/condition_numbers.h>
+#include <deltaform/reports/history_columns.h>
 #include <deltaform/results/observers.h>
 #include <deltaform/scene/earlier_operation.h>
 #include <deltaform/scene/input_warnings.h>
@@ -24,7 +25,7 @@ namespace deltaform
     record.units = scene.units;
     record.axisymmetric = scene.actors.blank->axisymmetric();
     auto condition = make_condition_report(*scene.output, journal, timers);
-    auto columns = history_columns(analysis.model(), *scene.output, condition.get());
+    auto columns = history_columns(analysis.model(), scene.output->energies, condition.get());
     if (condition != nullptr)
       analysis.add(std::move(condition));
     analysis.add(

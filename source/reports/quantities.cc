@@ -65,25 +65,15 @@ namespace deltaform
 
   Columns quantities(const Actors &actors)
   {
-    std::vector<std::string> tools, supports, others, pressures, beads;
-    for (const auto &tool : actors.tools)
-      tools.push_back(tool->name());
-    for (const auto &support : actors.supports)
-      supports.push_back(support.name);
-    for (const auto &load : actors.loads)
-    {
-      (load->pressed_face().empty() ? others : pressures).push_back(load->name());
-      if (load->restraint())
-        beads.push_back(load->name());
-    }
+    const ReportedNames names = reported_names(actors);
     Columns columns;
-    describe_tools(tools, columns);
+    describe_tools(names.tools, columns);
     describe_thickness(columns);
-    describe_supports(supports, columns);
-    describe_load_sizes(others, columns);
-    describe_pressures(pressures, columns);
-    describe_beads(beads, columns);
-    describe_probes(actors.probes, columns);
+    describe_supports(names.supports, columns);
+    describe_load_sizes(names.other_loads, columns);
+    describe_pressures(names.pressures, columns);
+    describe_beads(names.beads, columns);
+    describe_probes(names.probes, columns);
     describe_blank(*actors.blank, columns);
     describe_touching(actors, columns);
     describe_gaps(actors, columns);

@@ -26,6 +26,25 @@ namespace deltaform
   }
 
 
+  ReportedNames reported_names(const Actors &actors)
+  {
+    ReportedNames names;
+    for (const auto &tool : actors.tools)
+      names.tools.push_back(tool->name());
+    for (const auto &support : actors.supports)
+      names.supports.push_back(support.name);
+    for (const auto &load : actors.loads)
+    {
+      names.loads.push_back(load->name());
+      (load->pressed_face().empty() ? names.other_loads : names.pressures).push_back(load->name());
+      if (load->restraint())
+        names.beads.push_back(load->name());
+    }
+    names.probes = actors.probes;
+    return names;
+  }
+
+
   void describe_increment(Columns &columns)
   {
     columns.add({{"increment", "1", "counts from 1"},

@@ -1,4 +1,5 @@
 // An analysis as a program uses it that is not ours: one increment at a time, no files.
+#include "../pressed_strip.h"
 #include "../solver/mpi.h"
 
 #include <deltaform/analysis/analysis.h>
@@ -9,36 +10,17 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <algorithm>
 #include <sstream>
 
 using namespace deltaform;
+using namespace deltaform::testing;
 
 namespace
 {
-  /// A strip that is pressed flat between a plate and a round punch.
-  const std::vector<std::string> entries = {"Blank/Points=0 0; 1 0",
-                                            "Blank/Thickness=.02",
-                                            "Blank/Elements=16",
-                                            "Material/Model=linear elastic",
-                                            "Material/Young's modulus=1e4",
-                                            "Material/Poisson's ratio=.3",
-                                            "Supports/Names=edge",
-                                            "Supports/edge/Boundary=end",
-                                            "Supports/edge/Component=z",
-                                            "Tools/Names=punch",
-                                            "Tools/punch/Shape=hemispherical punch",
-                                            "Tools/punch/Radius=.5",
-                                            "Tools/punch/Side=top",
-                                            "Tools/punch/Position z=thickness/2",
-                                            "Tools/punch/Motion=.05*t",
-                                            "Steps/Stages=press",
-                                            "Steps/press/Largest increment=.1"};
-
   struct Run
   {
     Run()
-      : tree(ParameterTree::parse("", "test", entries)), scene(tree), journal(Journal::Console::silent, said, said),
+      : tree(ParameterTree::parse("", "test", pressed_strip())), scene(tree), journal(Journal::Console::silent, said, said),
         analysis(scene.actors, scene.analysis_settings(), journal, timers)
     {
     }
@@ -202,11 +184,10 @@ BOOST_AUTO_TEST_CASE(a_tool_that_does_not_find_the_blank_is_named)
   // The punch is driven by a force and begins away from the blank: downwards it finds it, sideways it passes.
   for (const bool sideways : {false, true})
   {
-    auto all = entries;
-    all.erase(std::find(all.begin(), all.end(), "Tools/punch/Motion=.05*t"));
-    all.insert(all.end(), {"Tools/punch/Force=t", "Tools/punch/Position z=2"});
-    all.emplace_back(std::string("Tools/punch/Direction=") + (sideways ? "1 0" : "0 -1"));
-    ParameterTree tree = ParameterTree::parse("", "test", all);
+    ParameterTree tree = ParameterTree::parse(
+      "", "test",
+      pressed_strip({"Tools/punch/Force=t", "Tools/punch/Position z=2",
+                     std::string("Tools/punch/Direction=") + (sideways ? "1 0" : "0 -1")}));
     Scene scene(tree);
     Timers timers;
     Model model(scene.actors, *scene.linear_solver, timers);
@@ -218,11 +199,7 @@ BOOST_AUTO_TEST_CASE(a_tool_that_does_not_find_the_blank_is_named)
 BOOST_AUTO_TEST_CASE(a_run_that_cannot_go_on_says_why)
 {
   Run run;
-  ParameterTree tree = ParameterTree::parse("", "test", [] {
-    auto all = entries;
-    all.insert(all.end(), {"Solver/Maximal increments=2"});
-    return all;
-  }());
+  ParameterTree tree = ParameterTree::parse("", "test", pressed_strip({"Solver/Maximal increments=2"}));
   Scene scene(tree);
   Analysis analysis(scene.actors, scene.analysis_settings(), run.journal, run.timers);
   BOOST_TEST(analysis.run() == exit_status::not_converged);

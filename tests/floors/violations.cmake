@@ -1,7 +1,7 @@
 # The check of the floors finds what it has to find: every tree below has one fault, and a sound one passes.
 #
 #     cmake -DCHECK=<include_direction.cmake> -DWORK=<scratch folder> -P violations.cmake
-cmake_minimum_required(VERSION 3.16)
+cmake_minimum_required(VERSION 3.21)
 
 # run(<expected message, empty: none> <path> <content>...): a sound tree, changed by these files.
 function(run expected)

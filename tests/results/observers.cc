@@ -1,12 +1,14 @@
 // Every observer, told of a small run one at a time: what it writes, and that it needs none of the others.
 #include "../messages.h"
+#include "../pressed_strip.h"
 #include "../solver/mpi.h"
 
 #include <deltaform/analysis/analysis.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/reports/condition_numbers.h>
+#include <deltaform/reports/history_columns.h>
 #include <deltaform/reports/reported_columns.h>
-#include <deltaform/results/condition_numbers.h>
 #include <deltaform/results/earlier_run.h>
 #include <deltaform/results/observers.h>
 #include <deltaform/results/recorder.h>
@@ -16,36 +18,14 @@
 #include <set>
 
 using namespace deltaform;
+using namespace deltaform::testing;
 
 namespace
 {
-  /// A strip that is bent over a round punch in ten increments.
-  const std::vector<std::string> entries = {"Title=strip",
-                                            "Blank/Points=0 0; 1 0",
-                                            "Blank/Thickness=.02",
-                                            "Blank/Elements=16",
-                                            "Material/Model=linear elastic",
-                                            "Material/Young's modulus=1e4",
-                                            "Material/Poisson's ratio=.3",
-                                            "Supports/Names=edge",
-                                            "Supports/edge/Boundary=end",
-                                            "Supports/edge/Component=z",
-                                            "Tools/Names=punch",
-                                            "Tools/punch/Shape=hemispherical punch",
-                                            "Tools/punch/Radius=.5",
-                                            "Tools/punch/Side=top",
-                                            "Tools/punch/Position z=thickness/2",
-                                            "Tools/punch/Motion=.05*t",
-                                            "Steps/Stages=press",
-                                            "Steps/press/First increment=.1",
-                                            "Steps/press/Largest increment=.1",
-                                            "Output/Pictures=5",
-                                            "Output/Travels=.025,.05"};
-
   struct Run
   {
     explicit Run(const std::vector<std::string> &more = {})
-      : tree(ParameterTree::parse("", "test", all(more))), scene(tree),
+      : tree(ParameterTree::parse("", "test", entries(more))), scene(tree),
         journal(Journal::Console::plain, said, said),
         results(
           {folder.file("run_" + std::to_string(++n_runs)), scene.title, scene.units, true}, journal, timers),
@@ -54,9 +34,10 @@ namespace
       results.begin([](std::ostream &out) { out << "the scene\n"; }, false);
     }
 
-    static std::vector<std::string> all(const std::vector<std::string> &more)
+    static std::vector<std::string> entries(const std::vector<std::string> &more)
     {
-      std::vector<std::string> result = entries;
+      auto result = pressed_strip(
+        {"Title=strip", "Steps/press/First increment=.1", "Output/Pictures=5", "Output/Travels=.025,.05"});
       result.insert(result.end(), more.begin(), more.end());
       return result;
     }
@@ -231,7 +212,7 @@ BOOST_AUTO_TEST_CASE(a_record_is_what_the_files_are)
 {
   Run run;
   RunRecord record;
-  const auto columns = history_columns(run.analysis.model(), *run.scene.output, nullptr);
+  const auto columns = history_columns(run.analysis.model(), run.scene.output->energies, nullptr);
   run.analysis.add(make_history_observer(run.results, columns, std::nullopt));
   run.analysis.add(ObserverMakers::make("tables", run.results, *run.scene.output));
   run.with(make_recorder(record, columns, *run.scene.output, Keep::asked, []() { return 1.5; }));

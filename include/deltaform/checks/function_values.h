@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/model/actors.h>
-#include <deltaform/model/stage.h>
+#include <deltaform/stage/actors.h>
+#include <deltaform/stage/stage.h>
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/model/model.h>
+#include <deltaform/stage/actors.h>
 
 #include <string>
 #include <vector>

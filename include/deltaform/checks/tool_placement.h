@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/model/actors.h>
+#include <deltaform/stage/actors.h>
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <deltaform/conditions/condition.h>
-#include <deltaform/model/actors.h>
 #include <deltaform/parameters/makers.h>
+#include <deltaform/stage/actors.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>

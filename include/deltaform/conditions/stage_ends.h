@@ -1,8 +1,8 @@
 #pragma once
 
-#include <deltaform/model/actors.h>
 #include <deltaform/reports/accepted_increment.h>
 #include <deltaform/reports/columns.h>
+#include <deltaform/stage/actors.h>
 
 #include <optional>
 #include <string>

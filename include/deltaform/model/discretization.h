@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/model/actors.h>
 #include <deltaform/model/numbering.h>
 #include <deltaform/solver/linear_solver.h>
 #include <deltaform/solver/system.h>
+#include <deltaform/stage/actors.h>
 
 #include <memory>
 

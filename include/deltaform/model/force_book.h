@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/model/actors.h>
-#include <deltaform/model/body.h>
-#include <deltaform/model/contact_set.h>
 #include <deltaform/model/support_set.h>
+#include <deltaform/stage/actors.h>
+#include <deltaform/stage/body.h>
+#include <deltaform/stage/contact_set.h>
 
 #include <string>
 

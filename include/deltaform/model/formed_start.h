@@ -4,7 +4,7 @@
 #include <deltaform/model/force_book.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/model/numbering.h>
-#include <deltaform/model/stage.h>
+#include <deltaform/stage/stage.h>
 
 #include <optional>
 #include <string>

@@ -2,18 +2,18 @@
 
 #include <deltaform/assembly/accounts.h>
 #include <deltaform/increment/increment_problem.h>
-#include <deltaform/model/actors.h>
-#include <deltaform/model/body.h>
-#include <deltaform/model/contact_account.h>
-#include <deltaform/model/contact_set.h>
 #include <deltaform/model/discretization.h>
 #include <deltaform/model/force_book.h>
 #include <deltaform/model/formed_start.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/model/model_timers.h>
-#include <deltaform/model/stage_terms.h>
 #include <deltaform/model/support_set.h>
-#include <deltaform/model/tool_stops.h>
+#include <deltaform/stage/actors.h>
+#include <deltaform/stage/body.h>
+#include <deltaform/stage/contact_account.h>
+#include <deltaform/stage/contact_set.h>
+#include <deltaform/stage/stage_terms.h>
+#include <deltaform/stage/tool_stops.h>
 
 #include <algorithm>
 #include <functional>

@@ -2,7 +2,7 @@
 
 #include <deltaform/assembly/types.h>
 #include <deltaform/io/keyed_arrays.h>
-#include <deltaform/model/released_forces.h>
+#include <deltaform/stage/released_forces.h>
 
 #include <iosfwd>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/model/actors.h>
+#include <deltaform/stage/actors.h>
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>

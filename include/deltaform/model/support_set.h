@@ -1,8 +1,8 @@
 #pragma once
 
-#include <deltaform/model/actors.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/model/numbering.h>
+#include <deltaform/stage/actors.h>
 
 #include <string>
 #include <vector>

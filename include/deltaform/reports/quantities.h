@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/model/actors.h>
 #include <deltaform/reports/columns.h>
+#include <deltaform/stage/actors.h>
 
 namespace deltaform
 {

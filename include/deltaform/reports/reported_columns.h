@@ -1,8 +1,9 @@
 #pragma once
 
 #include <deltaform/blanks/fields.h>
-#include <deltaform/model/probe.h>
+#include <deltaform/measures/probe.h>
 #include <deltaform/reports/columns.h>
+#include <deltaform/stage/actors.h>
 
 #include <string>
 #include <vector>
@@ -11,6 +12,17 @@ namespace deltaform
 {
   /// The name of a tool, support or load as columns carry it: underscores in place of blanks.
   std::string column_name(const std::string &name);
+
+  /// What columns are named after.
+  struct ReportedNames
+  {
+    std::vector<std::string> tools, supports, loads;
+    std::vector<std::string> pressures, other_loads; ///< loads that press on a face, and those that do not
+    std::vector<std::string> beads; ///< loads that restrain a sheet
+    std::vector<Probe> probes;
+  };
+
+  ReportedNames reported_names(const Actors &actors);
 
   /// @name What the parts of a model and of its increments have to report; tools, supports and loads by their names
   ///@{

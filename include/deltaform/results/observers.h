@@ -40,12 +40,6 @@ namespace deltaform
   std::unique_ptr<ConditionReport> make_condition_report(const OutputSettings &output, Journal &journal,
                                                          Timers &timers);
 
-  /// What a run reports of every increment. @param condition must live as long as the columns are used; may be null
-  Columns history_columns(const Model &model, const OutputSettings &output, const ConditionReport *condition);
-
-  /// The page on the columns of history.csv, in Markdown.
-  void print_columns(std::ostream &out);
-
   /// All that a scene asks for, in the order of their turns. @param start as above
   std::vector<std::unique_ptr<Observer>> make_observers(const Model &model, const OutputSettings &output,
                                                         ResultsFolder &folder, const Checkpoint *start);

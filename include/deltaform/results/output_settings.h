@@ -1,9 +1,9 @@
 #pragma once
 
 #include <deltaform/measures/measure.h>
-#include <deltaform/model/stage.h>
 #include <deltaform/parameters/section.h>
 #include <deltaform/solver/condition_method.h>
+#include <deltaform/stage/stage.h>
 #include <deltaform/tools/tool.h>
 
 #include <memory>

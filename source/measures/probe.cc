@@ -1,4 +1,4 @@
-#include <deltaform/model/probe.h>
+#include <deltaform/measures/probe.h>
 #include <deltaform/parameters/text.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <deltaform/assembly/term.h>
-#include <deltaform/model/actors.h>
+#include <deltaform/stage/actors.h>
 
 #include <vector>
 

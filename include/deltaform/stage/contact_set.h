@@ -4,8 +4,8 @@
 #include <deltaform/assembly/term.h>
 #include <deltaform/contact/augmentation.h>
 #include <deltaform/increment/equations.h>
-#include <deltaform/model/actors.h>
 #include <deltaform/solver/system.h>
+#include <deltaform/stage/actors.h>
 
 #include <array>
 #include <string>

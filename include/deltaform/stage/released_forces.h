@@ -1,7 +1,7 @@
 #pragma once
 
 #include <deltaform/assembly/term.h>
-#include <deltaform/model/stage.h>
+#include <deltaform/stage/stage.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "../blanks/any_blank.h"
 
-#include <deltaform/model/probe.h>
+#include <deltaform/measures/probe.h>
 
 using namespace deltaform;
 using namespace deltaform::testing;

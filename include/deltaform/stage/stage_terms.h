@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deltaform/model/body.h>
-#include <deltaform/model/contact_set.h>
+#include <deltaform/stage/body.h>
+#include <deltaform/stage/contact_set.h>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <deltaform/assembly/term.h>
-#include <deltaform/model/actors.h>
-#include <deltaform/model/contact_set.h>
+#include <deltaform/stage/actors.h>
+#include <deltaform/stage/contact_set.h>
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #include <deltaform/contact/deepest_place.h>
-#include <deltaform/model/contact_account.h>
+#include <deltaform/stage/contact_account.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include <deltaform/model/tool_stops.h>
+#include <deltaform/stage/tool_stops.h>
 #include <deltaform/tools/tool_gap.h>
 
 #include <algorithm>

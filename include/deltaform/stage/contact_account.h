@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deltaform/model/contact_set.h>
+#include <deltaform/stage/contact_set.h>
 
 namespace deltaform
 {

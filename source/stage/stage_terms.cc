@@ -1,4 +1,4 @@
-#include <deltaform/model/stage_terms.h>
+#include <deltaform/stage/stage_terms.h>
 
 #include <algorithm>
 

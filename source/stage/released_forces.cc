@@ -1,4 +1,4 @@
-#include <deltaform/model/released_forces.h>
+#include <deltaform/stage/released_forces.h>
 
 #include <algorithm>
 

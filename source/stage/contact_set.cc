@@ -1,7 +1,7 @@
 #include <deltaform/contact/contact_measures.h>
 #include <deltaform/io/byte_stream.h>
-#include <deltaform/model/contact_set.h>
 #include <deltaform/parameters/text.h>
+#include <deltaform/stage/contact_set.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>

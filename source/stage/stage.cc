@@ -1,6 +1,6 @@
-#include <deltaform/model/stage.h>
 #include <deltaform/parameters/ceilings.h>
 #include <deltaform/parameters/text.h>
+#include <deltaform/stage/stage.h>
 
 #include <limits>
 

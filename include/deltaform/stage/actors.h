@@ -7,8 +7,8 @@
 #include <deltaform/limits/limit.h>
 #include <deltaform/loads/load.h>
 #include <deltaform/loads/support.h>
-#include <deltaform/model/probe.h>
-#include <deltaform/model/stage.h>
+#include <deltaform/measures/probe.h>
+#include <deltaform/stage/stage.h>
 
 #include <memory>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "../blanks/dense_target.h"
 
-#include <deltaform/model/released_forces.h>
+#include <deltaform/stage/released_forces.h>
 
 #include <boost/test/unit_test.hpp>
 

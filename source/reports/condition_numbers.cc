@@ -1,5 +1,5 @@
 #include <deltaform/reports/accepted_increment.h>
-#include <deltaform/results/condition_numbers.h>
+#include <deltaform/reports/condition_numbers.h>
 
 #include <Eigen/Dense>
 
