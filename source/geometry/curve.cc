@@ -1,4 +1,6 @@
 // Closest point of a curve; the formulas are derived in doc/theory/tools.md.
+#include "turn.h"
+
 #include <deltaform/geometry/curve.h>
 
 #include <algorithm>
@@ -14,11 +16,6 @@ namespace deltaform
     // A point on the common normal of two segments belongs to both: their regions overlap by this angle (arcs) or by
     // this part of their length (lines, in build()).
     constexpr double angle_tolerance = 1e-12;
-
-    double cross(const Tensor1 &a, const Tensor1 &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
 
     double squared_distance_to_box(const Point2 &x, const Segment &segment)
     {

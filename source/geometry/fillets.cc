@@ -1,3 +1,5 @@
+#include "turn.h"
+
 #include <deltaform/geometry/fillets.h>
 
 #include <cmath>
@@ -9,15 +11,6 @@ namespace deltaform
 {
   namespace
   {
-    // Corners that turn by less are straight; lines shorter than this part of their edge are none.
-    constexpr double smallest_turn = 1e-9;
-    constexpr double length_tolerance = 1e-12;
-
-    double cross(const Tensor1 &a, const Tensor1 &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
-
     // Component by component, because deal.II multiplies by the inverse, and (1, 0) must stay exactly that.
     Tensor1 direction_of(const Tensor1 &edge, const double length)
     {

@@ -1,3 +1,5 @@
+#include "turn.h"
+
 #include <deltaform/geometry/segment.h>
 
 #include <algorithm>
@@ -7,15 +9,6 @@ namespace deltaform
 {
   namespace
   {
-    // An arc that turns by less is none; closest points may lie past the ends of a line by this part of it.
-    constexpr double smallest_turn = 1e-9;
-    constexpr double length_tolerance = 1e-12;
-
-    double cross(const Tensor1 &a, const Tensor1 &b)
-    {
-      return a[0] * b[1] - a[1] * b[0];
-    }
-
     Tensor1 normal_of(const Tensor1 &tangent)
     {
       Tensor1 normal;
