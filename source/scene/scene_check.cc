@@ -78,29 +78,40 @@ namespace deltaform
 
   void Scene::check_columns(const Section &root) const
   {
-    // What the columns of history.csv begin with, and the name after it.
+    // Columns of history.csv, and the names that they have them from; those of the program first.
     std::map<std::string, std::string> taken;
-    const auto take = [&](const char *section, const std::string &name, const std::vector<std::string> &endings) {
-      for (const auto &ending : endings)
-      {
-        const std::string column = column_name(name) + ending;
-        const auto [other, fresh] = taken.emplace(column, name);
-        if (!fresh)
+    Columns own;
+    for (const auto describe : {describe_contact, describe_thickness, describe_energies})
+      describe(own);
+    if (actors.wrinkling)
+      describe_wrinkling(own);
+    for (const auto &column : own.columns())
+      taken.emplace(column.name, "(deltaform)");
+    const auto take = [&](const char *section, const std::string &name, const auto &describe) {
+      Columns columns;
+      describe(std::vector<std::string>{name}, columns);
+      for (const auto &column : columns.columns())
+        if (const auto [other, fresh] = taken.emplace(column.name, name); !fresh)
           root.sub(section).fail("Names",
-                                 "'" + other->second + "' and '" + name + "' would both have the column '" + column +
+                                 "'" + other->second + "' and '" + name + "' would both have the column '" +
+                                   column.name +
                                    "' of history.csv, where underscores stand for blanks: rename one of them");
-      }
     };
     for (const auto &tool : actors.tools)
-      take("Tools", tool->name(), {"_travel", "_force_z", "_force_r"});
+      take("Tools", tool->name(), describe_tools);
     for (const auto &support : actors.supports)
-      take("Supports", support.name, {"_reaction"});
+      take("Supports", support.name, describe_supports);
     for (const auto &load : actors.loads)
-      take("Loads", load->name(),
-           {"_force_z", "_force_r", "_size", "_pressure", "_volume", "_height", "_restraint", "_path", "_work"});
+      take("Loads", load->name(), [&load](const std::vector<std::string> &names, Columns &columns) {
+        describe_loads(names, columns);
+        (load->pressed_face().empty() ? describe_load_sizes : describe_pressures)(names, columns);
+        if (load->restraint())
+          describe_beads(names, columns);
+      });
     for (const auto &probe : actors.probes)
-      for (const auto &field : probe.fields())
-        take("Output/Probes", probe.name(), {"_" + field.name});
+      take("Output/Probes", probe.name(), [&probe](const std::vector<std::string> &, Columns &columns) {
+        describe_probes({probe}, columns);
+      });
   }
 
 
@@ -142,14 +153,6 @@ namespace deltaform
           section.fail("Throat radius",
                        "the blank ends at r = " + text::format(outermost) + " and falls through the opening of tool '" +
                          tool.name() + "', radius " + text::format(opening));
-      }
-      for (const auto &name : tool.stages())
-      {
-        bool known = false;
-        for (const auto &stage : actors.stages)
-          known |= stage.name == name;
-        if (!known)
-          section.fail("Stages", "there is no stage '" + name + "'");
       }
     }
   }
@@ -198,14 +201,12 @@ namespace deltaform
   {
     const auto known = [&](const std::vector<std::string> &names, const Section &section) {
       for (const auto &name : names)
-      {
-        bool found = false;
-        for (const auto &stage : actors.stages)
-          found |= stage.name == name;
-        if (!found)
+        if (std::none_of(actors.stages.begin(), actors.stages.end(),
+                         [&](const Stage &stage) { return stage.name == name; }))
           section.fail("Stages", "there is no stage '" + name + "'");
-      }
     };
+    for (const auto &tool : actors.tools)
+      known(tool->stages(), root.sub("Tools").sub(tool->name()));
     for (const auto &support : actors.supports)
       known(support.stages, root.sub("Supports").sub(support.name));
     for (const auto &load : actors.loads)
