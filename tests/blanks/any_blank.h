@@ -12,8 +12,6 @@ namespace deltaform
 {
   namespace testing
   {
-    using Entries = std::vector<std::string>;
-
     /// A registered blank with the parameters of its documentation, changed by @p overrides "Section/entry=value".
     inline std::unique_ptr<Blank> make_blank(const std::string &name, const Entries &overrides)
     {

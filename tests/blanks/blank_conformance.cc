@@ -9,18 +9,10 @@ using namespace deltaform::testing;
 
 namespace
 {
-  Entries and_also(Entries entries, const Entries &more)
-  {
-    entries.insert(entries.end(), more.begin(), more.end());
-    return entries;
-  }
-
-  const Entries hill = and_also(plastic, {"Material/Yield surface/Law=hill", "Material/Yield surface/r-bar=.5"});
-  const Entries hosford = and_also(
-    plastic,
-    {"Material/Yield surface/Law=hosford", "Material/Yield surface/r-bar=1.7", "Material/Yield surface/Exponent=6"});
+  const Entries hill = plastic + Entries{"Material/Yield surface/Law=hill", "Material/Yield surface/r-bar=.5"};
+  const Entries hosford = plastic + Entries{"Material/Yield surface/Law=hosford", "Material/Yield surface/r-bar=1.7", "Material/Yield surface/Exponent=6"};
   const Entries hill_chaboche =
-    and_also(hill, {"Material/Backstress/Law=chaboche", "Material/Backstress/Terms=200 20; 30 0"});
+    hill + Entries{"Material/Backstress/Law=chaboche", "Material/Backstress/Terms=200 20; 30 0"};
 
   Assembly with_pressure(Blank &blank, const double pressure, const bool following)
   {

@@ -1,6 +1,7 @@
 #pragma once
 // A blank that is nothing but a few nodes: what contact needs, and no more.
 #include "../blanks/dense_target.h"
+#include "../conformance.h"
 #include "../materials/material_point.h"
 
 #include <deltaform/contact/contact_interface.h>
@@ -9,8 +10,6 @@ namespace deltaform
 {
   namespace testing
   {
-    using Entries = std::vector<std::string>;
-
     /// Nodes with two unknowns and an offset, or (arm not zero) with a rotation that moves the contact point by the
     /// arm.
     class FakeSurface : public ContactSurface
@@ -163,11 +162,5 @@ namespace deltaform
     };
 
     inline const Entries flat = {"Shape=plate", "Side=bottom", "Position z=0"};
-
-    inline Entries operator+(Entries a, const Entries &b)
-    {
-      a.insert(a.end(), b.begin(), b.end());
-      return a;
-    }
   } // namespace testing
 } // namespace deltaform

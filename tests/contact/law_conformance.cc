@@ -1,10 +1,9 @@
 // What every registered enforcement, penalty rule and friction law has to fulfil, whatever it is called.
-#include "../materials/material_point.h"
+#include "../conformance.h"
 
 #include <deltaform/contact/friction_law.h>
 #include <deltaform/contact/normal_law.h>
 #include <deltaform/contact/penalty_rule.h>
-#include <deltaform/parameters/registry.h>
 
 #include <cmath>
 #include <random>
@@ -15,28 +14,38 @@ using namespace deltaform::testing;
 namespace
 {
   template <typename T>
-  std::unique_ptr<T> make(const std::string &name, const std::vector<std::string> &overrides = {})
+  Entries documented(const std::string &name)
   {
-    std::vector<std::string> entries = documented_entries(
-      [&](ParameterTree &tree) {
-        Section section = tree.root();
-        Registry<T>::make(name, section);
-      });
+    return documented_entries([&](ParameterTree &tree) {
+      Section section = tree.root();
+      Registry<T>::make(name, section);
+    });
+  }
+
+  template <typename T>
+  std::unique_ptr<T> make_of(const std::string &name, Entries entries, const Entries &overrides)
+  {
     entries.insert(entries.end(), overrides.begin(), overrides.end());
     ParameterTree tree = ParameterTree::parse("", "test", entries);
     Section section = tree.root();
     return Registry<T>::make(name, section);
   }
 
+  template <typename T>
+  std::unique_ptr<T> make(const std::string &name, const Entries &overrides = {})
+  {
+    return make_of<T>(name, documented<T>(name), overrides);
+  }
+
   template <typename T, typename Body>
-  void for_all(const std::vector<std::string> &overrides, const Body &body)
+  void for_all(const Entries &overrides, const Body &body)
   {
     BOOST_TEST_REQUIRE(!Registry<T>::names().empty());
     for (const auto &name : Registry<T>::names())
       BOOST_TEST_CONTEXT("'" << name << "'")
       {
-        const auto law = make<T>(name, overrides);
-        body(*law);
+        const auto make_law = [&](const Entries &entries) { return make_of<T>(name, entries, overrides); };
+        with_two_sets(documented<T>(name), make_law, [&](const Entries &entries) { body(*make_law(entries)); });
       }
   }
 
@@ -109,22 +118,22 @@ BOOST_AUTO_TEST_CASE(enforcement_complementarity)
         const double g = random.positive(1e-9, 1e-1);
         // Apart, and no force: no contact, whatever the distance.
         const NormalResponse apart = enforcement.respond(state, g, 0.);
-        BOOST_TEST((!apart.touching && !apart.tied && apart.force == 0. && apart.derivative == 0.));
+        BOOST_TEST_REQUIRE((!apart.touching && !apart.tied && apart.force == 0. && apart.derivative == 0.));
         // Inside the tool or just touching: contact.
-        BOOST_TEST(enforcement.respond(state, -g, 0.).touching);
-        BOOST_TEST(enforcement.respond(state, 0., 0.).touching);
+        BOOST_TEST_REQUIRE(enforcement.respond(state, -g, 0.).touching);
+        BOOST_TEST_REQUIRE(enforcement.respond(state, 0., 0.).touching);
         // A reaction keeps the contact although a step has opened the gap a little; in the end the gap wins.
         const double lambda = random.positive(1e-3, 1e3) * state.stiffness;
-        BOOST_TEST(enforcement.respond(state, .99 * lambda / NormalLaw::weight(state), lambda).touching);
-        BOOST_TEST(!enforcement.respond(state, 1.01 * lambda / NormalLaw::weight(state), lambda).touching);
-        BOOST_TEST(enforcement.respond(state, -g, lambda).touching);
+        BOOST_TEST_REQUIRE(enforcement.respond(state, .99 * lambda / NormalLaw::weight(state), lambda).touching);
+        BOOST_TEST_REQUIRE(!enforcement.respond(state, 1.01 * lambda / NormalLaw::weight(state), lambda).touching);
+        BOOST_TEST_REQUIRE(enforcement.respond(state, -g, lambda).touching);
         // No compliance but in the continuation, and only unknowns of their own are tied.
         const NormalResponse inside = enforcement.respond(state, -g, lambda);
-        BOOST_TEST(inside.compliance == 0.);
-        BOOST_TEST(inside.tied == enforcement.has_multiplier());
-        BOOST_TEST(inside.force > 0.);
+        BOOST_TEST_REQUIRE(inside.compliance == 0.);
+        BOOST_TEST_REQUIRE(inside.tied == enforcement.has_multiplier());
+        BOOST_TEST_REQUIRE(inside.force > 0.);
         if (enforcement.has_multiplier())
-          BOOST_TEST((inside.force == lambda && inside.derivative == 0.));
+          BOOST_TEST_REQUIRE((inside.force == lambda && inside.derivative == 0.));
       }
     });
 }
@@ -140,11 +149,11 @@ BOOST_AUTO_TEST_CASE(enforcement_derivative)
                          const double gap = random.uniform(-1e-2, 1e-2), h = 1e-7;
                          const double lambda = random.uniform(-1., 1.) * state.stiffness;
                          const auto at = [&](const double g) { return enforcement.respond(state, g, lambda); };
-                         BOOST_TEST(at(gap).derivative <= 0.);
+                         BOOST_TEST_REQUIRE(at(gap).derivative <= 0.);
                          if (at(gap - h).touching == at(gap + h).touching)
-                           BOOST_TEST(std::abs((at(gap + h).force - at(gap - h).force) / (2. * h) -
-                                               at(gap).derivative) <= 1e-6 * state.penalty_factor);
-                         BOOST_TEST((at(gap).touching || at(gap).force == 0.));
+                           require_close(at(gap).derivative, (at(gap + h).force - at(gap - h).force) / (2. * h),
+                                         1e-6 * state.penalty_factor, "the derivative, by differences,");
+                         BOOST_TEST_REQUIRE((at(gap).touching || at(gap).force == 0.));
                        }
                      });
 }
@@ -158,17 +167,17 @@ BOOST_AUTO_TEST_CASE(penalty_factors_are_positive_and_finite)
                          {
                            const PenaltyInput input = random_input(random);
                            const auto usable = [](const double factor) { return factor > 0. && std::isfinite(factor); };
-                           BOOST_TEST(usable(rule.predict(input)));
-                           BOOST_TEST(usable(rule.correct(input)));
+                           BOOST_TEST_REQUIRE(usable(rule.predict(input)));
+                           BOOST_TEST_REQUIRE(usable(rule.correct(input)));
                            PenaltyInput first = input;
                            first.force = 0.;
                            first.previous_factor = 0.;
                            first.penetration = 0.;
                            first.coupling = 0.;
-                           BOOST_TEST(usable(rule.predict(first)));
-                           BOOST_TEST(rule.floor(input) >= 0.);
+                           BOOST_TEST_REQUIRE(usable(rule.predict(first)));
+                           BOOST_TEST_REQUIRE(rule.floor(input) >= 0.);
                            // A pure function
-                           BOOST_TEST(rule.predict(input) == rule.predict(input));
+                           BOOST_TEST_REQUIRE(rule.predict(input) == rule.predict(input));
                          }
                        });
 }
@@ -199,18 +208,18 @@ BOOST_AUTO_TEST_CASE(a_promise_is_kept_by_corrections)
                              input.penetration = spring * way / (spring + input.previous_factor);
                              input.force = input.previous_factor * input.penetration;
                              const double factor = rule.correct(input);
-                             BOOST_TEST(factor >= input.previous_factor);
+                             BOOST_TEST_REQUIRE(factor >= input.previous_factor);
                              if (input.penetration <= input.delta)
                              {
-                               BOOST_TEST(factor == input.previous_factor);
+                               BOOST_TEST_REQUIRE(factor == input.previous_factor);
                                break;
                              }
-                             BOOST_TEST(factor > input.previous_factor);
+                             BOOST_TEST_REQUIRE(factor > input.previous_factor);
                              input.previous_factor = factor;
                              input.previous_penetration = input.penetration;
                            }
-                           BOOST_TEST(round < 30u);
-                           BOOST_TEST(input.penetration <= input.delta);
+                           BOOST_TEST_REQUIRE(round < 30u);
+                           BOOST_TEST_REQUIRE(input.penetration <= input.delta);
                          }
                        });
 }
@@ -236,8 +245,8 @@ BOOST_AUTO_TEST_CASE(predictions_keep_a_promise_at_constant_reaction)
                              input.previous_penetration = input.penetration;
                              input.previous_factor = factor;
                            }
-                           BOOST_TEST(change <= 1e-12);
-                           BOOST_TEST(input.force / input.previous_factor <= input.delta * (1. + 1e-12));
+                           BOOST_TEST_REQUIRE(change <= 1e-12);
+                           BOOST_TEST_REQUIRE(input.force / input.previous_factor <= input.delta * (1. + 1e-12));
                          }
                        });
 }
@@ -261,10 +270,10 @@ BOOST_AUTO_TEST_CASE(the_adaptive_rule_settles_at_its_aim)
         input.penetration = input.force / input.previous_factor;
         input.previous_factor = rule->predict(input);
         const double now = std::abs(std::log(input.previous_factor / goal));
-        BOOST_TEST(now < last);
+        BOOST_TEST_REQUIRE(now < last);
         last = now;
       }
-      BOOST_TEST(std::abs(input.previous_factor * aim * input.delta / input.force - 1.) < 1e-11);
+      require_close(input.previous_factor * aim * input.delta / input.force, 1., 1e-11, "penetration over its aim");
     }
   }
 }
@@ -278,7 +287,7 @@ BOOST_AUTO_TEST_CASE(floors_bound_the_factor)
                          {
                            PenaltyInput input = random_input(random);
                            input.previous_factor = std::max(input.previous_factor, rule.floor(input));
-                           BOOST_TEST(rule.predict(input) >= rule.floor(input) * (1. - 1e-14));
+                           BOOST_TEST_REQUIRE(rule.predict(input) >= rule.floor(input) * (1. - 1e-14));
                          }
                        });
 }
@@ -308,11 +317,11 @@ BOOST_AUTO_TEST_CASE(rules_without_a_promise_end_their_corrections)
                                const double factor = rule.correct(input);
                                if (factor == input.previous_factor)
                                  break;
-                               BOOST_TEST(factor > input.previous_factor);
+                               BOOST_TEST_REQUIRE(factor > input.previous_factor);
                                input.previous_factor = factor;
                                input.previous_penetration = input.penetration;
                              }
-                             BOOST_TEST(round < 20u);
+                             BOOST_TEST_REQUIRE(round < 20u);
                            }
                          });
 }
@@ -325,8 +334,8 @@ BOOST_AUTO_TEST_CASE(the_constant_rule)
     const PenaltyInput input = random_input(random);
     const auto by_node = make<PenaltyRule>("constant", {"Penalty factor=3e5"});
     const auto by_area = make<PenaltyRule>("constant", {"Penalty factor=3e5", "Penalty factor is=per area"});
-    BOOST_TEST(by_node->predict(input) == 3e5);
-    BOOST_TEST(by_area->predict(input) == 3e5 * input.area);
+    BOOST_TEST_REQUIRE(by_node->predict(input) == 3e5);
+    BOOST_TEST_REQUIRE(by_area->predict(input) == 3e5 * input.area);
   }
 }
 
@@ -342,14 +351,14 @@ BOOST_AUTO_TEST_CASE(the_printed_rule)
   {
     const PenaltyInput input = random_input(random);
     const double exact = (input.force + input.coupling) / input.delta;
-    BOOST_TEST(printed->predict(input) == exact);
+    BOOST_TEST_REQUIRE(printed->predict(input) == exact);
     negative += exact < 0.;
     if (exact < 0.)
-      BOOST_TEST(guarded->predict(input) ==
-                 std::clamp(input.previous_factor, 1e-2 * input.stiffness, 1e6 * input.stiffness));
+      BOOST_TEST_REQUIRE(guarded->predict(input) ==
+                         std::clamp(input.previous_factor, 1e-2 * input.stiffness, 1e6 * input.stiffness));
   }
-  BOOST_TEST(negative > 10u);
-  BOOST_TEST(printed->needs_coupling());
+  BOOST_TEST_REQUIRE(negative > 10u);
+  BOOST_TEST_REQUIRE(printed->needs_coupling());
 }
 
 BOOST_AUTO_TEST_CASE(limits_of_friction)
@@ -362,7 +371,7 @@ BOOST_AUTO_TEST_CASE(limits_of_friction)
       const FrictionInput input = random_friction(random);
       const FrictionLimit limit = law.limit(input);
       any |= limit.value > 0.;
-      BOOST_TEST((limit.value >= 0. && limit.rate >= 0. && std::isfinite(limit.value)));
+      BOOST_TEST_REQUIRE((limit.value >= 0. && limit.rate >= 0. && std::isfinite(limit.value)));
       // The limit's rate, where both sides are on the same branch.
       FrictionInput less = input, more = input;
       const double h = 1e-6 * input.normal_force;
@@ -370,7 +379,7 @@ BOOST_AUTO_TEST_CASE(limits_of_friction)
       more.normal_force += h;
       const FrictionLimit a = law.limit(less), b = law.limit(more);
       if (a.rate == b.rate)
-        BOOST_TEST(std::abs((b.value - a.value) / (2. * h) - limit.rate) < 1e-6);
+        require_close(limit.rate, (b.value - a.value) / (2. * h), 1e-6, "the rate of the limit, by differences,");
       // The limit does not change with the way to this increment, nor with what the law does not ask for. All may ask
       // for the area: it makes a pressure of the force.
       FrictionInput other = random_friction(random);
@@ -378,12 +387,12 @@ BOOST_AUTO_TEST_CASE(limits_of_friction)
       other.area = input.area;
       other.flow_stress =
         law.needs_flow_stress() ? input.flow_stress : std::numeric_limits<double>::infinity();
-      BOOST_TEST(law.limit(other).value == limit.value);
+      BOOST_TEST_REQUIRE(law.limit(other).value == limit.value);
       // A law that knows no stress of the blank has nothing but the pressure to slide against.
       other.normal_force = 0.;
-      BOOST_TEST((law.needs_flow_stress() || law.limit(other).value == 0.));
+      BOOST_TEST_REQUIRE((law.needs_flow_stress() || law.limit(other).value == 0.));
     }
-    BOOST_TEST(law.acts() == any);
+    BOOST_TEST_REQUIRE(law.acts() == any);
   });
 }
 
@@ -402,17 +411,17 @@ BOOST_AUTO_TEST_CASE(friction_within_its_limit)
         input.slip_increment = random.uniform(-2., 2.) * input.normal_force / input.stiffness;
         const FrictionResponse now = law.update(input);
         const double limit = law.limit(input).value, t = input.committed, slip = input.slip_increment;
-        BOOST_TEST(std::abs(now.force) <= limit * (1. + 1e-14));
-        BOOST_TEST((now.sticking || std::abs(now.force) >= limit * (1. - 1e-14)));
+        BOOST_TEST_REQUIRE(std::abs(now.force) <= limit * (1. + 1e-14));
+        BOOST_TEST_REQUIRE((now.sticking || std::abs(now.force) >= limit * (1. - 1e-14)));
         // What does not go into the spring is dissipated, never gained (backward Euler: force at the end).
         const double size = std::abs(slip) + std::abs(t) / input.stiffness; // whose round-off the difference has
         const double irreversible = slip - (now.force - t) / input.stiffness;
-        BOOST_TEST(now.force * irreversible >= -1e-14 * std::abs(now.force) * size);
-        BOOST_TEST((!now.sticking || std::abs(irreversible) <= 1e-12 * size));
+        BOOST_TEST_REQUIRE(now.force * irreversible >= -1e-14 * std::abs(now.force) * size);
+        BOOST_TEST_REQUIRE((!now.sticking || std::abs(irreversible) <= 1e-12 * size));
         dissipated += now.force * irreversible;
         input.committed = now.force;
       }
-      BOOST_TEST((law.acts() ? dissipated > 0. : dissipated == 0.));
+      BOOST_TEST_REQUIRE((law.acts() ? dissipated > 0. : dissipated == 0.));
     }
   });
 }
@@ -443,10 +452,12 @@ BOOST_AUTO_TEST_CASE(friction_derivatives)
           std::abs(c.force_rate - d.force_rate) > 1e-4)
         continue;
       (now.sticking ? sticking : sliding)++;
-      BOOST_TEST(std::abs((b.force - a.force) / (2. * h_slip) - now.slip_rate) < 1e-6 * stiffness);
-      BOOST_TEST(std::abs((d.force - c.force) / (2. * h_lambda) - now.force_rate) < 1e-6);
+      require_close(now.slip_rate, (b.force - a.force) / (2. * h_slip), 1e-6 * stiffness,
+                    "the derivative by the slip, by differences,");
+      require_close(now.force_rate, (d.force - c.force) / (2. * h_lambda), 1e-6,
+                    "the derivative by the normal force, by differences,");
     }
-    BOOST_TEST((!law.acts() || (sliding > 100u && sticking > 100u)));
+    BOOST_TEST_REQUIRE((!law.acts() || (sliding > 100u && sticking > 100u)));
   });
 }
 
@@ -463,9 +474,9 @@ BOOST_AUTO_TEST_CASE(friction_knows_no_preferred_direction)
       turned.committed *= -1.;
       turned.slip_increment *= -1.;
       const auto one = law.update(input), other = law.update(turned);
-      BOOST_TEST(one.force == -other.force);
-      BOOST_TEST(one.slip_rate == other.slip_rate);
-      BOOST_TEST(one.force_rate == -other.force_rate);
+      BOOST_TEST_REQUIRE(one.force == -other.force);
+      BOOST_TEST_REQUIRE(one.slip_rate == other.slip_rate);
+      BOOST_TEST_REQUIRE(one.force_rate == -other.force_rate);
     }
   });
 }

@@ -19,6 +19,16 @@ namespace deltaform
       return NewtonSettings(section);
     }
 
+    /// Every unknown is coupled with every other.
+    inline dealii::DynamicSparsityPattern full_pattern(const unsigned int n)
+    {
+      dealii::DynamicSparsityPattern result(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          result.add(i, j);
+      return result;
+    }
+
     /**
      * Order p of r_k+1 = C r_k^p from three residuals that decrease, all above @p smallest (round-off): the best of the
      * last three triples, because the last residual may already feel the round-off. Not a number if there is none.

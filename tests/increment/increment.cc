@@ -23,17 +23,8 @@ namespace
   {
   public:
     Arch()
-      : system(pattern(), 0, "klu"), q(2), goal(2)
+      : system(full_pattern(2), 0, "klu"), q(2), goal(2)
     {
-    }
-
-    static dealii::DynamicSparsityPattern pattern()
-    {
-      dealii::DynamicSparsityPattern result(2, 2);
-      for (unsigned int i = 0; i < 2; ++i)
-        for (unsigned int j = 0; j < 2; ++j)
-          result.add(i, j);
-      return result;
     }
 
     double typical_length() const override

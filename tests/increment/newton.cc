@@ -22,17 +22,8 @@ namespace
 
     Scalar(Function internal_force, Function derivative, const double external_force)
       : internal(std::move(internal_force)), slope(std::move(derivative)), load(external_force),
-        system(pattern(), 0, "klu")
+        system(full_pattern(2), 0, "klu")
     {
-    }
-
-    static dealii::DynamicSparsityPattern pattern()
-    {
-      dealii::DynamicSparsityPattern result(2, 2);
-      for (unsigned int i = 0; i < 2; ++i)
-        for (unsigned int j = 0; j < 2; ++j)
-          result.add(i, j);
-      return result;
     }
 
     double typical_length() const override

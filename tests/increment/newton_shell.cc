@@ -4,66 +4,37 @@
 using namespace deltaform;
 using namespace deltaform::testing;
 
-namespace
-{
-  const Entries yielding{"Material/Model=elastoplastic",
-                         "Material/Hardening/Law=linear",
-                         "Material/Hardening/Initial flow stress=20",
-                         "Material/Hardening/Hardening modulus=100"};
-  const Entries punch{"Shape=hemispherical punch",
-                      "Radius=.5",
-                      "Side=bottom",
-                      "Position z=-.025",
-                      "Friction coefficient=.05",
-                      "Motion=t"};
-
-  void for_all_shells(const Entries &more, const std::function<void(const Entries &)> &body)
-  {
-    for (const std::string degree : {"1", "2"})
-      for (const std::string symmetry : {"axisymmetric", "plane strain"})
-        BOOST_TEST_CONTEXT("degree " << degree << ", " << symmetry)
-    body(Entries{"Blank/Degree=" + degree, "Blank/Symmetry=" + symmetry} + more);
-  }
-
-  void check_order(const NewtonResult &result)
-  {
-    const double order = observed_order(result.residuals, 1e-14);
-    BOOST_TEST_MESSAGE("order " << order << ":" << listed_residuals(result.residuals));
-    BOOST_TEST(order >= 1.8, listed_residuals(result.residuals));
-  }
-} // namespace
-
 BOOST_AUTO_TEST_SUITE(newton_shell)
 
 BOOST_AUTO_TEST_CASE(elastic)
 {
-  for_all_shells(Entries{"Material/Model=linear elastic"},
-                 [](const Entries &entries) {
-                   ShellProblem problem(entries, {}, {});
-                   check_order(problem.increment(1., 2.)); // deflection of several thicknesses
-                   check_order(problem.increment(2., 4.));
-                 });
+  for_all_variants(Entries{"Material/Model=linear elastic"},
+                   [](const Entries &entries) {
+                     ShellProblem problem(entries, {}, {});
+                     check_order(problem.increment(1., 2.)); // deflection of several thicknesses
+                     check_order(problem.increment(2., 4.));
+                   });
 }
 
 BOOST_AUTO_TEST_CASE(plastic)
 {
-  for_all_shells(yielding,
-                 [](const Entries &entries) {
-                   ShellProblem problem(entries, {}, {});
-                   for (unsigned int k = 1; k < 10; ++k)
-                     problem.increment(.1 * k, .2 * k);
-                   BOOST_TEST(problem.blank->energy().plastic > 0.);
-                   check_order(problem.increment(1., 2.));
-                   check_order(problem.increment(1.1, 2.1));
-                   check_order(problem.increment(1.2, 1.8)); // unloading
-                 });
+  for_all_variants(yielding,
+                   [](const Entries &entries) {
+                     ShellProblem problem(entries, {}, {});
+                     for (unsigned int k = 1; k < 10; ++k)
+                       problem.increment(.1 * k, .2 * k);
+                     BOOST_TEST(problem.blank->energy().plastic > 0.);
+                     check_order(problem.increment(1., 2.));
+                     check_order(problem.increment(1.1, 2.1));
+                     check_order(problem.increment(1.2, 1.8)); // unloading
+                   });
 }
 
 BOOST_AUTO_TEST_CASE(in_contact_with_friction)
 {
   for (const auto &enforcement : Registry<NormalLaw>::names())
     for (const std::string point : {"point=normal offset", "point=outer fibre", "points=gauss"})
-      for_all_shells(
+      for_all_variants(
         yielding + Entries{"Blank/Contact " + point},
         [&](const Entries &entries) {
           BOOST_TEST_CONTEXT(enforcement << ", " << point)
@@ -98,26 +69,26 @@ BOOST_AUTO_TEST_CASE(in_contact_with_friction)
 BOOST_AUTO_TEST_CASE(driven_by_a_force)
 {
   // The travel of the tool is an unknown of the border.
-  for_all_shells(yielding,
-                 [](const Entries &entries) {
-                   const Entries driven{"Shape=flat punch",
-                                        "Radius=.3",
-                                        "Edge radius=.2",
-                                        "Side=bottom",
-                                        "Position z=-.025 + 1e-9", // in touch from the start
-                                        "Friction coefficient=.05",
-                                        "Force=2*t"};
-                   ShellProblem problem(entries, {"Enforcement=penalty", "Allowed penetration=5e-2*.05"}, driven);
-                   for (unsigned int k = 1; k <= 8; ++k)
-                   {
-                     const NewtonResult result = problem.increment(.1 * k, 0.);
-                     BOOST_TEST_MESSAGE(k << ":" << listed_residuals(result.residuals));
-                     BOOST_TEST(std::abs(problem.fixture->contact.tool_force()[1] + .2 * k) < 1e-9 * k);
-                     if (k > 4 && result.rounds == 0)
-                       check_order(result);
-                   }
-                   BOOST_TEST(problem.fixture->contact.travel(problem.committed) > .01);
-                 });
+  for_all_variants(yielding,
+                   [](const Entries &entries) {
+                     const Entries driven{"Shape=flat punch",
+                                          "Radius=.3",
+                                          "Edge radius=.2",
+                                          "Side=bottom",
+                                          "Position z=-.025 + 1e-9", // in touch from the start
+                                          "Friction coefficient=.05",
+                                          "Force=2*t"};
+                     ShellProblem problem(entries, {"Enforcement=penalty", "Allowed penetration=5e-2*.05"}, driven);
+                     for (unsigned int k = 1; k <= 8; ++k)
+                     {
+                       const NewtonResult result = problem.increment(.1 * k, 0.);
+                       BOOST_TEST_MESSAGE(k << ":" << listed_residuals(result.residuals));
+                       BOOST_TEST(std::abs(problem.fixture->contact.tool_force()[1] + .2 * k) < 1e-9 * k);
+                       if (k > 4 && result.rounds == 0)
+                         check_order(result);
+                     }
+                     BOOST_TEST(problem.fixture->contact.travel(problem.committed) > .01);
+                   });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

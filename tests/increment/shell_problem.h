@@ -193,5 +193,32 @@ namespace deltaform
       double pressure = 0., last_time = 0.;
       bool factors_due = true;
     };
+
+    const Entries yielding{"Material/Model=elastoplastic",
+                           "Material/Hardening/Law=linear",
+                           "Material/Hardening/Initial flow stress=20",
+                           "Material/Hardening/Hardening modulus=100"};
+    const Entries punch{"Shape=hemispherical punch",
+                        "Radius=.5",
+                        "Side=bottom",
+                        "Position z=-.025",
+                        "Friction coefficient=.05",
+                        "Motion=t"};
+
+    /// Call @p body with the entries of a blank of either degree and symmetry.
+    inline void for_all_variants(const Entries &more, const std::function<void(const Entries &)> &body)
+    {
+      for (const std::string degree : {"1", "2"})
+        for (const std::string symmetry : {"axisymmetric", "plane strain"})
+          BOOST_TEST_CONTEXT("degree " << degree << ", " << symmetry)
+      body(Entries{"Blank/Degree=" + degree, "Blank/Symmetry=" + symmetry} + more);
+    }
+
+    inline void check_order(const NewtonResult &result)
+    {
+      const double order = observed_order(result.residuals, 1e-14);
+      BOOST_TEST_MESSAGE("order " << order << ":" << listed_residuals(result.residuals));
+      BOOST_TEST(order >= 1.8, listed_residuals(result.residuals));
+    }
   } // namespace testing
 } // namespace deltaform

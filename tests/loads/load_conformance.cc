@@ -1,5 +1,6 @@
 // What every registered load has to fulfil, on every blank, whatever it is called; and the resultants of ours.
 #include "../blanks/any_blank.h"
+#include "../conformance.h"
 
 #include <deltaform/loads/load.h>
 #include <deltaform/loads/load_way.h>
@@ -12,17 +13,24 @@ namespace
   const Entries curved_and_coarse = curved({"Material/Model=linear elastic", "Blank/Elements=3"});
   const Entries on_the_outer_edge = {"load/Value=3*t", "load/Boundary=end", "load/Place=.55"};
 
-  std::unique_ptr<Load> make_load(const std::string &kind, const Blank &blank, const Entries &overrides)
+  Entries documented(const std::string &kind, const Blank &blank)
   {
-    Entries entries = documented_entries(
-      [&](ParameterTree &tree) {
-        Section section = tree.root().sub("load");
-        LoadRegistry::make(kind, section, blank);
-      });
-    entries.insert(entries.end(), overrides.begin(), overrides.end());
+    return documented_entries([&](ParameterTree &tree) {
+      Section section = tree.root().sub("load");
+      LoadRegistry::make(kind, section, blank);
+    });
+  }
+
+  std::unique_ptr<Load> make_load_of(const std::string &kind, const Blank &blank, const Entries &entries)
+  {
     ParameterTree tree = ParameterTree::parse("", "test", entries);
     Section section = tree.root().sub("load");
     return LoadRegistry::make(kind, section, blank);
+  }
+
+  std::unique_ptr<Load> make_load(const std::string &kind, const Blank &blank, const Entries &overrides)
+  {
+    return make_load_of(kind, blank, documented(kind, blank) + overrides);
   }
 
   void for_all_loads(const Entries &base, const std::function<void(Load &, Blank &)> &body)
@@ -31,9 +39,23 @@ namespace
     for_all_blanks(base,
                    [&](Blank &blank, const Entries &) {
                      for (const auto &kind : LoadRegistry::names())
+                     {
+                       const auto make = [&](const Entries &entries) {
+                         return make_load_of(kind, blank, entries + on_the_outer_edge);
+                       };
                        BOOST_TEST_CONTEXT("load '" << kind << "'")
-                     body(*make_load(kind, blank, on_the_outer_edge), blank);
+                       with_two_sets(documented(kind, blank), make,
+                                     [&](const Entries &entries) { body(*make(entries), blank); });
+                     }
                    });
+  }
+
+  /// Component by component, to a share of the norm.
+  void require_close(const Eigen::VectorXd &forces, const Eigen::VectorXd &expected, const double share,
+                     const std::string &what)
+  {
+    for (Eigen::Index i = 0; i < forces.size(); ++i)
+      testing::require_close(forces[i], expected[i], share * expected.norm(), what + " " + std::to_string(i));
   }
 
   Eigen::VectorXd forces(const Load &load, const Vector &q, const double value)
@@ -63,14 +85,14 @@ BOOST_AUTO_TEST_CASE(forces_are_proportional_to_the_value)
                 [&](Load &load, Blank &blank) {
                   const Vector q = random_state(blank, generator, .02);
                   const Eigen::VectorXd unit = forces(load, q, 1.);
-                  BOOST_TEST(unit.norm() > 0.);
-                  BOOST_TEST(unit.allFinite());
-                  BOOST_TEST(forces(load, q, 0.).norm() == 0.);
-                  BOOST_TEST((forces(load, q, -7.) + 7. * unit).norm() <= 1e-14 * 7. * unit.norm());
+                  BOOST_TEST_REQUIRE(unit.norm() > 0.);
+                  BOOST_TEST_REQUIRE(unit.allFinite());
+                  BOOST_TEST_REQUIRE(forces(load, q, 0.).norm() == 0.);
+                  require_close(forces(load, q, -7.), -7. * unit, 1e-14, "of seven times the load, force");
                   // The value is a function of time.
                   DenseTarget target(q.size(), false);
-                  BOOST_TEST(load.assemble(q, 2., target).good());
-                  BOOST_TEST((target.residual + 6. * unit).norm() <= 1e-14 * 6. * unit.norm());
+                  BOOST_TEST_REQUIRE(load.assemble(q, 2., target).good());
+                  require_close(-target.residual, 6. * unit, 1e-14, "of a value over time, force");
                 });
 }
 
@@ -89,7 +111,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative)
                       target.add(&i, 1, target.wants_tangent() ? &one : nullptr, &force);
                     }
                   };
-                  BOOST_TEST(tangent_error(beside_springs, q, std::vector<double>(q.size(), 1.), 1e-4) < 1e-9);
+                  BOOST_TEST_REQUIRE(tangent_error(beside_springs, q, std::vector<double>(q.size(), 1.), 1e-4) < 1e-9);
                 });
 }
 
@@ -107,14 +129,16 @@ BOOST_AUTO_TEST_CASE(the_way_is_what_the_load_works_on)
                   before.add(-h, d);
                   after.add(h, d);
                   const double slope = (LoadWay(load, after).value() - LoadWay(load, before).value()) / (2. * h);
-                  BOOST_TEST(std::abs(LoadWay(load, q).gradient() * d - slope) <= 1e-7 * std::abs(slope) + 1e-12);
+                  testing::require_close(LoadWay(load, q).gradient() * d, slope, 1e-7 * std::abs(slope) + 1e-12,
+                                         "the slope of the way, by differences,");
                   // Along the straight way itself the gradient is the force.
                   Vector along = q;
                   along *= .5;
                   double work = 0.;
                   for (DofIndex i = 0; i < q.size(); ++i)
                     work += forces(load, along, 1.)[i] * q[i];
-                  BOOST_TEST(std::abs(LoadWay(load, along).gradient() * q - work) <= 1e-9 * std::abs(work) + 1e-14);
+                  testing::require_close(LoadWay(load, along).gradient() * q, work, 1e-9 * std::abs(work) + 1e-14,
+                                         "the work along a straight way");
                 });
 }
 
@@ -167,7 +191,7 @@ BOOST_AUTO_TEST_CASE(numbering_anew_changes_nothing_on_the_same_mesh)
                   const Vector q(blank.n_dofs());
                   const Eigen::VectorXd before = forces(load, q, 1.);
                   load.renumber();
-                  BOOST_TEST((forces(load, q, 1.) - before).norm() == 0.);
+                  require_close(forces(load, q, 1.), before, 0., "numbered anew, force");
                 });
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "../conformance.h"
+
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/rate_factor.h>
-#include <deltaform/parameters/parameter_tree.h>
-#include <deltaform/parameters/registry.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -42,20 +42,6 @@ namespace deltaform
       for (const auto &name : Registry<Hardening>::names())
         if (!make_hardening(name)->own_rate_factor(0.))
           result.push_back(name);
-      return result;
-    }
-
-    /// What the documentation of a law amounts to as assignments "A/B/entry=value".
-    template <typename Declare>
-    std::vector<std::string> documented_entries(const Declare &declare)
-    {
-      ParameterTree tree = ParameterTree::documentation();
-      declare(tree);
-      std::ostringstream text;
-      tree.print_prm(text);
-      std::vector<std::string> result;
-      for (const auto &entry : SceneFile::parse(text.str(), "documentation").entries)
-        result.push_back(to_string(entry.path, entry.name) + "=" + entry.value);
       return result;
     }
 

@@ -1,17 +1,15 @@
+#include "../conformance.h"
+
 #include <deltaform/geometry/curvature.h>
-#include <deltaform/parameters/parameter_tree.h>
-#include <deltaform/parameters/registry.h>
 #include <deltaform/tools/shape.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
 #include <functional>
 #include <random>
 
 // What every registered shape must do, whatever it looks like.
 
 using namespace deltaform;
+using namespace deltaform::testing;
 
 namespace
 {
@@ -39,14 +37,29 @@ namespace
   const Registry<Shape>::Entry zigzag("zigzag (test)", "Lines, fillets, corners and dents", make_as<Zigzag, Shape>);
   const Registry<Shape>::Entry rotor("rotor (test)", "Arcs only", make_as<Rotor, Shape>);
 
-  constexpr unsigned int n_points = 20000;
+  constexpr unsigned int n_points = 10000;
 
-  // With the values of the documentation.
-  std::unique_ptr<Shape> documented(const std::string &name)
+  std::unique_ptr<Shape> make(const std::string &name, const std::vector<std::string> &entries)
   {
-    ParameterTree tree = ParameterTree::documentation();
+    ParameterTree tree = ParameterTree::parse("", "test", entries);
     Section section = tree.root();
     return Registry<Shape>::make(name, section);
+  }
+
+  /// Every registered shape with the values of the documentation, and with others.
+  void for_all_shapes(const std::function<void(const Shape &)> &body)
+  {
+    BOOST_TEST_REQUIRE(!Registry<Shape>::names().empty());
+    for (const std::string &name : Registry<Shape>::names())
+      BOOST_TEST_CONTEXT("shape '" << name << "'")
+      {
+        const auto make_shape = [&](const std::vector<std::string> &entries) { return make(name, entries); };
+        with_two_sets(documented_entries([&](ParameterTree &tree) {
+                        Section section = tree.root();
+                        Registry<Shape>::make(name, section);
+                      }),
+                      make_shape, [&](const std::vector<std::string> &entries) { body(*make_shape(entries)); });
+      }
   }
 
   // Returns whether the point was fit for the check.
@@ -55,31 +68,32 @@ namespace
   // Calls the check for random points around every registered shape that have a closest point.
   void for_all(const Check &check)
   {
-    BOOST_TEST_REQUIRE(!Registry<Shape>::names().empty());
-    for (const std::string &name : Registry<Shape>::names())
-      BOOST_TEST_CONTEXT("shape '" << name << "'")
-      {
-        const auto shape = documented(name);
-
-        Point2 lower(-1., -1.), upper(1., 1.);
-        for (const Point2 &point : shape->polyline())
-          for (unsigned int d = 0; d < 2; ++d)
-          {
-            lower[d] = std::min(lower[d], 1.5 * point[d]);
-            upper[d] = std::max(upper[d], 1.5 * point[d]);
-          }
-        std::mt19937 generator(20);
-        std::uniform_real_distribution<double> r(lower[0], upper[0]), z(lower[1], upper[1]);
-        unsigned int n_checked = 0;
-        for (unsigned int i = 0; i < n_points; ++i)
+    for_all_shapes([&](const Shape &shape) {
+      Point2 lower(-1., -1.), upper(1., 1.);
+      for (const Point2 &point : shape.polyline())
+        for (unsigned int d = 0; d < 2; ++d)
         {
-          const Point2 x(r(generator), z(generator));
-          const Projection p = shape->project(x);
-          if (std::isfinite(p.distance) && check(*shape, x, p))
-            ++n_checked;
+          lower[d] = std::min(lower[d], 1.5 * point[d]);
+          upper[d] = std::max(upper[d], 1.5 * point[d]);
         }
-        BOOST_TEST(n_checked > n_points / 10);
+      std::mt19937 generator(20);
+      std::uniform_real_distribution<double> r(lower[0], upper[0]), z(lower[1], upper[1]);
+      unsigned int n_checked = 0;
+      for (unsigned int i = 0; i < n_points; ++i)
+      {
+        const Point2 x(r(generator), z(generator));
+        const Projection p = shape.project(x);
+        if (std::isfinite(p.distance) && check(shape, x, p))
+          ++n_checked;
       }
+      BOOST_TEST(n_checked > n_points / 10);
+    });
+  }
+
+  // A step of the differences along r and z.
+  std::array<Tensor1, 2> steps(const double h)
+  {
+    return {{Tensor1({h, 0.}), Tensor1({0., h})}};
   }
 
   // Seen by the points of the polyline alone.
@@ -113,10 +127,10 @@ BOOST_AUTO_TEST_CASE(normal_and_tangent_are_a_frame)
 {
   for_all(
     [](const Shape &, const Point2 &, const Projection &p) {
-      BOOST_TEST(std::abs(p.normal.norm() - 1) < 1e-14);
-      BOOST_TEST(std::abs(p.tangent.norm() - 1) < 1e-14);
-      BOOST_TEST(std::abs(p.normal[0] + p.tangent[1]) < 1e-15); // the tangent turned by +90 degrees
-      BOOST_TEST(std::abs(p.normal[1] - p.tangent[0]) < 1e-15);
+      BOOST_TEST_REQUIRE(std::abs(p.normal.norm() - 1) < 1e-14);
+      BOOST_TEST_REQUIRE(std::abs(p.tangent.norm() - 1) < 1e-14);
+      BOOST_TEST_REQUIRE(std::abs(p.normal[0] + p.tangent[1]) < 1e-15); // the tangent turned by +90 degrees
+      BOOST_TEST_REQUIRE(std::abs(p.normal[1] - p.tangent[0]) < 1e-15);
       return true;
     });
 }
@@ -125,29 +139,26 @@ BOOST_AUTO_TEST_CASE(material_above_is_outside)
 {
   // Walked with growing r, the blank to the left: what lies above the whole tool is outside. A shape walked backwards
   // has it inside.
-  for (const std::string &name : Registry<Shape>::names())
-    BOOST_TEST_CONTEXT("shape '" << name << "'")
+  for_all_shapes([](const Shape &shape) {
+    std::mt19937 generator(21);
+    std::uniform_real_distribution<double> part(0., 1.);
+    const auto box = shape.bounding_box();
+    unsigned int n_checked = 0;
+    double first_r = 1e300, last_r = -1e300;
+    for (const Point2 &point : shape.polyline())
     {
-      const auto shape = documented(name);
-      std::mt19937 generator(21);
-      std::uniform_real_distribution<double> part(0., 1.);
-      const auto box = shape->bounding_box();
-      unsigned int n_checked = 0;
-      double first_r = 1e300, last_r = -1e300;
-      for (const Point2 &point : shape->polyline())
-      {
-        first_r = std::min(first_r, point[0]);
-        last_r = std::max(last_r, point[0]);
-      }
-      for (unsigned int i = 0; i < 200; ++i)
-      {
-        const Point2 x(first_r + (last_r - first_r) * part(generator), box.second[1] + 1e-3 + 2 * part(generator));
-        const double distance = shape->project(x).distance;
-        BOOST_TEST(distance > 0.);
-        n_checked += std::isfinite(distance);
-      }
-      BOOST_TEST(n_checked > 100u);
+      first_r = std::min(first_r, point[0]);
+      last_r = std::max(last_r, point[0]);
     }
+    for (unsigned int i = 0; i < 200; ++i)
+    {
+      const Point2 x(first_r + (last_r - first_r) * part(generator), box.second[1] + 1e-3 + 2 * part(generator));
+      const double distance = shape.project(x).distance;
+      BOOST_TEST_REQUIRE(distance > 0.);
+      n_checked += std::isfinite(distance);
+    }
+    BOOST_TEST(n_checked > 100u);
+  });
 }
 
 BOOST_AUTO_TEST_CASE(named_shapes_touch_first_at_their_origin_s_height)
@@ -158,14 +169,16 @@ BOOST_AUTO_TEST_CASE(named_shapes_touch_first_at_their_origin_s_height)
   for (const std::string &name : Registry<Shape>::names())
     BOOST_TEST_CONTEXT("shape '" << name << "'")
     {
-      const auto shape = documented(name);
+      ParameterTree tree = ParameterTree::documentation();
+      Section section = tree.root();
+      const auto shape = Registry<Shape>::make(name, section);
       const bool test = name.size() > 6 && name.compare(name.size() - 6, 6, "(test)") == 0;
       if (test || shape->in_scene_frame() || name == "circle")
         continue;
-      BOOST_TEST(std::abs(shape->bounding_box().second[1]) < 1e-12);
+      BOOST_TEST_REQUIRE(std::abs(shape->bounding_box().second[1]) < 1e-12);
       ++n_checked;
     }
-  BOOST_TEST(n_checked >= 4u);
+  BOOST_TEST_REQUIRE(n_checked >= 4u);
 }
 
 BOOST_AUTO_TEST_CASE(closest_point_is_on_the_profile)
@@ -174,8 +187,8 @@ BOOST_AUTO_TEST_CASE(closest_point_is_on_the_profile)
     [](const Shape &shape, const Point2 &x, const Projection &p) {
       const Point2 closest = x - p.distance * p.normal;
       const Projection q = shape.project(closest);
-      BOOST_TEST(std::abs(q.distance) < 1e-13);
-      BOOST_TEST(std::abs(q.arc_length - p.arc_length) < 1e-12);
+      BOOST_TEST_REQUIRE(std::abs(q.distance) < 1e-13);
+      BOOST_TEST_REQUIRE(std::abs(q.arc_length - p.arc_length) < 1e-12);
       return true;
     });
 }
@@ -188,7 +201,7 @@ BOOST_AUTO_TEST_CASE(closest_point_is_the_closest_of_all)
         return false;
       for (const Segment &segment : shape.segments())
         for (const Point2 &end : {segment.start, segment.end})
-          BOOST_TEST(std::abs(p.distance) < end.distance(x) + 1e-14);
+          BOOST_TEST_REQUIRE(std::abs(p.distance) < end.distance(x) + 1e-14);
       return true;
     });
 }
@@ -200,13 +213,11 @@ BOOST_AUTO_TEST_CASE(normal_is_the_gradient_of_the_distance)
     [](const Shape &shape, const Point2 &x, const Projection &p) {
       if (!is_smooth(shape, x, p, h))
         return false;
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        Tensor1 step;
-        step[d] = h;
-        const double slope = (shape.project(x + step).distance - shape.project(x - step).distance) / (2 * h);
-        BOOST_TEST(std::abs(slope - p.normal[d]) < 1e-8);
-      }
+      for (const Tensor1 &step : steps(h))
+        require_close(p.normal * step / h,
+                      (shape.project(x + step).distance - shape.project(x - step).distance) / (2 * h),
+                      1e-8,
+                      "the slope of the distance, by differences,");
       return true;
     });
 }
@@ -218,12 +229,14 @@ BOOST_AUTO_TEST_CASE(curvature_is_the_derivative_of_the_normal)
     [](const Shape &shape, const Point2 &x, const Projection &p) {
       if (!is_smooth(shape, x, p, h))
         return false;
-      for (unsigned int d = 0; d < 2; ++d)
+      for (const Tensor1 &step : steps(h))
       {
-        Tensor1 step;
-        step[d] = h;
         const Tensor1 slope = (shape.project(x + step).normal - shape.project(x - step).normal) / (2 * h);
-        BOOST_TEST((slope - p.curvature * p.tangent[d] * p.tangent).norm() < 1e-7);
+        for (unsigned int d = 0; d < 2; ++d)
+          require_close(p.curvature * (p.tangent * step / h) * p.tangent[d],
+                        slope[d],
+                        1e-7,
+                        "the slope of the normal, by differences,");
       }
       return true;
     });
@@ -236,14 +249,11 @@ BOOST_AUTO_TEST_CASE(slip_rate_is_the_derivative_of_the_arc_length)
     [](const Shape &shape, const Point2 &x, const Projection &p) {
       if (!is_smooth(shape, x, p, h))
         return false;
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        Tensor1 step;
-        step[d] = h;
-        const double slope =
-          shape.slip(shape.project(x - step).arc_length, shape.project(x + step).arc_length) / (2 * h);
-        BOOST_TEST(std::abs(slope - p.slip_rate * p.tangent[d]) < 1e-7);
-      }
+      for (const Tensor1 &step : steps(h))
+        require_close(p.slip_rate * (p.tangent * step / h),
+                      shape.slip(shape.project(x - step).arc_length, shape.project(x + step).arc_length) / (2 * h),
+                      1e-7,
+                      "the slope of the arc length, by differences,");
       return true;
     });
 }
@@ -270,7 +280,7 @@ BOOST_AUTO_TEST_CASE(mean_curvature_is_how_the_normal_turns)
               return true; // a corner turns the normal without length
       const double angle = std::atan2(a.normal[0] * b.normal[1] - a.normal[1] * b.normal[0], a.normal * b.normal);
       const double found = between * mean_curvature(shape, a.arc_length + between / 2, between / 2);
-      BOOST_TEST(std::abs(found + angle) < 1e-9);
+      require_close(found, -angle, 1e-9, "the angle by the mean curvature");
       return true;
     });
 }
@@ -283,9 +293,9 @@ BOOST_AUTO_TEST_CASE(mean_curvature_has_no_jumps)
       const double s = p.arc_length;
       const double change = mean_curvature(shape, s + h, reach) - mean_curvature(shape, s - h, reach);
       const double slope = curvature_change(shape, s, reach);
-      BOOST_TEST(std::abs(change) <= 2 * h / (reach * smallest_radius(shape)) + 1e-13);
+      BOOST_TEST_REQUIRE(std::abs(change) <= 2 * h / (reach * smallest_radius(shape)) + 1e-13);
       if (slope == curvature_change(shape, s - h, reach) && slope == curvature_change(shape, s + h, reach))
-        BOOST_TEST(std::abs(change - 2 * h * slope) < 1e-13); // round-off of s over reach and radius
+        require_close(change, 2 * h * slope, 1e-13, "the mean curvature over a step"); // round-off of s over reach and radius
       return true;
     });
 }
@@ -303,12 +313,12 @@ BOOST_AUTO_TEST_CASE(slip_of_a_node_kept_off_does_work_with_its_share_of_the_for
           std::abs(shape.slip(a.arc_length, b.arc_length)) > 1e-4)
         return false;
       const double slope = offset_slip(shape, a.arc_length, b.arc_length, offset) / (2 * h);
-      BOOST_TEST(std::abs(slope - 1. / (1. + offset * mean_curvature(shape, here.arc_length, offset))) < 1e-7);
+      require_close(slope, 1. / (1. + offset * mean_curvature(shape, here.arc_length, offset)), 1e-7, "the slip of a node");
       // In two parts as in one.
       const double start = here.arc_length - .2;
       const double to_a = offset_slip(shape, start, a.arc_length, offset);
       const double to_b = offset_slip(shape, start, b.arc_length, offset);
-      BOOST_TEST(std::abs(to_b - to_a - 2 * h * slope) < 1e-8);
+      require_close(to_b - to_a, 2 * h * slope, 1e-8, "the slip in two parts");
       return true;
     });
 }
@@ -321,10 +331,10 @@ BOOST_AUTO_TEST_CASE(warm_start_changes_nothing)
       for (unsigned int hint = 0; hint <= n; ++hint)
       {
         const Projection q = shape.project(x, hint);
-        BOOST_TEST(std::abs(q.distance - p.distance) <= 1e-15);
-        BOOST_TEST(q.segment == p.segment);
-        BOOST_TEST((q.normal - p.normal).norm() == 0.);
-        BOOST_TEST(q.arc_length == p.arc_length);
+        require_close(q.distance, p.distance, 1e-15, "the distance from another start");
+        BOOST_TEST_REQUIRE(q.segment == p.segment);
+        BOOST_TEST_REQUIRE((q.normal - p.normal).norm() == 0.);
+        BOOST_TEST_REQUIRE(q.arc_length == p.arc_length);
       }
       return true;
     });
@@ -333,38 +343,35 @@ BOOST_AUTO_TEST_CASE(warm_start_changes_nothing)
 BOOST_AUTO_TEST_CASE(no_jump_and_no_gap_at_the_joints)
 {
   unsigned int n_checked = 0;
-  for (const std::string &name : Registry<Shape>::names())
-    BOOST_TEST_CONTEXT("shape '" << name << "'")
+  for_all_shapes([&n_checked](const Shape &shape) {
+    for (const Segment &s : shape.segments())
     {
-      const auto shape = documented(name);
-      for (const Segment &s : shape->segments())
-      {
-        const double side = s.convex ? 1. : -1.;
-        std::vector<std::pair<Point2, Tensor1>> rays; // along the normals at the ends of arcs and corners
-        if (s.kind == Segment::Kind::arc)
-          rays = {{s.start, side * s.from}, {s.end, side * s.to}};
-        for (const auto &[joint, normal] : rays)
-          for (const double distance : {1e-9, 1e-3, .1, .37, 3.}) // outside of a corner that is no dent
-          {
-            if (!s.convex && (s.radius == 0 || distance >= s.radius))
-              continue;
-            const Point2 x = joint + distance * normal;
-            if (another_is_closer(*shape, x, distance))
-              continue;
-            ++n_checked;
-            for (int a = -1; a <= 1; ++a)
-              for (int b = -1; b <= 1; ++b)
-              {
-                const double r = a == 0 ? x[0] : std::nextafter(x[0], a * 1e9);
-                const double z = b == 0 ? x[1] : std::nextafter(x[1], b * 1e9);
-                const auto p = shape->project(Point2(r, z));
-                BOOST_TEST(std::abs(p.distance - distance) < 1e-14);
-                BOOST_TEST((p.normal - normal).norm() < 4e-15 / distance + 1e-13);
-              }
-          }
-      }
+      const double side = s.convex ? 1. : -1.;
+      std::vector<std::pair<Point2, Tensor1>> rays; // along the normals at the ends of arcs and corners
+      if (s.kind == Segment::Kind::arc)
+        rays = {{s.start, side * s.from}, {s.end, side * s.to}};
+      for (const auto &[joint, normal] : rays)
+        for (const double distance : {1e-9, 1e-3, .1, .37, 3.}) // outside of a corner that is no dent
+        {
+          if (!s.convex && (s.radius == 0 || distance >= s.radius))
+            continue;
+          const Point2 x = joint + distance * normal;
+          if (another_is_closer(shape, x, distance))
+            continue;
+          ++n_checked;
+          for (int a = -1; a <= 1; ++a)
+            for (int b = -1; b <= 1; ++b)
+            {
+              const double r = a == 0 ? x[0] : std::nextafter(x[0], a * 1e9);
+              const double z = b == 0 ? x[1] : std::nextafter(x[1], b * 1e9);
+              const auto p = shape.project(Point2(r, z));
+              BOOST_TEST_REQUIRE(std::abs(p.distance - distance) < 1e-14);
+              BOOST_TEST_REQUIRE((p.normal - normal).norm() < 4e-15 / distance + 1e-13);
+            }
+        }
     }
-  BOOST_TEST(n_checked > 100);
+  });
+  BOOST_TEST_REQUIRE(n_checked > 100);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
