@@ -87,29 +87,29 @@ namespace deltaform
       describe_wrinkling(own);
     for (const auto &column : own.columns())
       taken.emplace(column.name, "(deltaform)");
-    const auto take = [&](const char *section, const std::string &name, const auto &describe) {
+    const auto take = [&](const Section &section, const std::string &name, const auto &describe) {
       Columns columns;
       describe(std::vector<std::string>{name}, columns);
       for (const auto &column : columns.columns())
         if (const auto [other, fresh] = taken.emplace(column.name, name); !fresh)
-          root.sub(section).fail("Names",
-                                 "'" + other->second + "' and '" + name + "' would both have the column '" +
-                                   column.name +
-                                   "' of history.csv, where underscores stand for blanks: rename one of them");
+          section.fail("Names",
+                       "'" + other->second + "' and '" + name + "' would both have the column '" +
+                         column.name +
+                         "' of history.csv, where underscores stand for blanks: rename one of them");
     };
     for (const auto &tool : actors.tools)
-      take("Tools", tool->name(), describe_tools);
+      take(root.sub("Tools"), tool->name(), describe_tools);
     for (const auto &support : actors.supports)
-      take("Supports", support.name, describe_supports);
+      take(root.sub("Supports"), support.name, describe_supports);
     for (const auto &load : actors.loads)
-      take("Loads", load->name(), [&load](const std::vector<std::string> &names, Columns &columns) {
+      take(root.sub("Loads"), load->name(), [&load](const std::vector<std::string> &names, Columns &columns) {
         describe_loads(names, columns);
         (load->pressed_face().empty() ? describe_load_sizes : describe_pressures)(names, columns);
         if (load->restraint())
           describe_beads(names, columns);
       });
     for (const auto &probe : actors.probes)
-      take("Output/Probes", probe.name(), [&probe](const std::vector<std::string> &, Columns &columns) {
+      take(root.sub("Output").sub("Probes"), probe.name(), [&probe](const std::vector<std::string> &, Columns &columns) {
         describe_probes({probe}, columns);
       });
   }

@@ -1,4 +1,7 @@
 // The sparse system with its eliminated border against dense algebra.
+#include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/registry.h>
+#include <deltaform/solver/linear_method.h>
 #include <deltaform/solver/system.h>
 
 #include "mpi.h"
@@ -100,11 +103,20 @@ namespace
     }
   }
 
+  /// Those that factorize; the iterative ones have tests on whole runs (tests/distributed).
   void for_all_solvers(const std::function<void(const std::string &)> &body)
   {
-    for (const std::string solver : {"klu", "mumps"})
-      BOOST_TEST_CONTEXT("solver " << solver)
-    body(solver);
+    ParameterTree tree = ParameterTree::documentation();
+    Section section = tree.root();
+    unsigned int n = 0;
+    for (const auto &solver : Registry<LinearMethod>::names())
+      if (!Registry<LinearMethod>::make(solver, section)->iterative())
+        BOOST_TEST_CONTEXT("solver " << solver)
+        {
+          body(solver);
+          ++n;
+        }
+    BOOST_TEST(n >= 2u);
   }
 } // namespace
 
