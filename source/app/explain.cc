@@ -5,6 +5,7 @@
 #include <deltaform/scene/known_entries.h>
 
 #include <algorithm>
+#include <cctype>
 #include <ostream>
 #include <set>
 
@@ -21,6 +22,13 @@ namespace deltaform
       const SectionPath path = KnownEntries::place(one);
       return asked.size() == 1 || (path.size() + 1 == asked.size() &&
                                    std::equal(path.begin(), path.end(), asked.begin(), KnownEntries::same));
+    }
+
+    /// Capitals do not count.
+    bool contains(const std::string &name, const std::string &word)
+    {
+      const auto equal = [](const unsigned char a, const unsigned char b) { return std::tolower(a) == std::tolower(b); };
+      return std::search(name.begin(), name.end(), word.begin(), word.end(), equal) != name.end();
     }
 
     void print(const Documented &one, std::ostream &out)
@@ -60,12 +68,16 @@ namespace deltaform
       return;
     }
     std::vector<std::string> names;
+    std::set<std::string> containing; // "friction": entries that have the word in their name
     for (const auto &one : known.all())
     {
+      const std::string whole = to_string(KnownEntries::place(one), one.entry.name);
       names.push_back(one.entry.name);
-      names.push_back(to_string(KnownEntries::place(one), one.entry.name));
+      names.push_back(whole);
+      if (contains(one.entry.name, asked.back()))
+        containing.insert(whole);
     }
-    throw UsageError("There is no entry '" + entry + "'; the nearest known one is '" + text::nearest(entry, names) +
-                     "'.");
+    throw UsageError("There is no entry '" + entry + "'; " +
+                     (containing.empty() ? "the nearest known one is '" + text::nearest(entry, names) + "'." : "these have the word in their name: " + text::join({containing.begin(), containing.end()}, "; ") + "."));
   }
 } // namespace deltaform

@@ -4,9 +4,10 @@ namespace deltaform
 {
   NewtonSettings::NewtonSettings(Section &section)
     : max_iterations(section.integer("Maximal iterations", 20, 2, 1000,
-                                     "Most Newton iterations between two corrections of the penalty factors.")),
+                                     "Largest number of Newton iterations between two corrections of the penalty "
+                                     "factors.")),
       max_rounds(
-        section.integer("Maximal corrections", 100, 0, 1000, "Corrections of the penalty factors per increment.")),
+        section.integer("Maximal corrections", 100, 0, 1000, "Largest number of corrections of the penalty factors in an increment.")),
       force_tolerance(
         section.number("Force tolerance",
                        1e-6,

@@ -27,8 +27,8 @@ namespace deltaform
                     "waves down. no: the flange is not looked at.");
     std::unique_ptr<FlangeWrinkling> result(new FlangeWrinkling());
     result->height_ = limits.function("Wrinkle height", "thickness", "length",
-                                      "From trough to crest: the needed pressure of a holder is that for waves of "
-                                      "this height ('Flange wrinkling').",
+                                      "Height of the waves, from trough to crest, that the holder has to keep down "
+                                      "('Flange wrinkling').",
                                       {{"thickness", blank.initial_thickness()}})(0.);
     if (then == "no")
       return nullptr;

@@ -78,6 +78,9 @@ namespace deltaform
       for (const auto &text : texts)
         try
         {
+          // Without samples "20:100" would be a table of one row, which nobody means.
+          if (!intervals && Variation::read(text, true).interval)
+            throw std::invalid_argument("an interval needs --samples N, and a range a step, \"first:last:step\"");
           result.push_back(Variation::read(text, intervals));
         }
         catch (const std::invalid_argument &error)

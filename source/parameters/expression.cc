@@ -4,6 +4,7 @@
 
 #include <muParser.h>
 
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
@@ -39,6 +40,15 @@ namespace deltaform
     {
       return std::floor(x);
     }
+
+    /// "12 kN", "1mm": a number and a word behind it.
+    bool has_unit(const std::string &text)
+    {
+      char *end = nullptr;
+      std::strtod(text.c_str(), &end);
+      const std::string rest = text::trim(end);
+      return end != text.c_str() && !rest.empty() && std::isalpha(static_cast<unsigned char>(rest.front()));
+    }
   } // namespace
 
   Expression::Expression(const std::string &text, const Constants &constants)
@@ -48,6 +58,7 @@ namespace deltaform
       throw std::invalid_argument("a formula has at most " + std::to_string(ceilings::expression_bytes) +
                                   " characters; this one has " + std::to_string(text.size()));
     auto &parser = parser_->parser;
+    int n_values = 1;
     try
     {
       parser.DefineFun("log", natural_logarithm);
@@ -60,12 +71,21 @@ namespace deltaform
         parser.DefineConst(name, value);
       parser.DefineVar("t", &parser_->time);
       parser.SetExpr(text);
-      parser.Eval(); // muParser reads the text only now, and complains only now
+      parser.Eval(n_values); // muParser reads the text only now, and complains only now
     }
     catch (const mu::Parser::exception_type &error)
     {
-      throw std::invalid_argument("cannot evaluate '" + text + "': " + text::trim(error.GetMsg()));
+      std::string why = text::trim(error.GetMsg());
+      if (!why.empty() && why.back() == '.')
+        why.pop_back();
+      if (has_unit(text))
+        why += "; numbers stand without a unit, in those of the entry Units";
+      throw std::invalid_argument("cannot evaluate '" + text + "': " + why);
     }
+    // Of several values muParser would take the last one.
+    if (n_values != 1)
+      throw std::invalid_argument("'" + text + "' is " + std::to_string(n_values) +
+                                  " numbers; decimals are written with a point: 0.8, not 0,8");
   }
 
   double Expression::operator()(const double time) const

@@ -191,7 +191,7 @@ namespace deltaform
                   "dissipated by slip so far; a node that touches or lets go within an increment counts with half "
                   "its force over the increment's slip ([how exact](theory/friction.md#friction-work))"},
                  {"contact_energy", "force*length",
-                  "stored in the penalty springs now: eps p²/2, and t²/(2 eps_t) of sticking friction"},
+                  "stored in the penalty springs now: eps penetration²/2, and t²/(2 eps_t) of sticking friction"},
                  {"epsilon_work", "force*length",
                   "work done on the springs by changed penalty factors: half the change times the penetrations "
                   "before and after; and the error of the trapezoidal work where a point touches or lets go within an "

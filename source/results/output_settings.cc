@@ -40,7 +40,7 @@ namespace deltaform
       "Condition number by",
       "automatic",
       {"automatic", "dense", "lanczos"},
-      "Singular values by a dense decomposition, by Lanczos iterations, or dense for up to 300 unknowns.");
+      "How singular values are computed: dense, by Lanczos iterations, or (automatic) dense for up to 300 unknowns.");
     condition_method = method == "dense"     ? condition::Method::dense
                        : method == "lanczos" ? condition::Method::lanczos
                                              : condition::Method::automatic;

@@ -37,7 +37,7 @@ namespace deltaform
                               model.tool_forces()[main][1]);
         line += fmt::format("  iterations {}", iterations_);
         if (model.actors().keeps_promise())
-          line += fmt::format("  p/delta <= {:.3f}", worst_);
+          line += fmt::format("  penetration/delta <= {:.3f}", worst_);
         const double end = model.actors().stages.back().end, spent = folder_.timers().total();
         line += fmt::format("  left {:.1f} s", spent * (end - increment.time) / std::max(increment.time, 1e-300));
         folder_.journal().progress(line);
@@ -57,7 +57,7 @@ namespace deltaform
       ResultsFolder &folder_;
       const OutputSettings &output_;
       unsigned int iterations_ = 0;
-      double worst_ = 0.; ///< p/delta
+      double worst_ = 0.; ///< largest penetration/delta
     };
 
     const ObserverMakers::Entry

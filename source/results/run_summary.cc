@@ -132,7 +132,7 @@ namespace deltaform
                         seconds);
     if (!model.actors().keeps_promise())
       return line;
-    line += fmt::format("; max p/delta {:.3f}", promise_);
+    line += fmt::format("; max penetration/delta {:.3f}", promise_);
     constexpr double worth_a_word = 1.5;
     if (deepest_ > worth_a_word)
       line += fmt::format(", between the points {:.3g}", deepest_);

@@ -112,7 +112,7 @@ namespace deltaform
                                  constants);
     stop_gap_ = section.number("Stop gap", 0., Range::not_negative(), "length",
                                "Smallest gap from a tool under a force to the tools on the other side of the blank. "
-                               "Where the blank has left, the tool rests there.");
+                               "It rests there once the blank has left.");
     if (!force_driven() && (stop_travel_ || stop_gap_ > 0.))
       section.fail(stop_travel_ ? "Stop travel" : "Stop gap",
                    "Only a tool that is driven by a Force is stopped; a Motion ends where it says.");

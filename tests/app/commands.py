@@ -81,6 +81,7 @@ class Commands(unittest.TestCase):
         self.assertEqual(run("explain", "Friction coefficient").count("Tools/<name>/Friction coefficient"), 1)
         self.assertIn("Steps/<name>/End time", run("explain", "Steps/my stage/End time"))
         self.assertIn("nearest known one is 'Layers'", run("explain", "Layrs", status=64))
+        self.assertIn("Tools/<name>/Friction coefficient; Tools/<name>/Friction law", run("explain", "friction", status=64))
 
     def test_drawing(self):
         said = run(SCENE, "--check", "--svg", "cup.svg")

@@ -89,6 +89,7 @@ BOOST_AUTO_TEST_CASE(ranges_of_varied_values)
                  {"A/b=1:2:-1", "a step of -1 does not lead from 1 to 2"});
   check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=1:2:0"}), {"a step of 0 does not lead"});
   check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=0:1:1e-9"}), {"more than 10000 values"});
+  check_contains(complaint({"sweep", "a.prm", "--vary", "A/b=20e3:100e3"}), {"an interval needs --samples"});
 }
 
 BOOST_AUTO_TEST_CASE(new_and_explain)

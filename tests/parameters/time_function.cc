@@ -61,6 +61,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_understood)
 {
   check_contains(complaint("2*"), {"cannot evaluate '2*'"});
   check_contains(complaint("2*x"), {"cannot evaluate '2*x'", "\"x\""});
+  check_contains(complaint("0,8"), {"2 numbers", "with a point"});
+  check_contains(complaint("20 kN"), {"cannot evaluate '20 kN'", "without a unit"});
   check_contains(complaint(" "), {"missing"});
   check_contains(complaint("1/0"), {"finite"});
   check_contains(complaint("nan"), {"cannot evaluate 'nan'"});
