@@ -24,14 +24,15 @@ namespace
 {
   struct Run
   {
-    explicit Run(const std::vector<std::string> &more = {})
+    explicit Run(const std::vector<std::string> &more = {}, const bool opened = true)
       : tree(ParameterTree::parse("", "test", entries(more))), scene(tree),
         journal(Journal::Console::plain, said, said),
         results(
           {folder.file("run_" + std::to_string(++n_runs)), scene.title, scene.units, true}, journal, timers),
         analysis(scene.actors, scene.analysis_settings(), journal, timers)
     {
-      results.begin([](std::ostream &out) { out << "the scene\n"; }, false);
+      if (opened)
+        results.begin([](std::ostream &out) { out << "the scene\n"; }, false);
     }
 
     static std::vector<std::string> entries(const std::vector<std::string> &more)
@@ -87,6 +88,17 @@ BOOST_AUTO_TEST_CASE(nobody_looks_and_nothing_is_written)
   BOOST_TEST(run.analysis.run() == exit_status::done);
   BOOST_TEST(run.files().empty());
   BOOST_TEST(content_of(run.results.path("scene.prm")).find("the scene\n") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_folder_is_opened_when_the_run_begins)
+{
+  Run run({}, false);
+  run.analysis.add(make_folder_observer(run.results, [](std::ostream &out) { out << "as it was read\n"; }));
+  BOOST_TEST(!std::filesystem::exists(run.results.path("scene.prm")));
+  run.analysis.begin();
+  run.analysis.advance();
+  run.results.writer().wait();
+  BOOST_TEST(content_of(run.results.path("scene.prm")).find("as it was read\n") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(the_history_has_a_row_per_increment)
