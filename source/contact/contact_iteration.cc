@@ -9,6 +9,22 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    /// Gap of a projected point, with its round-off.
+    double gap_of(const Projection &projection, const ContactPoint &point, ContactPointState &state)
+    {
+      // A blank that just rests on a tool touches it, whatever the last digit says.
+      const double size =
+        state.position.norm() + point.offset +
+        (projection.curvature != 0 ? 1 / std::abs(projection.curvature) : 0.);
+      state.noise = 8 * std::numeric_limits<double>::epsilon() * size;
+      const double gap = projection.distance - point.offset;
+      return gap > 0 && gap < 2 * state.noise ? 0. : gap;
+    }
+  } // namespace
+
+
   ContactIteration::ContactIteration(const NormalLaw &law,
                                      ContactProjector &projector,
                                      const FactorControl &factors,
@@ -58,15 +74,6 @@ namespace deltaform
   }
 
 
-  void ContactIteration::place(const unsigned int i, const Tensor1 &shift, ContactPointState &state) const
-  {
-    const ContactPoint &point = work_[i].point;
-    state.position = point.x - shift;
-    state.area = point.area;
-    state.thickness = point.thickness;
-  }
-
-
   void ContactIteration::assemble(const unsigned int i,
                                   const Vector &q,
                                   const Tensor1 &shift,
@@ -80,15 +87,15 @@ namespace deltaform
     if (!in_place_)
     {
       projector_.describe(q, i, point);
-      place(i, shift, state);
+      state.set_place(point, shift);
     }
     const bool known = in_place_ && work.is_near;
     work.is_near = point.area > 0 && (work.foreseen || !law_.is_free_when_clear(state) ||
                                       !projector_.certainly_clear(i, state.position, point.offset));
     if (work.is_near)
-      meet(i, known, point, q, committed, trial, target);
+      meet(i, known, q, committed, trial, target);
     else
-      leave(i, point, q, state, target);
+      leave(i, q, state, target);
   }
 
 
@@ -118,40 +125,25 @@ namespace deltaform
       if (clear_.known(i / n))
       {
         projector_.describe(q, i, work_[i].point);
-        place(i, shift, trial[i]);
+        trial[i].set_place(work_[i].point, shift);
       }
   }
 
 
-  void ContactIteration::leave(const unsigned int i,
-                               const ContactPoint &point,
-                               const Vector &q,
+  void ContactIteration::leave(const unsigned int i, const Vector &q,
                                ContactPointState &state,
                                AssemblyTarget &to)
   {
     status_changed_ |= state.touching;
     state.touching = false;
     state.force = state.tangential_force = 0.;
-    state.gap = projector_.last_distance(i) - point.offset;
+    state.gap = projector_.last_distance(i) - work_[i].point.offset;
     law_.close(q, first_multiplier_ + i, to);
-  }
-
-
-  double ContactIteration::gap(const Projection &projection, const ContactPoint &point, ContactPointState &state)
-  {
-    // A blank that just rests on a tool touches it, whatever the last digit says.
-    const double size =
-      state.position.norm() + point.offset +
-      (projection.curvature != 0 ? 1 / std::abs(projection.curvature) : 0.);
-    state.noise = 8 * std::numeric_limits<double>::epsilon() * size;
-    const double gap = projection.distance - point.offset;
-    return gap > 0 && gap < 2 * state.noise ? 0. : gap;
   }
 
 
   void ContactIteration::meet(const unsigned int i,
                               const bool known,
-                              const ContactPoint &point,
                               const Vector &q,
                               const Points &committed,
                               Points &trial,
@@ -160,10 +152,11 @@ namespace deltaform
     ContactPointState &state = trial[i];
     const ContactPointState &before = committed[i];
     Work &work = work_[i];
+    const ContactPoint &point = work.point;
     if (!known)
       work.projection = projector_.project(i, state.position);
     const Projection &projection = work.projection;
-    state.gap = gap(projection, point, state);
+    state.gap = gap_of(projection, point, state);
     state.arc_length = projection.arc_length;
     if ((law_.is_concerned(state) || work.foreseen.value_or(false)) && !(state.stiffness > 0))
     {
@@ -221,13 +214,8 @@ namespace deltaform
 
   Tensor1 ContactIteration::motion(const unsigned int i, const Vector &d) const
   {
-    const Work &work = work_[i];
-    Tensor1 dx;
-    if (projector_.tool().force_driven())
-      dx -= d[travel_dof_] * projector_.tool().direction();
-    for (unsigned int k = 0; k < work.point.n_dofs; ++k)
-      dx += d[work.point.dofs[k]] * work.point.jacobian[k];
-    return dx;
+    const bool driven = projector_.tool().force_driven();
+    return work_[i].point.motion(d, driven ? -d[travel_dof_] * projector_.tool().direction() : Tensor1());
   }
 
 

@@ -6,24 +6,43 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    /// @param way what may be prescribed instead of the load; empty: nothing
+    std::string read_control(Section &section, const std::string &way)
+    {
+      if (way.empty())
+        return section.choice("Control", "load", {"load"}, "What Value is: the load itself.");
+      const std::string what =
+        way == "volume"
+          ? "volume: what the face has swept since the start (length^3; plane strain: length^2). "
+          : "displacement: the mean displacement (rad for a rotation) of what is loaded. ";
+      return section.choice("Control",
+                            "load",
+                            {"load", way, "arc length"},
+                            "What Value is. load: the load itself. " + what +
+                              "arc length: the length of the path, the displacements' root mean square over all nodes "
+                              "added up; it grows where load and displacement pass a maximum. The load then follows "
+                              "from equilibrium.");
+    }
+  } // namespace
+
+
   Load::Load(Section &section, const Blank &blank, const LoadWords &words)
     : name_(section.title()),
       value_(section.function("Value", required("0"), words.unit, words.sentence,
                               {{"thickness", blank.initial_thickness()}})),
-      follows_way_(section.choice("Control", "load",
-                                  words.way.empty() ? std::vector<std::string>{"load"}
-                                                    : std::vector<std::string>{"load", words.way},
-                                  words.way == "volume"
-                                    ? "What Value is: the load itself, or the volume that the face has swept since the "
-                                      "start (length^3; plane strain: length^2). The load then follows from "
-                                      "equilibrium, also past its maximum."
-                                    : "What Value is: the load itself, or the mean displacement (rad for a rotation) "
-                                      "of what is loaded. The load then follows from equilibrium, also past its "
-                                      "maximum.") != "load"),
-      is_mean_(words.way != "volume"),
-      stages_(section.names(
-        "Stages", "", "Stages in which the load acts (empty: all). It is released gradually in the next."))
+      is_mean_(words.way != "volume")
   {
+    const std::string control = read_control(section, words.way);
+    follows_way_ = control != "load";
+    stages_ =
+      section.names("Stages", "", "Stages in which the load acts (empty: all). It is released gradually in the next.");
+    if (control != "arc length")
+      return;
+    if (blank.adaptive() != nullptr)
+      section.fail("Control", "the nodes of a path stay the same: no arc length with Blank/Refinement");
+    path_.emplace(blank);
   }
 
 
@@ -49,7 +68,9 @@ namespace deltaform
       const double residual = lift(time), zero = 0.;
       target.add(&tool_unknown_, 1, target.wants_tangent() ? &zero : nullptr, &residual);
     }
-    if (follows_way_)
+    if (path_)
+      path_->assemble(*this, q, skipped_.value(value_, time), target);
+    else if (follows_way_)
       LoadWay(*this, q).assemble(skipped_.value(value_, time) * (is_mean_ ? unit_force(q.size()) : 1.), target);
     return {};
   }

@@ -47,6 +47,14 @@ namespace deltaform
     double thickness = 0; ///< current one, for output and messages
     double arc_coordinate = 0; ///< S0, arc length along the undeformed blank from its start, for output
 
+    /// How far it moves if the unknowns change by @p d and its row is constant, and @p dx beside it.
+    Tensor1 motion(const Vector &d, Tensor1 dx) const
+    {
+      for (unsigned int k = 0; k < n_dofs; ++k)
+        dx += d[dofs[k]] * jacobian[k];
+      return dx;
+    }
+
     /// A point that is a node.
     void set_node(const unsigned int node)
     {

@@ -20,10 +20,10 @@ namespace deltaform
     {
     }
 
-    /// Nothing is known of @p n edges; 0: the contact points are nodes.
-    void restart(const unsigned int n)
+    /// Nothing is known. @p used: may points be left alone? Nodes never are.
+    void restart(const bool used)
     {
-      edges_.assign(n, Edge());
+      edges_.assign(used && projector_.surface().points_per_edge() > 0 ? projector_.edges().size() : 0, Edge());
     }
 
     bool used() const

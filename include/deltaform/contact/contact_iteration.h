@@ -59,7 +59,7 @@ namespace deltaform
       at_start_ = true;
       for (auto &work : work_)
         work.foreseen.reset();
-      clear_.restart(projector_.surface().points_per_edge() > 0 && !law_.has_multiplier() ? projector_.edges().size() : 0);
+      clear_.restart(!law_.has_multiplier());
       in_place_ = false;
       status_tolerance_ = 0.;
     }
@@ -119,9 +119,6 @@ namespace deltaform
     /// Of a point relative to the tool in the step @p d.
     Tensor1 motion(unsigned int i, const Vector &d) const;
 
-    /// Put down where a point is, by its description.
-    void place(unsigned int i, const Tensor1 &shift, ContactPointState &state) const;
-
     /// Residual and tangent of a point.
     void assemble(unsigned int i,
                   const Vector &q,
@@ -137,20 +134,15 @@ namespace deltaform
     void find_clear(unsigned int e, const Vector &q, const Tensor1 &shift, const Points &trial);
 
     /// A point that has no contact, whatever its force was.
-    void leave(
-      unsigned int i, const ContactPoint &point, const Vector &q, ContactPointState &state, AssemblyTarget &target);
+    void leave(unsigned int i, const Vector &q, ContactPointState &state, AssemblyTarget &target);
 
     /// A point that may have contact. @p known: its projection is
     void meet(unsigned int i,
               bool known,
-              const ContactPoint &point,
               const Vector &q,
               const Points &committed,
               Points &trial,
               AssemblyTarget &target);
-
-    /// Gap of a projected point, with its round-off.
-    static double gap(const Projection &projection, const ContactPoint &point, ContactPointState &state);
 
     /// Add the forces of a point.
     void add(unsigned int i,

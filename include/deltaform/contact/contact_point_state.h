@@ -52,6 +52,14 @@ namespace deltaform
       return 1. / (1. + penalty_factor * through_thickness);
     }
 
+    /// Put down where @p point is when its tool has gone by @p way.
+    void set_place(const ContactPoint &point, const Tensor1 &way)
+    {
+      position = point.x - way;
+      area = point.area;
+      thickness = point.thickness;
+    }
+
     /// The tool has left: the point stays where it is, without contact.
     void release()
     {

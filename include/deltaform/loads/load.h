@@ -2,6 +2,7 @@
 
 #include <deltaform/assembly/term.h>
 #include <deltaform/blanks/blank.h>
+#include <deltaform/loads/arc_length.h>
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/skipped_time.h>
 #include <deltaform/parameters/time_function.h>
@@ -21,7 +22,8 @@ namespace deltaform
 
   /**
    * A load on the blank: forces f(q) per unit load times its size, which is Value(t). Where it is driven by what it
-   * works on (Control), Value(t) is that way, and the size is an unknown: see LoadWay. Each kind is a file in
+   * works on or by the length of the path (Control), Value(t) is that way or length, and the size is an unknown: see
+   * LoadWay, ArcLength. Each kind is a file in
    * source/loads that registers itself under the name that the entry Kind gives; it reads its own entries from
    * the load's section.
    */
@@ -48,7 +50,7 @@ namespace deltaform
       skipped_ = skipped;
     }
 
-    /// Is the way prescribed and the size an unknown?
+    /// Is the way, or the length of the path, prescribed and the size an unknown?
     bool follows_way() const
     {
       return follows_way_;
@@ -86,6 +88,12 @@ namespace deltaform
 
     Status assemble(const Vector &q, double time, AssemblyTarget &target) override;
 
+    void accept(const Vector &q) override
+    {
+      if (path_)
+        path_->accept(q);
+    }
+
     /// Enter the couplings between unknowns of the blank that no cell makes: the matrix has places for these entries
     /// of the tangent and no others. Every process enters all of them.
     virtual void add_couplings(dealii::DynamicSparsityPattern & /*pattern*/) const
@@ -105,16 +113,20 @@ namespace deltaform
     /// Accepted; empty: it remembers nothing.
     virtual std::vector<double> history() const
     {
-      return {};
+      return path_ ? path_->history() : std::vector<double>();
     }
 
-    virtual void set_history(const std::vector<double> & /*values*/)
+    virtual void set_history(const std::vector<double> &values)
     {
+      if (path_)
+        path_->set_history(values);
     }
 
     /// It begins to act, in the accepted state @p q.
-    virtual void begin(const Vector & /*q*/)
+    virtual void begin(const Vector &q)
     {
+      if (path_)
+        path_->begin(q);
     }
     ///@}
 
@@ -160,6 +172,7 @@ namespace deltaform
     std::string name_;
     TimeFunction value_;
     SkippedTime skipped_;
+    std::optional<ArcLength> path_; ///< whose length is prescribed
     bool follows_way_;
     bool is_mean_; ///< is the way a mean displacement, the work over the unit force?
     std::vector<std::string> stages_;
