@@ -8,8 +8,8 @@ namespace deltaform
 {
   namespace testing
   {
-    /// The entries of a scene: a strip that is pressed by a round punch in ten increments, and @p more. The punch has no
-    /// motion if these give it a force.
+    /// The entries of a scene: a strip that is pressed by a round punch in ten increments, and @p more. The punch has
+    /// no motion if these give it a force.
     inline std::vector<std::string> pressed_strip(const std::vector<std::string> &more = {})
     {
       std::vector<std::string> entries{"Blank/Points=0 0; 1 0",

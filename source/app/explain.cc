@@ -27,7 +27,9 @@ namespace deltaform
     /// Capitals do not count.
     bool contains(const std::string &name, const std::string &word)
     {
-      const auto equal = [](const unsigned char a, const unsigned char b) { return std::tolower(a) == std::tolower(b); };
+      const auto equal = [](const unsigned char a, const unsigned char b) {
+        return std::tolower(a) == std::tolower(b);
+      };
       return std::search(name.begin(), name.end(), word.begin(), word.end(), equal) != name.end();
     }
 
@@ -77,7 +79,10 @@ namespace deltaform
       if (contains(one.entry.name, asked.back()))
         containing.insert(whole);
     }
-    throw UsageError("There is no entry '" + entry + "'; " +
-                     (containing.empty() ? "the nearest known one is '" + text::nearest(entry, names) + "'." : "these have the word in their name: " + text::join({containing.begin(), containing.end()}, "; ") + "."));
+    const std::string others =
+      containing.empty()
+        ? "the nearest known one is '" + text::nearest(entry, names) + "'."
+        : "these have the word in their name: " + text::join({containing.begin(), containing.end()}, "; ") + ".";
+    throw UsageError("There is no entry '" + entry + "'; " + others);
   }
 } // namespace deltaform

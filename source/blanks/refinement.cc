@@ -27,7 +27,8 @@ namespace deltaform
                             "1",
                             "Estimated relative error in energy below which the error refines no further.");
     every = section.integer("Every", 1, 1, 1000000, "Number of increments between refinements.");
-    passes = section.integer("Passes", 1, 1, 30, "Largest number of refinements at one time, each followed by a new equilibrium.");
+    passes = section.integer("Passes", 1, 1, 30,
+                             "Largest number of refinements at one time, each followed by a new equilibrium.");
     levels = section.integer("Maximal level", 3, 1, 20, "How many times a cell of the first mesh may be halved.");
     edge_share =
       section.number("Contact edges",

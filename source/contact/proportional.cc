@@ -54,7 +54,8 @@ namespace deltaform
     };
 
     const Registry<PenaltyRule>::Entry entry("proportional",
-                                             "eps := eps max(1, penetration/delta) after convergence; delta may be exceeded",
+                                             "eps := eps max(1, penetration/delta) after convergence; delta may be "
+                                             "exceeded",
                                              &make_as<Proportional, PenaltyRule>);
   } // namespace
 } // namespace deltaform

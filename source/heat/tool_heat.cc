@@ -29,8 +29,8 @@ namespace deltaform
     blank_share_ = own / (own + tool);
     const std::string body =
       section.choice("Body", "constant temperature", {"constant temperature", "half space"},
-                     "constant temperature: the tool keeps it. half space: it warms as a half-space of its Effusivity; heat "
-                     "flows along the normal of each touching point.");
+                     "constant temperature: the tool keeps it. half space: it warms as a half-space of its Effusivity; "
+                     "heat flows along the normal of each touching point.");
     if (body != "half space")
       return;
     if (!(tool > 0.))

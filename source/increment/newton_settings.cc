@@ -7,7 +7,8 @@ namespace deltaform
                                      "Largest number of Newton iterations between two corrections of the penalty "
                                      "factors.")),
       max_rounds(
-        section.integer("Maximal corrections", 100, 0, 1000, "Largest number of corrections of the penalty factors in an increment.")),
+        section.integer("Maximal corrections", 100, 0, 1000,
+                        "Largest number of corrections of the penalty factors in an increment.")),
       force_tolerance(
         section.number("Force tolerance",
                        1e-6,

@@ -21,8 +21,8 @@ namespace deltaform
       explicit UBend(Section &section)
         : Measure(section.title()),
           margin_(section.number("Margin", 15., Range::positive(), "length",
-                                 "The wall is what was more than this above the bottom and below the flange before the last "
-                                 "stage.")),
+                                 "The wall is what was more than this above the bottom and below the flange before the "
+                                 "last stage.")),
           leg_(section.number("Leg", 10., Range::positive(), "length",
                               "Length of the legs at both ends of the blank whose chords are the directions of bottom "
                               "and flange."))

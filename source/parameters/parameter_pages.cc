@@ -78,10 +78,14 @@ namespace deltaform
   void print_markdown(std::ostream &out, const DeclaredSection &root)
   {
     root.visit({}, [&out](const DeclaredSection &section, const SectionPath &path) {
+      if (section.entries.empty() && section.sentence.empty())
+        return;
+      out << "## " << (path.empty() ? "Outermost level" : to_string(path)) << "\n\n";
+      if (!section.sentence.empty())
+        out << code(section.sentence) << "\n\n";
       if (section.entries.empty())
         return;
-      out << "## " << (path.empty() ? "Outermost level" : to_string(path)) << "\n\n"
-          << "| entry | default | unit | allowed | meaning |\n|---|---|---|---|---|\n";
+      out << "| entry | default | unit | allowed | meaning |\n|---|---|---|---|---|\n";
       for (const auto &entry : section.entries)
         out << "| " << cell(entry.name) << " | "
             << (entry.required ? "required, e.g. " + code(entry.value) : code(entry.value)) << " | " << cell(entry.unit)

@@ -63,6 +63,11 @@ namespace deltaform
     return value(path, declaration);
   }
 
+  void ParameterTree::describe(const SectionPath &path, const std::string &sentence)
+  {
+    root_.make(path).sentence = sentence;
+  }
+
   void ParameterTree::declare_section(const SectionPath &path)
   {
     root_.make(path);

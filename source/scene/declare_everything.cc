@@ -16,11 +16,13 @@ namespace deltaform
   namespace
   {
     template <typename T, typename... Args>
-    void declare_each(const Section &section, const std::string &entry, Args &...args)
+    void declare_each(ParameterTree &tree, const SectionPath &path, const std::string &entry, Args &...args)
     {
       for (const auto &name : Registry<T, Args &...>::names())
       {
-        Section own = section.sub(entry + ": " + name);
+        const SectionPath own_path = below(path, entry + ": " + name);
+        tree.describe(own_path, Registry<T, Args &...>::sentence(name));
+        Section own(tree, own_path);
         Registry<T, Args &...>::make(name, own, args...);
       }
     }
@@ -31,22 +33,21 @@ namespace deltaform
   {
     const Scene scene(tree);
     const Blank &blank = *scene.actors.blank;
-    const Section root = tree.root(), material = root.sub("Material"), contact = root.sub("Contact");
-    declare_each<Blank>(root.sub("Blank"), "Kind");
-    declare_each<Material>(material, "Model");
-    declare_each<Hardening>(material.sub("Hardening"), "Law");
-    declare_each<YieldSurface>(material.sub("Yield surface"), "Law");
-    declare_each<BackStress>(material.sub("Backstress"), "Law");
-    declare_each<RateFactor>(material.sub("Rate factor"), "Law");
-    declare_each<Softening>(material.sub("Heat"), "Softening");
-    Section own_material = material;
+    declare_each<Blank>(tree, {"Blank"}, "Kind");
+    declare_each<Material>(tree, {"Material"}, "Model");
+    declare_each<Hardening>(tree, {"Material", "Hardening"}, "Law");
+    declare_each<YieldSurface>(tree, {"Material", "Yield surface"}, "Law");
+    declare_each<BackStress>(tree, {"Material", "Backstress"}, "Law");
+    declare_each<RateFactor>(tree, {"Material", "Rate factor"}, "Law");
+    declare_each<Softening>(tree, {"Material", "Heat"}, "Softening");
+    Section own_material(tree, {"Material"});
     const auto law = Registry<Material>::choose(own_material, "Model", "elastoplastic", "Stress-strain law.");
-    declare_each<FormingLimit>(root.sub("Limits").sub("forming limit"), "Curve", std::as_const(*law));
-    declare_each<NormalLaw>(contact, "Enforcement");
-    declare_each<PenaltyRule>(contact, "Penalty rule");
-    declare_each<Shape>(root.sub("Tools").sub("<name>"), "Shape");
-    declare_each<FrictionLaw>(root.sub("Tools").sub("<name>"), "Friction law");
-    declare_each<Measure>(root.sub("Output").sub("Measures").sub("<name>"), "Kind");
-    declare_each<Load>(root.sub("Loads").sub("<name>"), "Kind", blank);
+    declare_each<FormingLimit>(tree, {"Limits", "forming limit"}, "Curve", std::as_const(*law));
+    declare_each<NormalLaw>(tree, {"Contact"}, "Enforcement");
+    declare_each<PenaltyRule>(tree, {"Contact"}, "Penalty rule");
+    declare_each<Shape>(tree, {"Tools", "<name>"}, "Shape");
+    declare_each<FrictionLaw>(tree, {"Tools", "<name>"}, "Friction law");
+    declare_each<Measure>(tree, {"Output", "Measures", "<name>"}, "Kind");
+    declare_each<Load>(tree, {"Loads", "<name>"}, "Kind", blank);
   }
 } // namespace deltaform

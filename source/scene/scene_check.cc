@@ -109,9 +109,8 @@ namespace deltaform
           describe_beads(names, columns);
       });
     for (const auto &probe : actors.probes)
-      take(root.sub("Output").sub("Probes"), probe.name(), [&probe](const std::vector<std::string> &, Columns &columns) {
-        describe_probes({probe}, columns);
-      });
+      take(root.sub("Output").sub("Probes"), probe.name(),
+           [&probe](const std::vector<std::string> &, Columns &columns) { describe_probes({probe}, columns); });
   }
 
 

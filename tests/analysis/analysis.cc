@@ -20,7 +20,8 @@ namespace
   struct Run
   {
     Run()
-      : tree(ParameterTree::parse("", "test", pressed_strip())), scene(tree), journal(Journal::Console::silent, said, said),
+      : tree(ParameterTree::parse("", "test", pressed_strip())), scene(tree),
+        journal(Journal::Console::silent, said, said),
         analysis(scene.actors, scene.analysis_settings(), journal, timers)
     {
     }

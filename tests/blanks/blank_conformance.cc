@@ -10,7 +10,9 @@ using namespace deltaform::testing;
 namespace
 {
   const Entries hill = plastic + Entries{"Material/Yield surface/Law=hill", "Material/Yield surface/r-bar=.5"};
-  const Entries hosford = plastic + Entries{"Material/Yield surface/Law=hosford", "Material/Yield surface/r-bar=1.7", "Material/Yield surface/Exponent=6"};
+  const Entries hosford = plastic + Entries{"Material/Yield surface/Law=hosford",
+                                            "Material/Yield surface/r-bar=1.7",
+                                            "Material/Yield surface/Exponent=6"};
   const Entries hill_chaboche =
     hill + Entries{"Material/Backstress/Law=chaboche", "Material/Backstress/Terms=200 20; 30 0"};
 

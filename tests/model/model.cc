@@ -147,7 +147,8 @@ BOOST_AUTO_TEST_CASE(what_was_tried_leaves_no_trace)
   std::mt19937 generator(32);
   for (Fixture *const one : {&fixture, &other})
     one->model.begin_stage(one->stage());
-  const Vector q = random_unknowns(fixture.model, generator, 1e-4), wrong = random_unknowns(other.model, generator, .01);
+  const Vector q = random_unknowns(fixture.model, generator, 1e-4);
+  const Vector wrong = random_unknowns(other.model, generator, .01);
   const std::string fresh = touching_bytes(other.model);
   other.residual(.7, wrong);
   other.model.discard(0.);

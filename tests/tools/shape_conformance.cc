@@ -302,7 +302,7 @@ BOOST_AUTO_TEST_CASE(mean_curvature_has_no_jumps)
       const double slope = curvature_change(shape, s, reach);
       BOOST_TEST_REQUIRE(std::abs(change) <= 2 * h / (reach * smallest_radius(shape)) + 1e-13);
       if (slope == curvature_change(shape, s - h, reach) && slope == curvature_change(shape, s + h, reach))
-        require_close(change, 2 * h * slope, 1e-13, "the mean curvature over a step"); // round-off of s over reach and radius
+        require_close(change, 2 * h * slope, 1e-13, "the mean curvature over a step"); // round-off of s
       return true;
     });
 }
@@ -321,7 +321,8 @@ BOOST_AUTO_TEST_CASE(slip_of_a_node_kept_off_does_work_with_its_share_of_the_for
           curvature_change(shape, a.arc_length, offset) != curvature_change(shape, b.arc_length, offset)) // a kink
         return false;
       const double slope = offset_slip(shape, a.arc_length, b.arc_length, offset) / (2 * h);
-      require_close(slope, 1. / (1. + offset * mean_curvature(shape, here.arc_length, offset)), 1e-7, "the slip of a node");
+      const double curvature = mean_curvature(shape, here.arc_length, offset);
+      require_close(slope, 1. / (1. + offset * curvature), 1e-7, "the slip of a node");
       // In two parts as in one.
       const double start = here.arc_length - .2;
       const double to_a = offset_slip(shape, start, a.arc_length, offset);

@@ -7,7 +7,7 @@
 
 namespace deltaform
 {
-  /// Works and energies since the start of the run (full circumference or per unit width); zero if nobody asks.
+  /// Works and energies since the start of the run (full circumference or per unit width); zero where energies are off.
   struct EnergyAccount
   {
     double tool_work = 0;

@@ -43,7 +43,7 @@ namespace deltaform
     {
     }
 
-    /// Nobody asks for energies: they are zero from here on, and cost nothing.
+    /// Switch energies off: they are zero from here on, and cost nothing.
     virtual void count_no_energy()
     {
     }

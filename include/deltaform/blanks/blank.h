@@ -173,7 +173,7 @@ namespace deltaform
 
     virtual BlankEnergy energy() const = 0;
 
-    /// Nobody asks for energies: they are zero from here on, and cost nothing.
+    /// Switch energies off: they are zero from here on, and cost nothing.
     virtual void count_no_energy() = 0;
     ///@}
 

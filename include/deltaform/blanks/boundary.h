@@ -43,7 +43,7 @@ namespace deltaform
     /// Where the unknowns of dofs() are in the undeformed blank, one point per unknown.
     virtual std::vector<Point2> points(const std::string &part) const = 0;
 
-    /// What a unit load on a part is to the unknowns of dofs(): initial circumference of an edge (shell; line loads),
+    /// Forces of a unit load on a part on the unknowns of dofs(): initial circumference of an edge (shell; line loads),
     /// consistent share of the initial area (solid; tractions).
     virtual std::vector<double> weights(const std::string &part) const = 0;
 

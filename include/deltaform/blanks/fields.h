@@ -35,7 +35,7 @@ namespace deltaform
 
     virtual double smallest_thickness() const = 0;
 
-    /// What the scene criteria, each where it is largest. All processes together.
+    /// The criteria of the scene, each where it is largest. All processes together.
     virtual std::vector<LargestCriterion> largest_criteria() const = 0;
 
     /// Is it a sheet, with cross-sections?

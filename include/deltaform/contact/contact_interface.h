@@ -213,7 +213,7 @@ namespace deltaform
       return account_;
     }
 
-    /// Nobody asks for energies: they are zero from here on, and cost nothing.
+    /// Switch energies off: they are zero from here on, and cost nothing.
     void count_no_energy();
 
     /// Force of the blank on the tool in the trial state (full circumference or per unit width).

@@ -80,7 +80,7 @@ namespace deltaform
     /// Is the lower bound larger than what delta asks for at point @p i?
     bool governed_by_floor(unsigned int i, const Points &points) const;
 
-    /// The point that breaks the promise most, beyond round-off, and its p/delta; invalid_index: none does.
+    /// The point that breaks the promise most, beyond round-off, and its penetration/delta; invalid_index: none does.
     static std::pair<unsigned int, double> broken_promise(const Points &points);
 
   private:

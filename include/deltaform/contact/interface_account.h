@@ -6,7 +6,7 @@
 
 namespace deltaform
 {
-  /// The energies of an interface, for as long as somebody asks for them: from its accepted states alone, increment by
+  /// The energies of an interface, unless they are switched off: from its accepted states alone, increment by
   /// increment. The sums lie in the state.
   class InterfaceAccount
   {

@@ -16,7 +16,7 @@ namespace deltaform
     std::vector<ContactPointState> points;
     double time = 0; ///< end of the increment
     double step = 0; ///< its length; 0: none was accepted in this stage
-    ContactEnergy energy; ///< zero if nobody asks
+    ContactEnergy energy; ///< zero where energies are off
 
     unsigned int n_touching() const
     {

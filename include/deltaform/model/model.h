@@ -152,7 +152,7 @@ namespace deltaform
       return contact_.interfaces();
     }
 
-    /// Nobody asks for energies.
+    /// Switch energies off.
     void count_no_energy()
     {
       const bool friction_is_heat = actors_.heat != nullptr;

@@ -25,6 +25,7 @@ namespace deltaform
   struct DeclaredSection
   {
     std::string name; ///< empty: the outermost level
+    std::string sentence; ///< what it stands for, of a choice: "K (e0 + e)^n"; empty: nothing is said
     std::vector<Declaration> entries;
     std::vector<std::unique_ptr<DeclaredSection>> sections;
 

@@ -82,6 +82,9 @@ namespace deltaform
     /// All entries that were declared, in the order of print_markdown().
     std::vector<Documented> documented() const;
 
+    /// Say what the choice stands for whose entries are documented under @p path ("Law: swift").
+    void describe(const SectionPath &path, const std::string &sentence);
+
     /// One table per section: entry, default, unit, allowed values, sentence.
     void print_markdown(std::ostream &out) const;
 

@@ -29,7 +29,7 @@ namespace deltaform
       return result;
     }
 
-    /// From, to, from, to ...
+    /// Begin and end of each skipped time: from, to, from, to ...
     const std::vector<double> &times() const
     {
       return times_;

@@ -65,7 +65,7 @@ namespace deltaform
     }
 
     /**
-     * The end of a process, on a good or on a bad way: waits until all have come to theirs. If @p failed and another
+     * The end of a process, with or without an error: waits until all have come to theirs. If @p failed and another
      * one is still at work after two seconds (it may wait for this one for ever), all are ended with @p exit_status.
      * @param message is shown in that case; @return whether this process should show it otherwise
      */

@@ -45,6 +45,6 @@ namespace deltaform
     std::vector<Stage> stages;
     std::vector<Probe> probes;
     std::vector<Limit> limits;
-    std::unique_ptr<FlangeWrinkling> wrinkling; ///< null: nobody asks
+    std::unique_ptr<FlangeWrinkling> wrinkling; ///< null: not asked for
   };
 } // namespace deltaform

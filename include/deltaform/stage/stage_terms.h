@@ -27,10 +27,10 @@ namespace deltaform
     void accept(const Vector &q);
     void refresh(const Vector &q);
 
-    /// Nobody asks for energies. @param of_contact nor for the work of friction
+    /// Switch energies off. @param of_contact those of contact, too
     void count_no_energy(bool of_contact);
 
-    /// Of the accepted state, with the works of tools and of loads; zero if nobody asks.
+    /// Of the accepted state, with the works of tools and of loads; zero where energies are off.
     EnergyAccount energies(double tool_work, double load_work) const;
 
   private:
