@@ -57,7 +57,7 @@ namespace deltaform
     batch.strain = &strain_[first];
     batch.third_stress = third_stress;
     batch.committed = history_.committed(first);
-    batch.duration = share_of_duration_ * duration_;
+    batch.duration = duration();
     batch.carried_share = carried_.duration_share();
     batch.carried = carried_.at(first);
     batch.trial = history_.trial(first);

@@ -98,6 +98,12 @@ namespace deltaform
     /// or null @param third_stress null if the strain of the third direction is given
     Status update(std::size_t first, unsigned int n, double *tangent, const double *third_stress = nullptr);
 
+    /// What the present increment takes (time), see MaterialBatch::duration.
+    double duration() const
+    {
+      return share_of_duration_ * duration_;
+    }
+
     /// Kirchhoff stress (Mandel).
     const Mandel &stress(const std::size_t point) const
     {

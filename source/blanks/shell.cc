@@ -25,7 +25,9 @@ namespace deltaform
       state_(settings_, space_, points_), surface_(section, space_, points_, material_, state_),
       boundary_(space_, surface_, settings_.thickness),
       material_(section, ThirdDirection::stress_given, settings_.axisymmetric),
-      kernel_(settings_, space_, points_, state_, material_), fields_(space_, points_, state_, surface_, material_)
+      core_(points_, material_, points_.with_elastic_core()),
+      kernel_(settings_, space_, points_, state_, material_, core_),
+      fields_(space_, points_, state_, surface_, material_)
   {
     material_.reset(static_cast<std::size_t>(points_.size()) * points_.n_layers());
   }
@@ -225,7 +227,23 @@ namespace deltaform
     const ShellStrain strain = points_.strain(q, cell, place);
     const double gamma = strain.gamma - point.gamma;
     sum.normal += thickness_strain_work(place, strain, new_ratio, volumes.data());
+    if (core_.follows())
+      sum.plastic += core_work(place);
     sum.elastic += .5 * kernel_.shear_stiffness() * point.weight * point.radius * gamma * gamma;
+  }
+
+
+  double Shell::core_work(const unsigned int place) const
+  {
+    const unsigned int n_layers = points_.n_layers();
+    std::array<Mandel, 2> change;
+    for (unsigned int end = 0; end < 2; ++end)
+    {
+      const std::size_t i = static_cast<std::size_t>(place) * n_layers + end * (n_layers - 1);
+      for (unsigned int k = 0; k < 4; ++k)
+        change[end][k] = material_.strain(i)[k] - state_.strain(i)[k];
+    }
+    return points_[place].weight * points_[place].radius * core_.work(place, change[0], change[1]);
   }
 
 
@@ -237,6 +255,13 @@ namespace deltaform
       const double ratio = trial_thickness(place) / settings_.thickness;
       if (material_.account().counts())
         add_energy(q, place / points_.per_cell(), place, ratio, sum);
+      if (core_.follows())
+      {
+        const ShellStrain strain = points_.strain(q, place / points_.per_cell(), place);
+        core_.commit(place,
+                     {points_[place], strain, state_.thickness_ratio(place), settings_.axisymmetric},
+                     *state_.third_stress(static_cast<std::size_t>(place) * points_.n_layers()));
+      }
       state_.set_thickness_ratio(place, ratio);
     }
     material_.account().add(sum.elastic, sum.plastic, sum.normal);
@@ -269,6 +294,7 @@ namespace deltaform
     KeyedArrays state;
     material_.put(state);
     ShellState::each_array(state_, PutInto(state));
+    ElasticCore::each_array(core_, PutInto(state));
     ShellSurface::each_array(surface_, PutInto(state));
     return state;
   }
@@ -278,6 +304,7 @@ namespace deltaform
   {
     material_.take(state);
     ShellState::each_array(state_, TakeFrom(state));
+    ElasticCore::each_array(core_, TakeFrom(state));
     state_.begin_increment(0.);
     ShellSurface::each_array(surface_, TakeFrom(state));
     for (unsigned int i = 0; i < material_.size(); ++i)
@@ -295,6 +322,8 @@ namespace deltaform
 
   Inherited Shell::take_formed(const KeyedArrays &formed)
   {
+    if (formed.has("elastic core") != core_.follows())
+      throw SceneError("the earlier operation had another Blank/Layer rule: it must stay");
     if (has_nodes_of(formed))
       return Blank::take_formed(formed);
     const ShellTransfer transfer(space_, points_, material_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "elastic_core.h"
 #include "material_points.h"
 #include "shell_boundary.h"
 #include "shell_fields.h"
@@ -65,6 +66,9 @@ namespace deltaform
     /// thickness, at the end of the increment
     void add_energy(const Vector &q, unsigned int cell, unsigned int place, double new_ratio, BlankEnergy &sum) const;
 
+    /// Work of what corrects the layers at the ends of the elastic core, at a quadrature point.
+    double core_work(unsigned int place) const;
+
     /// Work of the layers, which stand for @p volume each, when the thickness is updated to @p new_ratio: no virtual
     /// work belongs to it.
     double
@@ -78,6 +82,7 @@ namespace deltaform
     ShellSurface surface_;
     ShellBoundary boundary_;
     MaterialPoints material_; ///< layer by layer, of every quadrature point
+    ElasticCore core_;
     ShellKernel kernel_;
     ShellFields fields_;
   };

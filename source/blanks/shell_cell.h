@@ -1,5 +1,7 @@
 #pragma once
 // The work at one cell of a shell, step by step: derivation in doc/theory/shell.md.
+#include "elastic_core.h"
+#include "layer_motion.h"
 #include "material_points.h"
 #include "shell_state.h"
 #include "shell_work.h"
@@ -19,9 +21,10 @@ namespace deltaform
 
     /// @param stiffness of transverse shear, see ShellKernel @param tangent are tangents wanted?
     ShellCell(const ShellSpace &space, const ShellPoints &points, const ShellState &state, MaterialPoints &material,
-              const double stiffness, const bool tangent)
-      : space_(space), points_(points), state_(state), material_(material), axisymmetric_(space.axisymmetric()),
-        tangent_(tangent), n_points_(points.per_cell()), n_layers_(points.n_layers()), stiffness_(stiffness),
+              const ElasticCore &core, const double stiffness, const bool tangent)
+      : space_(space), points_(points), state_(state), material_(material), core_(core),
+        axisymmetric_(space.axisymmetric()), tangent_(tangent), n_points_(points.per_cell()),
+        n_layers_(points.n_layers()), stiffness_(stiffness),
         moduli_(tangent ? n_points_ * n_layers_ * 16 : 0), layers_(n_points_ * n_layers_)
     {
       strains_.reserve(n_points_);
@@ -45,23 +48,21 @@ namespace deltaform
         const ShellPoint &point = points_[cell_ * n_points_ + p];
         strains_.push_back(shell_strain<n_nodes, membrane>(point, space_.mesh().cells()[cell_], space_.mesh().nodes(),
                                                            q, dofs_.data(), axisymmetric_));
-        const ShellStrain &strain = strains_.back();
-        const double ratio = state_.thickness_ratio(cell_ * n_points_ + p);
+        const LayerMotion motion = motion_of(p);
         for (unsigned int l = 0; l < n_layers_; ++l)
         {
           const unsigned int i = p * n_layers_ + l;
-          const double zeta = ratio * points_.layer_position(l);
-          const double a1 = strain.lambda - zeta * strain.theta_prime;
-          const double a2 = axisymmetric_ ? strain.r + zeta * strain.d_r() : 1.;
-          const double a1_zero = point.lambda - points_.layer_position(l) * point.angle_prime;
-          const double a2_zero = axisymmetric_ ? point.radius - points_.layer_position(l) * std::sin(point.angle) : 1.;
+          const double position = points_.layer_position(l);
+          const auto [a1, a2] = motion.now(position);
+          const auto [a1_zero, a2_zero] = motion.before(position);
           if (!(a1 > 0) || !(a2 > 0))
             return false;
           Mandel &e = material_.strain(first() + i);
           e[0] = std::log(a1 / a1_zero);
           e[1] = axisymmetric_ ? std::log(a2 / a2_zero) : 0.;
           e[3] = 0.;
-          layers_[i] = {1. / a1, 1. / a2, zeta, point.weight * points_.layer_weight(l) * a1_zero * a2_zero};
+          layers_[i] = {1. / a1, 1. / a2, motion.distance(position),
+                        point.weight * points_.layer_weight(l) * a1_zero * a2_zero};
         }
       }
       return true;
@@ -85,7 +86,10 @@ namespace deltaform
         const ShellPoint &point = points_[cell_ * n_points_ + p];
         Resultants total;
         for (unsigned int l = 0; l < n_layers_; ++l)
-          add_layer(p * n_layers_ + l, total);
+          add_layer(layers_[p * n_layers_ + l], material_.stress(first() + p * n_layers_ + l),
+                    tangent_ ? &moduli_[16 * (p * n_layers_ + l)] : nullptr, total);
+        if (core_.follows())
+          add_corrections(p, total);
         const double shear = stiffness_ * point.weight * point.radius;
         total.n[ShellStrain::shear] = shear * (strains_[p].gamma - point.gamma);
         total.g[4][4] = shear;
@@ -120,10 +124,31 @@ namespace deltaform
       return static_cast<std::size_t>(cell_) * n_points_ * n_layers_;
     }
 
-    void add_layer(const unsigned int i, Resultants &total) const
+    LayerMotion motion_of(const unsigned int p) const
     {
-      const auto [i1, i2, zeta, weight] = layers_[i];
-      const Mandel &tau = material_.stress(first() + i);
+      const std::size_t place = static_cast<std::size_t>(cell_) * n_points_ + p;
+      return {points_[place], strains_[p], state_.thickness_ratio(place), axisymmetric_};
+    }
+
+    void add_corrections(const unsigned int p, Resultants &total)
+    {
+      const LayerMotion motion = motion_of(p);
+      core_.corrections(cell_ * n_points_ + p, corrections_);
+      constexpr std::array<double, 16> constant{}; // within an increment
+      for (const auto &[position, weight, stress] : corrections_)
+      {
+        const auto [a1, a2] = motion.now(position);
+        const auto [a1_zero, a2_zero] = motion.before(position);
+        const Layer layer{1. / a1, 1. / a2, motion.distance(position),
+                          points_[cell_ * n_points_ + p].weight * weight * a1_zero * a2_zero};
+        add_layer(layer, stress, constant.data(), total);
+      }
+    }
+
+    /// @param t 4 x 4 moduli
+    void add_layer(const Layer &layer, const Mandel &tau, const double *const t, Resultants &total) const
+    {
+      const auto [i1, i2, zeta, weight] = layer;
       const double s1 = weight * tau[0] * i1;
       const double s2 = axisymmetric_ ? weight * tau[1] * i2 : 0.;
       total.n[ShellStrain::stretch] += s1;
@@ -133,7 +158,6 @@ namespace deltaform
       if (!tangent_)
         return;
       auto &g = total.g;
-      const double *t = &moduli_[16 * i];
       const double k11 = weight * (t[0] - tau[0]) * i1 * i1;
       g[0][0] += k11;
       g[0][1] -= zeta * k11;
@@ -159,6 +183,7 @@ namespace deltaform
     const ShellPoints &points_;
     const ShellState &state_;
     MaterialPoints &material_;
+    const ElasticCore &core_;
     bool axisymmetric_, tangent_;
     unsigned int n_points_, n_layers_;
     double stiffness_;
@@ -169,6 +194,7 @@ namespace deltaform
     std::array<double, n_dofs * n_dofs> matrix_;
     std::vector<double> moduli_;
     std::vector<Layer> layers_;
+    std::vector<ElasticCore::Correction> corrections_;
     std::vector<ShellStrain> strains_; ///< of the points
   };
 } // namespace deltaform

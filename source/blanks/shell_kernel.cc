@@ -6,7 +6,8 @@ namespace deltaform
   template <unsigned int n_nodes, bool membrane>
   Status ShellKernel::assemble_cells(const Vector &q, AssemblyTarget &target)
   {
-    ShellCell<n_nodes, membrane> cell(space_, points_, state_, material_, shear_stiffness(), target.wants_tangent());
+    ShellCell<n_nodes, membrane> cell(
+      space_, points_, state_, material_, core_, shear_stiffness(), target.wants_tangent());
     for (unsigned int c = 0; c < space_.mesh().cells().size(); ++c)
     {
       cell.enter(c);

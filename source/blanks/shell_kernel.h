@@ -1,5 +1,6 @@
 #pragma once
 
+#include "elastic_core.h"
 #include "material_points.h"
 #include "shell_points.h"
 #include "shell_space.h"
@@ -19,8 +20,10 @@ namespace deltaform
                 const ShellSpace &space,
                 const ShellPoints &points,
                 const ShellState &state,
-                MaterialPoints &material)
-      : shear_factor_(settings.shear_factor), space_(space), points_(points), state_(state), material_(material)
+                MaterialPoints &material,
+                const ElasticCore &core)
+      : shear_factor_(settings.shear_factor), space_(space), points_(points), state_(state), material_(material),
+        core_(core)
     {
     }
 
@@ -39,5 +42,6 @@ namespace deltaform
     const ShellPoints &points_;
     const ShellState &state_;
     MaterialPoints &material_;
+    const ElasticCore &core_;
   };
 } // namespace deltaform

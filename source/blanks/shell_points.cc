@@ -14,9 +14,14 @@ namespace deltaform
     : space_(space), n_points_per_cell_(space.degree()), thickness_(settings.thickness)
   {
     const std::string rule =
-      section.choice("Layer rule", "gauss", {"gauss", "lobatto"}, "Integration through the thickness.");
+      section.choice("Layer rule",
+                     "gauss",
+                     {"gauss", "lobatto", "elastic core"},
+                     "Integration through the thickness. elastic core: Gauss, and the kinks of the stress where the "
+                     "elastic core ends by themselves; for bending and springback, not for drawing.");
+    with_elastic_core_ = rule == "elastic core" && !settings.membrane;
     const unsigned int n_layers = settings.n_layers;
-    const dealii::Quadrature<1> layers = rule == "gauss" || n_layers < 2
+    const dealii::Quadrature<1> layers = rule != "lobatto" || n_layers < 2
                                            ? dealii::Quadrature<1>(dealii::QGauss<1>(n_layers))
                                            : dealii::Quadrature<1>(dealii::QGaussLobatto<1>(n_layers));
     for (unsigned int l = 0; l < n_layers; ++l)

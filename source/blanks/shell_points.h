@@ -64,6 +64,12 @@ namespace deltaform
       return layer_weight_[layer];
     }
 
+    /// Are the kinks at the ends of the elastic core integrated by themselves?
+    bool with_elastic_core() const
+    {
+      return with_elastic_core_;
+    }
+
     /// Shares of the layers in the thickness, which sum to 1.
     std::vector<double> layer_shares() const;
 
@@ -101,6 +107,7 @@ namespace deltaform
     const ShellSpace &space_;
     unsigned int n_points_per_cell_;
     double thickness_;
+    bool with_elastic_core_ = false;
     std::vector<ShellPoint> points_;
     std::vector<double> layer_position_, layer_weight_, node_weight_;
   };
