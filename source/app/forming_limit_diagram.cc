@@ -3,6 +3,7 @@
 #include <deltaform/materials/forming_limit.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/scene/scene.h>
 

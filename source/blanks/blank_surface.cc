@@ -1,5 +1,7 @@
 #include "blank_surface.h"
 
+#include <deltaform/parameters/section.h>
+
 #include <deal.II/base/quadrature_lib.h>
 
 #include <map>

@@ -2,6 +2,7 @@
 #include "usable_material.h"
 
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 #include <array>

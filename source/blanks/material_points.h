@@ -8,7 +8,6 @@
 #include <deltaform/materials/carried_flow.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
-#include <deltaform/parameters/section.h>
 
 #include <cstddef>
 #include <memory>
@@ -16,6 +15,8 @@
 
 namespace deltaform
 {
+  class Section;
+
   /**
    * The points of a blank at which its law is evaluated, and what they carry through an increment: history, flow of the
    * last increment and stress, each at the begin (committed) and at the end (trial), strain at the end, and the

@@ -1,5 +1,6 @@
 #include "point_criteria.h"
 
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include <deltaform/blanks/refinement.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

@@ -1,6 +1,7 @@
 #include "shell_mesh.h"
 
 #include <deltaform/geometry/grading.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/memory.h>
 

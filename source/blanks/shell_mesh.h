@@ -2,13 +2,15 @@
 
 #include <deltaform/assembly/types.h>
 #include <deltaform/geometry/meridian.h>
-#include <deltaform/parameters/section.h>
+#include <deltaform/parameters/time_function.h>
 
 #include <array>
 #include <vector>
 
 namespace deltaform
 {
+  class Section;
+
   /**
    * Nodes and elements along the meridian of a shell: every straight or curved piece gets a whole number of elements,
    * so that kinks lie at nodes; inside a piece the sizes follow the grading.

@@ -1,6 +1,8 @@
 #include "shell_points.h"
 #include "shell_work.h"
 
+#include <deltaform/parameters/section.h>
+
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 

@@ -3,13 +3,14 @@
 #include "shell_space.h"
 
 #include <deltaform/kinematics/shell_strain.h>
-#include <deltaform/parameters/section.h>
 
 #include <array>
 #include <vector>
 
 namespace deltaform
 {
+  class Section;
+
   /// What stays the same at a quadrature point on the meridian of a shell.
   struct ShellPoint
   {

@@ -1,5 +1,7 @@
 #include "shell_settings.h"
 
+#include <deltaform/parameters/section.h>
+
 namespace deltaform
 {
   ShellSettings::ShellSettings(Section &section)

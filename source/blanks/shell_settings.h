@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/parameters/section.h>
-
 namespace deltaform
 {
+  class Section;
+
   /// What a scene says of a shell besides its mesh and its material.
   struct ShellSettings
   {

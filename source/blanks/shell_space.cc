@@ -1,5 +1,6 @@
 #include "shell_space.h"
 
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
 #include <deal.II/base/quadrature_lib.h>

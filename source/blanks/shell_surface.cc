@@ -1,5 +1,7 @@
 #include "shell_surface.h"
 
+#include <deltaform/parameters/section.h>
+
 #include <algorithm>
 #include <cmath>
 

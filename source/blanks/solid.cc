@@ -3,6 +3,7 @@
 
 #include <deltaform/materials/flow_error.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/process/ranks.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "solid_discretization.h"
 
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/ranks.h>
 

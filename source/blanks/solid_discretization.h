@@ -4,10 +4,11 @@
 #include "solid_points.h"
 #include "solid_space.h"
 
-#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {
+  class Section;
+
   /// A solid cut into cells: nodes and unknowns, quadrature points, boundary. They follow the mesh together.
   class SolidDiscretization
   {

@@ -4,6 +4,7 @@
 
 #include <deltaform/geometry/grading.h>
 #include <deltaform/parameters/ceilings.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/memory.h>
 #include <deltaform/process/ranks.h>

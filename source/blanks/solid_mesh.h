@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deltaform/assembly/types.h>
-#include <deltaform/parameters/section.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -13,6 +12,8 @@
 
 namespace deltaform
 {
+  class Section;
+
   /**
    * The quadrilaterals of a solid blank with the names of the parts of their boundary. Meshes: a strip of given
    * thickness along a meridian, with the entries of the shell (flat: rectangle, block, disc; vertical: tube; curved:

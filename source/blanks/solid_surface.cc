@@ -1,5 +1,6 @@
 #include "solid_surface.h"
 
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
 #include <algorithm>

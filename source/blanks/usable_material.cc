@@ -1,5 +1,6 @@
 #include "usable_material.h"
 
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/parameters/units_label.h>
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <deltaform/materials/material.h>
-#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {
+  class Section;
+
   /**
    * Can a blank that asks for @p third serve the material chosen in @p section? A body of revolution has no direction
    * of rolling, a law with rates wants to know the unit of time.

@@ -5,6 +5,7 @@
 // doc/theory/contact.md.
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 // each converged solve until C is reached: the first touch of a thin blank at full stiffness does not converge.
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 

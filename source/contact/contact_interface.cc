@@ -2,6 +2,7 @@
 
 #include <deltaform/contact/contact_interface.h>
 #include <deltaform/contact/contact_measures.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include <deltaform/contact/contact_projector.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,7 @@
 // Entries of section Contact.
 #include <deltaform/contact/contact_settings.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

@@ -1,6 +1,7 @@
 // Coulomb: |t| <= mu lambda. Unbounded in the pressure; units: forces.
 #include <deltaform/contact/friction_law.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
 namespace deltaform

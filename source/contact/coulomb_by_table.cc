@@ -5,6 +5,7 @@
 // Units: p stress, u length, t and lambda forces.
 #include <deltaform/contact/friction_law.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
 #include <algorithm>

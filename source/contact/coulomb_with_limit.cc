@@ -3,6 +3,7 @@
 // the pressure would exceed what the blank can carry (Orowan, Proc. Inst. Mech. Eng. 150 (1943) 140).
 #include <deltaform/contact/friction_law.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 

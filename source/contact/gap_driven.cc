@@ -11,6 +11,7 @@
 // With a tolerance, as for 'proportional'; promises nothing.
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 #include <cmath>

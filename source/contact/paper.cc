@@ -7,6 +7,7 @@
 // may turn negative. The safeguards can be switched off to see what the printed rule does by itself. Promises nothing.
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 

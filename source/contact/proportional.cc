@@ -4,6 +4,7 @@
 // falls.
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 // (Altan, Oh, Gegel, Metal Forming, ASM 1983.)
 #include <deltaform/contact/friction_law.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 

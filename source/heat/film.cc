@@ -1,5 +1,6 @@
 #include <deltaform/heat/film.h>
 #include <deltaform/heat/temperature_outside.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include <deltaform/heat/heat_flow.h>
 #include <deltaform/heat/heat_system.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include <deltaform/heat/temperature_outside.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
 namespace deltaform

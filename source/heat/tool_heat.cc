@@ -1,5 +1,6 @@
 #include <deltaform/heat/temperature_outside.h>
 #include <deltaform/heat/tool_heat.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 #include <cmath>

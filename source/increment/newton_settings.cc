@@ -1,4 +1,5 @@
 #include <deltaform/increment/newton.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

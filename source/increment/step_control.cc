@@ -1,4 +1,5 @@
 #include <deltaform/increment/step_control.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 #include <cmath>

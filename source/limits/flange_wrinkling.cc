@@ -1,5 +1,6 @@
 #include <deltaform/limits/flange_wrinkling.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 #include <cmath>

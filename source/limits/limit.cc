@@ -1,4 +1,5 @@
 #include <deltaform/limits/limit.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

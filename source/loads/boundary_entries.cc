@@ -1,4 +1,5 @@
 #include <deltaform/loads/boundary_entries.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 

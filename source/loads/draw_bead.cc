@@ -4,6 +4,7 @@
 
 #include <deltaform/loads/load.h>
 #include <deltaform/materials/repeated_bending.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 #include <map>

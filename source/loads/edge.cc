@@ -2,6 +2,7 @@
 #include "nodal_forces.h"
 
 #include <deltaform/loads/boundary_entries.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/loads/load.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

@@ -3,6 +3,7 @@
 #include <deltaform/loads/boundary_entries.h>
 #include <deltaform/loads/load.h>
 #include <deltaform/loads/load_way.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

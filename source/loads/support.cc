@@ -1,5 +1,6 @@
 #include <deltaform/loads/boundary_entries.h>
 #include <deltaform/loads/support.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

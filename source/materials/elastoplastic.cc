@@ -4,6 +4,7 @@
 #include <deltaform/materials/plasticity.h>
 #include <deltaform/materials/read_law.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

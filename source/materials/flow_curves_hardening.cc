@@ -2,6 +2,7 @@
 #include <deltaform/materials/flow_curves.h>
 #include <deltaform/materials/rate_factor.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include "heat_balance.h"
 

@@ -1,4 +1,5 @@
 #include <deltaform/materials/forming_limit.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
 #include <algorithm>

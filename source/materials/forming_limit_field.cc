@@ -8,6 +8,7 @@
 // J. Suh, AIP Conf. Proc. 1567 (2013) 556). Without flow that stretches, nothing is used.
 #include <deltaform/materials/forming_limit.h>
 #include <deltaform/materials/point_field.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 

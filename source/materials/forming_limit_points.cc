@@ -1,5 +1,6 @@
 // A forming limit that was measured.
 #include <deltaform/materials/forming_limit.h>
+#include <deltaform/parameters/section.h>
 
 #include <stdexcept>
 

@@ -1,6 +1,7 @@
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/rate_factor.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <memory>
 #include <utility>

@@ -2,6 +2,7 @@
 
 #include <deltaform/materials/yield_surface.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 #include <limits>

@@ -6,6 +6,7 @@
 // S.P. Keeler, W.G. Brazier, Relationship between laboratory material characterization and press-shop formability,
 // Proc. Microalloying 75 (1977) 517; the coefficients as they are commonly quoted.
 #include <deltaform/materials/forming_limit.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 #include <cmath>

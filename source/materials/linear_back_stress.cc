@@ -1,6 +1,7 @@
 #include "chaboche.h"
 
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

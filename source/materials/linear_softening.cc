@@ -1,5 +1,6 @@
 #include <deltaform/materials/softening.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

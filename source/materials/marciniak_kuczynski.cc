@@ -11,6 +11,8 @@
 
 #include "plane_stress_points.h"
 
+#include <deltaform/parameters/section.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include <deltaform/materials/hardening_laws.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
 // Boost 1.74 calls isnan without its namespace: math.h, not cmath, declares it.

@@ -1,5 +1,6 @@
 // Thinning of a sheet: minus the plastic strain along its normal, ln(t0/t) without the elastic part.
 #include <deltaform/materials/point_field.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

@@ -1,5 +1,6 @@
 #include <deltaform/materials/hardening_laws.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,6 @@
 #include <deltaform/materials/yield_surface.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 #include <cmath>

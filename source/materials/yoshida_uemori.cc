@@ -2,6 +2,7 @@
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/read_law.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "section_points.h"
 
 #include <deltaform/measures/measure.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

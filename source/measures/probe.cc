@@ -1,4 +1,5 @@
 #include <deltaform/measures/probe.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include <deltaform/parameters/parameter_pages.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/parameters/unknown_entries.h>
 

@@ -1,6 +1,7 @@
 #include <deltaform/parameters/ceilings.h>
 #include <deltaform/parameters/expression.h>
 #include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
@@ -310,5 +311,15 @@ namespace deltaform
   std::string Section::path() const
   {
     return to_string(path_);
+  }
+
+
+  std::string read_choice(Section &section,
+                          const std::string &entry,
+                          const std::string &default_name,
+                          const std::vector<std::string> &choices,
+                          const std::string &sentence)
+  {
+    return section.choice(entry, default_name, choices, sentence);
   }
 } // namespace deltaform

@@ -1,3 +1,4 @@
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/results/output_settings.h>
 

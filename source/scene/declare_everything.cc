@@ -8,6 +8,7 @@
 #include <deltaform/materials/yield_surface.h>
 #include <deltaform/measures/measure.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/units_label.h>
 #include <deltaform/scene/scene.h>
 

@@ -3,6 +3,7 @@
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/reports/checkpoint.h>
 #include <deltaform/scene/earlier_operation.h>
 

@@ -1,5 +1,6 @@
 // Material/Name: entries from a table of metals.
 #include <deltaform/materials/material_table.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/parameters/unit_system.h>
 #include <deltaform/scene/scene.h>

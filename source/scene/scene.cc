@@ -1,5 +1,6 @@
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/unit_system.h>
 #include <deltaform/parameters/units_label.h>
 #include <deltaform/scene/contact_edge.h>

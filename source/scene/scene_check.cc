@@ -2,6 +2,7 @@
 #include <deltaform/checks/function_values.h>
 #include <deltaform/checks/tool_placement.h>
 #include <deltaform/conditions/stage_ends.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/ranks.h>
 #include <deltaform/reports/reported_columns.h>

@@ -3,6 +3,7 @@
 
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/process/ranks.h>
 #include <deltaform/solver/linear_method.h>
 

@@ -1,4 +1,5 @@
 #include <deltaform/parameters/ceilings.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/stage/stage.h>
 

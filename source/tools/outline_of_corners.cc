@@ -1,5 +1,7 @@
 #include "outline_of_corners.h"
 
+#include <deltaform/parameters/section.h>
+
 #include <utility>
 
 namespace deltaform

@@ -1,4 +1,5 @@
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/tools/tool.h>
 
 #include <cmath>

@@ -3,6 +3,7 @@
 #include <deltaform/materials/point_history.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 #include <cstdio>

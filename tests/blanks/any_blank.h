@@ -5,6 +5,7 @@
 
 #include <deltaform/blanks/blank.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 
 #include <random>
 

@@ -2,6 +2,7 @@
 #include <deltaform/checks/doubtful_solid.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/tools/shape.h>
 
 #include <boost/test/unit_test.hpp>

@@ -4,6 +4,7 @@
 
 #include <deltaform/geometry/curvature.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <tuple>
 

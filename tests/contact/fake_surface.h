@@ -5,6 +5,7 @@
 #include "../materials/material_point.h"
 
 #include <deltaform/contact/contact_interface.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

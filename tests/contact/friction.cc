@@ -3,6 +3,7 @@
 
 #include <deltaform/contact/friction_law.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 

@@ -3,6 +3,7 @@
 
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 

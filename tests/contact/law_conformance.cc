@@ -4,6 +4,7 @@
 #include <deltaform/contact/friction_law.h>
 #include <deltaform/contact/normal_law.h>
 #include <deltaform/contact/penalty_rule.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 #include <random>

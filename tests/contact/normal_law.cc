@@ -6,6 +6,7 @@
 #include <deltaform/contact/normal_law.h>
 #include <deltaform/contact/point_rows.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 #include <memory>

@@ -8,6 +8,8 @@
 #  4. A concrete law lives in one .cc that registers it: one entry per file, and no header in include/. If it has a
 #     header, that stays in source/, which other rooms do not see (rules 2 and 3).
 #  5. A file in include/ or source/ belongs to a room.
+#  6. Interfaces declare Section and do not include its header, so that a change of it compiles again those who read
+#     entries, and no others. read_law.h reads them.
 cmake_minimum_required(VERSION 3.21)
 
 set(floor_parameters 0)
@@ -84,6 +86,9 @@ foreach(file IN LISTS files)
       if(NOT DEFINED floor_${other})
         violation("${file}: <deltaform/${other}/${name}> is in no room")
         continue()
+      endif()
+      if(file MATCHES "^include/" AND "${other}/${name}" STREQUAL "parameters/section.h" AND NOT file MATCHES "/read_law.h$")
+        violation("${file}: an interface declares Section and does not include its header")
       endif()
       if(NOT EXISTS ${ROOT}/include/deltaform/${other}/${name})
         violation("${file}: <deltaform/${other}/${name}> does not exist")

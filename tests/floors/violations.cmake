@@ -57,6 +57,8 @@ run("registers 2 laws" source/materials/swift.cc "Registry<Law>::Entry a(1)\; Re
 run("leaves the room scene" source/scene/scene.cc "#include \"../blanks/shell.h\"")
 run("does not exist" source/scene/scene.cc "#include <deltaform/blanks/shell.h>")
 run("a concrete law has no header" include/deltaform/blanks/shell.h "#include <vector>")
+run("an interface declares Section" include/deltaform/parameters/section.h "#include <vector>"
+    include/deltaform/tools/thing.h "#include <deltaform/parameters/section.h>")
 run("belongs to no room" source/attic/old.cc "#include <vector>")
 run("is in no room" source/scene/scene.cc "#include <deltaform/attic/old.h>")
 run("looks up to parameters" include/deltaform/precompiled.h "#include <deltaform/parameters/thing.h>")

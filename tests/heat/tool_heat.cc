@@ -2,6 +2,7 @@
 #include <deltaform/heat/tool_heat.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -2,6 +2,7 @@
 // The observed order of a Newton iteration.
 #include <deltaform/increment/newton.h>
 #include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/section.h>
 
 #include <cmath>
 #include <limits>

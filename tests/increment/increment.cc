@@ -4,6 +4,7 @@
 #include <deltaform/increment/increment.h>
 #include <deltaform/increment/step_control.h>
 #include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/process/child_process.h>
 #include <deltaform/process/interruption.h>
 

@@ -1,6 +1,7 @@
 // Sizes of increments: by iterations, and by an error of first order.
 #include <deltaform/increment/step_control.h>
 #include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/section.h>
 
 #include <boost/test/unit_test.hpp>
 

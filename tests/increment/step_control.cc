@@ -1,5 +1,6 @@
 #include <deltaform/increment/step_control.h>
 #include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/section.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -2,6 +2,7 @@
 #include "../blanks/any_blank.h"
 
 #include <deltaform/loads/load.h>
+#include <deltaform/parameters/section.h>
 
 using namespace deltaform;
 using namespace deltaform::testing;

@@ -4,6 +4,7 @@
 
 #include <deltaform/loads/load.h>
 #include <deltaform/loads/load_way.h>
+#include <deltaform/parameters/section.h>
 
 using namespace deltaform;
 using namespace deltaform::testing;

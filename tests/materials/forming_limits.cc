@@ -2,6 +2,7 @@
 #include <deltaform/materials/forming_limit.h>
 #include <deltaform/materials/point_field.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 
 #include "../../source/materials/marciniak_kuczynski.h"
 #include "material_cases.h"

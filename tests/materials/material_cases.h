@@ -2,6 +2,7 @@
 // The materials that conformance is asked of, and how it is asked.
 #include <deltaform/materials/hardening_laws.h>
 #include <deltaform/materials/softening.h>
+#include <deltaform/parameters/section.h>
 
 #include "material_point.h"
 #include "other_laws.h"

@@ -5,6 +5,7 @@
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/rate_factor.h>
+#include <deltaform/parameters/section.h>
 
 #include <boost/test/unit_test.hpp>
 

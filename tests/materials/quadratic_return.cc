@@ -2,6 +2,8 @@
 // every rate factor.
 #include "material_cases.h"
 
+#include <deltaform/parameters/section.h>
+
 using namespace deltaform;
 using namespace deltaform::testing;
 

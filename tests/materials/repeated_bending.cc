@@ -1,6 +1,7 @@
 // The force that draws a strip over circles, against closed forms and a program that shares no line with this one.
 #include <deltaform/materials/repeated_bending.h>
 #include <deltaform/materials/uniaxial_curve.h>
+#include <deltaform/parameters/section.h>
 
 #include "material_cases.h"
 

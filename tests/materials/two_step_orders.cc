@@ -2,6 +2,8 @@
 // with n, 2 n and 4 n increments.
 #include "drawn_metals.h"
 
+#include <deltaform/parameters/section.h>
+
 using namespace deltaform;
 using namespace deltaform::testing;
 

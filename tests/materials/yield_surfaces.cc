@@ -2,6 +2,7 @@
 #include "material_cases.h"
 
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
 
 #include <boost/math/tools/roots.hpp>

@@ -1,6 +1,7 @@
 // Gauges on sections of which radii, angles and lengths are known.
 #include <deltaform/measures/measure.h>
 #include <deltaform/parameters/parameter_tree.h>
+#include <deltaform/parameters/section.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,6 +1,7 @@
 #include "../blanks/any_blank.h"
 
 #include <deltaform/measures/probe.h>
+#include <deltaform/parameters/section.h>
 
 using namespace deltaform;
 using namespace deltaform::testing;

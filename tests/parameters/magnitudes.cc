@@ -2,6 +2,7 @@
 #include <deltaform/parameters/magnitudes.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/process/memory.h>
 
 #include "../messages.h"

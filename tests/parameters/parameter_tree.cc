@@ -1,5 +1,6 @@
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -1,6 +1,7 @@
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 
 #include "../messages.h"
 

@@ -1,6 +1,7 @@
 // The sparse system with its eliminated border against dense algebra.
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/solver/linear_method.h>
 #include <deltaform/solver/system.h>
 

@@ -2,6 +2,7 @@
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/scene_error.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/tools/shape.h>
 
 #include <boost/test/unit_test.hpp>

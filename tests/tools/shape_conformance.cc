@@ -1,6 +1,7 @@
 #include "../conformance.h"
 
 #include <deltaform/geometry/curvature.h>
+#include <deltaform/parameters/section.h>
 #include <deltaform/tools/shape.h>
 
 #include <functional>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deltaform/parameters/section.h>
-
 namespace deltaform
 {
+  class Section;
+
   /// When and where a solid is refined during a run; section Blank/Refinement. Every pass halves the marked cells once.
   struct RefinementSettings
   {

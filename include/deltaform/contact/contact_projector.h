@@ -3,7 +3,6 @@
 #include <deltaform/assembly/contact_surface.h>
 #include <deltaform/io/archive.h>
 #include <deltaform/parameters/scene_error.h>
-#include <deltaform/parameters/section.h>
 #include <deltaform/tools/tool.h>
 
 #include <algorithm>
@@ -13,6 +12,8 @@
 
 namespace deltaform
 {
+  class Section;
+
   /**
    * Where the contact points of one side of the blank are over a tool: the points as this tool meets them, and their
    * projections on its profile. The last projection of every point is remembered: it starts the next search, and tells

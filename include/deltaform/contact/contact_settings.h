@@ -2,7 +2,6 @@
 
 #include <deltaform/contact/normal_law.h>
 #include <deltaform/contact/penalty_rule.h>
-#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/time_function.h>
 
 #include <map>
@@ -11,6 +10,8 @@
 
 namespace deltaform
 {
+  class Section;
+
   /// Entries of the Contact section, which all interfaces share.
   struct ContactSettings
   {

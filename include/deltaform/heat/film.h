@@ -1,13 +1,14 @@
 #pragma once
 
 #include <deltaform/blanks/blank.h>
-#include <deltaform/parameters/section.h>
 
 #include <string>
 #include <vector>
 
 namespace deltaform
 {
+  class Section;
+
   /**
    * Heat between parts of the boundary and what surrounds them, air or a bath: the flux h (T - T_s), h a constant film
    * coefficient for convection and radiation together. An edge all of whose nodes touch tools has none.

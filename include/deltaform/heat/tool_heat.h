@@ -1,12 +1,13 @@
 #pragma once
 
 #include <deltaform/materials/metal_heat.h>
-#include <deltaform/parameters/section.h>
 
 #include <optional>
 
 namespace deltaform
 {
+  class Section;
+
   /**
    * Heat between the blank and a tool of temperature T_t: the flux h (T - T_t) of a touching point, with the
    * conductance of the joint

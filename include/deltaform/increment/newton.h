@@ -3,7 +3,6 @@
 #include <deltaform/assembly/status.h>
 #include <deltaform/increment/damping.h>
 #include <deltaform/increment/equations.h>
-#include <deltaform/parameters/section.h>
 #include <deltaform/process/timers.h>
 #include <deltaform/solver/system.h>
 
@@ -12,6 +11,8 @@
 
 namespace deltaform
 {
+  class Section;
+
   /// Tolerances and limits of the Newton iteration.
   struct NewtonSettings
   {

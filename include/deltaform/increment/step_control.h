@@ -1,13 +1,14 @@
 #pragma once
 
 #include <deltaform/increment/effort.h>
-#include <deltaform/parameters/section.h>
 
 #include <string>
 #include <vector>
 
 namespace deltaform
 {
+  class Section;
+
   /// Entries of the step control.
   struct StepSettings
   {

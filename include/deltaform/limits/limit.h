@@ -1,12 +1,12 @@
 #pragma once
 
-#include <deltaform/parameters/section.h>
-
 #include <string>
 #include <vector>
 
 namespace deltaform
 {
+  class Section;
+
   /// How large a criterion of the blank (Limits/Criteria) may become, and what happens then.
   struct Limit
   {

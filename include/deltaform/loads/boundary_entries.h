@@ -1,13 +1,14 @@
 #pragma once
 
 #include <deltaform/blanks/blank.h>
-#include <deltaform/parameters/section.h>
 
 #include <string>
 #include <vector>
 
 namespace deltaform
 {
+  class Section;
+
   /// @name Entries that supports and loads have in common
   ///@{
   Component read_component(Section &section);

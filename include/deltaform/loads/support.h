@@ -1,14 +1,16 @@
 #pragma once
 
 #include <deltaform/blanks/blank.h>
-#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/skipped_time.h>
+#include <deltaform/parameters/time_function.h>
 
 #include <string>
 #include <vector>
 
 namespace deltaform
 {
+  class Section;
+
   /// A prescribed displacement or rotation on a part of the boundary.
   struct Support
   {

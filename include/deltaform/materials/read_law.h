@@ -4,6 +4,7 @@
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/parameter_table.h>
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 namespace deltaform
 {

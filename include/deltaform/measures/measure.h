@@ -2,7 +2,6 @@
 
 #include <deltaform/io/table.h>
 #include <deltaform/parameters/registry.h>
-#include <deltaform/parameters/section.h>
 
 #include <string>
 #include <utility>

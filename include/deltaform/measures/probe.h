@@ -2,7 +2,6 @@
 
 #include <deltaform/blanks/blank.h>
 #include <deltaform/io/table.h>
-#include <deltaform/parameters/section.h>
 
 #include <optional>
 #include <string>
@@ -10,6 +9,8 @@
 
 namespace deltaform
 {
+  class Section;
+
   /// A place of the blank that moves with it, and the columns of its profile that are watched there over time.
   class Probe
   {

@@ -4,7 +4,6 @@
 #include <deltaform/parameters/magnitudes.h>
 #include <deltaform/parameters/replaced_entries.h>
 #include <deltaform/parameters/scene_file.h>
-#include <deltaform/parameters/section.h>
 
 #include <iosfwd>
 #include <string>
@@ -12,6 +11,8 @@
 
 namespace deltaform
 {
+  class Section;
+
   /**
    * All parameters of a run: what the scene says and what the objects of the program have declared. While objects are
    * made, each declares its entries through a Section and gets their values at once (lenient pass: nobody knows yet

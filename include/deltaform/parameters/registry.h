@@ -1,13 +1,24 @@
 #pragma once
 
 #include <deltaform/parameters/makers.h>
-#include <deltaform/parameters/section.h>
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace deltaform
 {
+  class Section;
+
+  /// Section::choice(). A call from here spares those who hold a registry of laws the header of sections, and so their
+  /// recompilation with it.
+  std::string read_choice(Section &section,
+                          const std::string &entry,
+                          const std::string &default_name,
+                          const std::vector<std::string> &choices,
+                          const std::string &sentence);
+
+
   /**
    * Name -> maker of the laws of one kind. A law registers itself by the last line of its own .cc file:
    *
@@ -32,7 +43,7 @@ namespace deltaform
                                      Args... args)
     {
       using Base = Makers<T, Section &, Args...>;
-      return Base::make(section.choice(entry, default_name, Base::names(), what_for), section, args...);
+      return Base::make(read_choice(section, entry, default_name, Base::names(), what_for), section, args...);
     }
   };
 

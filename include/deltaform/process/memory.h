@@ -1,11 +1,11 @@
 #pragma once
 
-#include <deltaform/parameters/section.h>
-
 #include <string>
 
 namespace deltaform
 {
+  class Section;
+
   namespace memory
   {
     /// Bytes that this process can still get: what the machine has free, the limits of its group and its own. Infinite

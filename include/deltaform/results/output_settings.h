@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deltaform/measures/measure.h>
-#include <deltaform/parameters/section.h>
 #include <deltaform/solver/condition_method.h>
 #include <deltaform/stage/stage.h>
 #include <deltaform/tools/tool.h>
@@ -12,6 +11,8 @@
 
 namespace deltaform
 {
+  class Section;
+
   /// What is written, and when.
   struct OutputSettings
   {

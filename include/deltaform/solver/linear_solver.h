@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deltaform/assembly/types.h>
-#include <deltaform/parameters/section.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
@@ -13,6 +12,8 @@ class Epetra_CrsMatrix;
 
 namespace deltaform
 {
+  class Section;
+
   class LinearMethod;
 
   /// Which linear solver, and its tolerance.

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <deltaform/parameters/section.h>
-
 #include <string>
 #include <vector>
 
 namespace deltaform
 {
+  class Section;
+
   /// A part of the process: from the end of the one before to its own end.
   struct Stage
   {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <deltaform/assembly/side.h>
-#include <deltaform/parameters/section.h>
 #include <deltaform/parameters/skipped_time.h>
+#include <deltaform/parameters/time_function.h>
 #include <deltaform/tools/shape.h>
 
 #include <limits>
@@ -15,6 +15,8 @@
 
 namespace deltaform
 {
+  class Section;
+
   /**
    * A rigid tool: a shape at a position, mirrored if it touches the top of the blank, that travels along a direction.
    * The travel is a function of time; or a force is, and the travel is an unknown of the step.

@@ -3,6 +3,7 @@
 #include "../outline_of_corners.h"
 
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <fstream>
 #include <regex>

@@ -1,6 +1,7 @@
 #include "../outline_of_corners.h"
 
 #include <deltaform/parameters/registry.h>
+#include <deltaform/parameters/section.h>
 
 #include <stdexcept>
 
