@@ -4,8 +4,21 @@
 #include <deltaform/parameters/text.h>
 #include <deltaform/parameters/units_label.h>
 
+#include <algorithm>
+
 namespace deltaform
 {
+  namespace
+  {
+    bool knows_temperature(const Material &material)
+    {
+      const auto &fields = material.history_layout().fields();
+      return std::any_of(
+        fields.begin(), fields.end(), [](const HistoryField &field) { return field.name == "temperature_rise"; });
+    }
+  } // namespace
+
+
   void check_usable(const Material &material,
                     const ThirdDirection third,
                     const bool axisymmetric,
@@ -26,7 +39,7 @@ namespace deltaform
                                "a shell has no temperature through its thickness, so that heat cannot go to the tools: "
                                "take Blank/Kind = solid, or leave the heat where it is made (0).");
     const auto n_units = text::split(read_units_label(section), ',').size();
-    if (traits.needs_duration && n_units > 4)
+    if ((traits.needs_duration || knows_temperature(material)) && n_units > 4)
       section.root().fail("Units",
                           "must name length, force, stress and time, no more: a temperature has no unit of its own, "
                           "all temperatures of a scene are on one scale.");
