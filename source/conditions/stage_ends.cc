@@ -103,8 +103,15 @@ namespace deltaform
       if (value == nullptr)
         continue;
       Watched &watched = watched_[i];
-      const double length = increment.time - watched.time;
-      watched.rate = watched.known && length > 0. ? (*value - watched.value) / length : 0.;
+      // Over one of the short increments before a limit, what happens at its end outweighs the rate: the thickness is
+      // updated, a contact point comes or goes.
+      if (!watched.known)
+        watched.from_time = increment.time;
+      else if (increment.time - watched.time >= .5 * (watched.time - watched.from_time))
+      {
+        watched.from_time = watched.time;
+        watched.from_value = watched.value;
+      }
       watched.time = increment.time;
       watched.value = *value;
       watched.largest = std::max(watched.largest, std::abs(*value));
@@ -142,9 +149,9 @@ namespace deltaform
     double result = next;
     for (std::size_t i = 0; i < criteria_.size(); ++i)
       if (const Watched &watched = watched_[i];
-          watched.known && watched.rate != 0. && !is_count(criteria_[i].quantity))
+          watched.rate() != 0. && !is_count(criteria_[i].quantity))
       {
-        const double left = (bound(criteria_[i], watched) - watched.value) / watched.rate;
+        const double left = (bound(criteria_[i], watched) - watched.value) / watched.rate();
         if (left > 0.)
           result = std::min(result, watched.time + std::max(left, shortest_share * (next - watched.time)));
       }

@@ -43,7 +43,7 @@ namespace deltaform
     }
 
     /// The end of the next increment: @p next, or an earlier time at which a limit will be met at the rate of
-    /// the last increment.
+    /// the last increments.
     double shorten(double next) const;
 
     /// What it remembers, in bytes that only it understands.
@@ -69,14 +69,20 @@ namespace deltaform
     struct Watched
     {
       double time = 0., value = 0.; ///< at the end of the last increment
-      double rate = 0.; ///< of the last increment
+      double from_time = 0., from_value = 0.; ///< where the rate is measured from: about the last full increment
       double largest = 0.; ///< size in this stage so far
       bool known = false;
+
+      /// Of the value; zero if it is not known.
+      double rate() const
+      {
+        return time > from_time ? (value - from_value) / (time - from_time) : 0.;
+      }
 
       template <class Archive>
       void serialize(Archive &archive, unsigned int)
       {
-        archive &time &value &rate &largest &known;
+        archive &time &value &from_time &from_value &largest &known;
       }
     };
 
