@@ -3,8 +3,8 @@
 
     scripts/studies/deepest_place.py [--program PROGRAM] [--output output/deepest_place] [--only cup|scenes] [--write]
 
-Every shipped scene with tools, as it is and with contact points inside the elements; the cup with more points, elements and
-a tighter delta. --write writes doc/measured/deepest_scenes.csv and deepest_cup.csv. Ten minutes; runs that are there are
+Every shipped scene with tools, as it is, touched at the nodes and at the points of degree or two inside an element; the cup
+with more points, elements and a tighter delta. --write writes doc/measured/deepest_scenes.csv and deepest_cup.csv. Ten minutes; runs that are there are
 not done again.
 """
 import glob
@@ -17,7 +17,7 @@ from measured import ROOT, MeasuredTable, arguments_of
 from csv_file import rows_of
 
 SKIPPED = {"u_bend_solid", "u_bend_19600", "forging_flash", "draw_bead", "cup_delta_1e-7"}  # long, or as another
-GAUSS = "Blank/Contact points=gauss"
+NODES, GAUSS = "Blank/Contact points=nodes", "Blank/Contact points=gauss"
 
 
 class Runs:
@@ -78,15 +78,16 @@ def cells(summary):
 
 def scenes(run):
     own = ["iterations", "deepest/delta", "at sharp corners"]
-    table = MeasuredTable(["scene", *own, "gauss: " + own[0], *own[1:], "10 points: " + own[0], *own[1:]])
+    table = MeasuredTable(["scene", *own, "nodes: " + own[0], *own[1:], "gauss: " + own[0], *own[1:]])
     files = [path for pattern in ("prm/*.prm", "prm/shop/*.prm") for path in sorted(glob.glob(os.path.join(ROOT, pattern)))]
     for path in files:
         name = os.path.splitext(os.path.basename(path))[0]
         if name in SKIPPED or not has_promise(path):
             continue
         found = []
-        for kind, entries in (("nodes", ()), ("gauss", (GAUSS,)), ("ten", (GAUSS, "Blank/Gauss points=10"))):
-            if kind == "ten" and is_solid(path):
+        two = (GAUSS,) if is_solid(path) else (GAUSS, "Blank/Gauss points=2")
+        for kind, entries in (("default", ()), ("nodes", (NODES,)), ("gauss", two)):
+            if kind == "nodes" and is_solid(path):  # its default
                 found += cells(None)
                 continue
             if name == "redraw_2":
@@ -103,7 +104,7 @@ def cup(run):
     for elements in (50, 100, 200):
         for points in (0, 2, 3, 5, 10):
             for delta in ("1e-3", "1e-4"):
-                own = [GAUSS, f"Blank/Gauss points={points}"] if points else []
+                own = [GAUSS, f"Blank/Gauss points={points}"] if points else [NODES]
                 summary = run(scene, f"cup_{elements}_{points}_{delta}", f"Blank/Elements={elements}",
                               f"Contact/Allowed penetration={delta}*thickness", *own)
                 table.add(elements, points or "nodes", delta, *cells(summary)[:2],
@@ -118,8 +119,8 @@ def main():
     options = parser.parse_args()
     run = Runs(options.program, os.path.abspath(options.output))
     for name, title, study in (("cup", "cup to 1 in: deepest place of the face over delta", cup),
-                               ("scenes", "shipped scenes: deepest place of the face over delta, at the nodes, with "
-                                          "'Contact points = gauss' and with 10 of them in each element of a shell",
+                               ("scenes", "shipped scenes: deepest place of the face over delta, by default (shells: ten "
+                                          "points in an element, solids: nodes), at the nodes, and with Gauss points (shells: 2)",
                                 scenes)):
         if options.only in (None, name):
             table = study(run)

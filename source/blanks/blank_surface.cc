@@ -8,16 +8,23 @@
 
 namespace deltaform
 {
-  void BlankSurface::read_points(Section &section, const GaussPoints &offered, const unsigned int degree)
+  std::string BlankSurface::read_points(Section &section, const GaussPoints &offered, const unsigned int degree)
   {
-    const bool inside = section.choice("Contact points", "nodes", {"nodes", "gauss"}, offered.which) == "gauss";
-    const unsigned int n = section.integer("Gauss points", offered.default_number, 1, offered.most, offered.number);
-    if (!inside)
-      return;
-    inner_ = outer_ = dealii::QGauss<1>(n);
+    std::string choice = section.choice("Contact points", offered.preset, offered.choices, offered.which);
+    n_inside_ = section.integer("Gauss points", offered.default_number, 1, offered.most, offered.number);
+    degree_ = degree;
+    if (choice == "gauss")
+      set_inside();
+    return choice;
+  }
+
+
+  void BlankSurface::set_inside()
+  {
+    inner_ = outer_ = dealii::QGauss<1>(n_inside_);
     // Exact for a uniform pressure, or else it would not be met by equal pressures of the points.
-    if (2 * n >= degree + 3)
-      outer_ = dealii::QGaussLobatto<1>(n);
+    if (2 * n_inside_ >= degree_ + 3)
+      outer_ = dealii::QGaussLobatto<1>(n_inside_);
   }
 
 
@@ -107,5 +114,12 @@ namespace deltaform
   std::vector<dealii::Point<1>> BlankSurface::points_of_edge(const Side side, const unsigned int edge) const
   {
     return rule(side, edge).get_points();
+  }
+
+
+  double BlankSurface::point_weight(const Side side, const unsigned int point) const
+  {
+    const unsigned int n = inner_.size();
+    return rule(side, point / n).weight(point % n);
   }
 } // namespace deltaform

@@ -18,6 +18,12 @@ namespace deltaform
   class BlankSurface : public ContactSurface
   {
   public:
+    /// Do the nodes touch, or points inside the edges?
+    bool at_nodes() const
+    {
+      return inner_.size() == 0;
+    }
+
     unsigned int n_contact_points(Side side) const override;
     double modulus() const override;
     std::vector<double> flow_stress(Side side) const override;
@@ -28,6 +34,7 @@ namespace deltaform
                        ContactPoint &result) const override;
     unsigned int points_per_edge() const override;
     std::vector<dealii::Point<1>> points_of_edge(Side side, unsigned int edge) const override;
+    double point_weight(Side side, unsigned int point) const override;
 
   protected:
     explicit BlankSurface(const MaterialPoints &material)
@@ -38,16 +45,17 @@ namespace deltaform
     struct GaussPoints
     {
       int default_number, most;
+      std::string preset; ///< of the entry `Contact points`
+      std::vector<std::string> choices; ///< of it
       std::string which, number; ///< what the scene's entries `Contact points` and `Gauss points` say
     };
 
-    /// Read where the contact points are. @p degree of the polynomials that the places of an edge are
-    void read_points(Section &section, const GaussPoints &offered, unsigned int degree);
+    /// Read where the contact points are. @p degree of the polynomials that the places of an edge are. @return the
+    /// choice
+    std::string read_points(Section &section, const GaussPoints &offered, unsigned int degree);
 
-    bool at_nodes() const
-    {
-      return inner_.size() == 0;
-    }
+    /// The contact points lie inside the edges, as many as was read.
+    void set_inside();
 
     /// The edges of @p side are there, or others than before.
     void find_ends(Side side);
@@ -82,6 +90,7 @@ namespace deltaform
       return ends_[static_cast<unsigned int>(side)][edge] ? outer_ : inner_;
     }
 
+    unsigned int n_inside_ = 0, degree_ = 0; ///< see read_points()
     dealii::Quadrature<1> inner_, outer_; ///< of an edge between others, of one where the face ends; empty: nodes touch
     std::array<std::vector<bool>, 2> ends_; ///< does the face end at this edge? For each side
   };

@@ -138,6 +138,12 @@ namespace deltaform
   }
 
 
+  void Shell::touch_inside()
+  {
+    surface_.touch_inside();
+  }
+
+
   void Shell::begin_increment(const double duration, const double ratio)
   {
     material_.begin_increment(duration, ratio);
@@ -324,13 +330,24 @@ namespace deltaform
   {
     if (formed.has("elastic core") != core_.follows())
       throw SceneError("the earlier operation had another Blank/Layer rule: it must stay");
+    // Where this blank touches is its own: the areas of the contact points are those of the mesh as it comes over.
     if (has_nodes_of(formed))
-      return Blank::take_formed(formed);
+    {
+      KeyedArrays whole = formed;
+      ShellSurface::each_array(surface_, PutInto(whole));
+      Inherited inherited = Blank::take_formed(whole);
+      surface_.update(inherited.unknowns);
+      return inherited;
+    }
     const ShellTransfer transfer(space_, points_, material_);
-    KeyedArrays own = state();
+    KeyedArrays own;
+    material_.put(own);
+    ShellState::each_array(state_, PutInto(own));
+    ElasticCore::each_array(core_, PutInto(own));
     Vector q(n_dofs());
     transfer.set_unknowns(formed, q);
     transfer.set_state(formed, q, own);
+    ShellSurface::each_array(surface_, PutInto(own));
     set_state(own);
     surface_.update(q);
     BlankEnergy sum;

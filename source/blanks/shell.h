@@ -46,6 +46,7 @@ namespace deltaform
     double initial_flow_stress() const override;
     Status assemble(const Vector &q, AssemblyTarget &target) override;
     double admissible_step(const Vector &q, const Vector &dq) const override;
+    void touch_inside() override;
     void begin_increment(double duration, double ratio) override;
     double flow_error() const override;
     IncrementSize increment_size(const Vector &dq) const override;

@@ -20,29 +20,44 @@ namespace deltaform
     // At a kink the contact director is the mean of its neighbours'; angles of one node differ by less than pi.
     std::vector<unsigned int> count(space.n_nodes(), 0);
     for (const auto &cell : space.mesh().cells())
-    {
+      for (unsigned int a = 0; a <= space.degree(); ++a)
+      {
+        angle_[cell.nodes[a]] += cell.angle[a];
+        ++count[cell.nodes[a]];
+      }
+    for (unsigned int i = 0; i < angle_.size(); ++i)
+      angle_[i] /= count[i];
+
+    const auto areas = space.areas(Vector(space.n_dofs()));
+    for (unsigned int i = 0; i < areas.size(); ++i)
+      weightless_[i] = areas[i] < 1e-9 * points.node_weight(i);
+    set_edges();
+  }
+
+
+  void ShellSurface::touch_inside()
+  {
+    if (!left_open_)
+      return;
+    set_inside();
+    set_edges();
+  }
+
+
+  void ShellSurface::set_edges()
+  {
+    edges_.clear();
+    for (const auto &cell : space_.mesh().cells())
       if (at_nodes())
         edges_.push_back(cell.nodes);
-      else if (space.degree() == 1)
+      else if (space_.degree() == 1)
         edges_.push_back({{cell.nodes[0], cell.nodes[1], invalid_index}});
       else
       {
         edges_.push_back({{cell.nodes[0], cell.nodes[2], invalid_index}});
         edges_.push_back({{cell.nodes[2], cell.nodes[1], invalid_index}});
       }
-      for (unsigned int a = 0; a <= space.degree(); ++a)
-      {
-        angle_[cell.nodes[a]] += cell.angle[a];
-        ++count[cell.nodes[a]];
-      }
-    }
-    for (unsigned int i = 0; i < angle_.size(); ++i)
-      angle_[i] /= count[i];
-
-    const Vector undeformed(space.n_dofs());
-    const auto areas = space.areas(undeformed);
-    for (unsigned int i = 0; i < areas.size(); ++i)
-      weightless_[i] = areas[i] < 1e-9 * points.node_weight(i);
+    const Vector undeformed(space_.n_dofs());
     if (!at_nodes())
     {
       meridian_.update(undeformed);
@@ -66,20 +81,26 @@ namespace deltaform
     if (space_.membrane() && contact_point_ == NodalContact::outer_fibre)
       section.fail("Contact point", "a membrane has no director: use 'normal offset'");
 
-    read_points(section,
-                {2,
-                 16,
-                 "Which points touch: the nodes, or points inside the elements on the smooth curve through the nodes; "
-                 "with 3 and more of them the ends of the sheet touch as well.",
-                 "Contact points between two neighbouring nodes ('Contact points = gauss'). With 2 the force of each "
-                 "is determinate; with 10 hardly any of the face enters a tool."},
-                3);
-    if (at_nodes())
+    const std::string choice = read_points(
+      section,
+      {10,
+       16,
+       "automatic",
+       {"automatic", "nodes", "gauss"},
+       "Which points touch: the nodes, or points inside the elements on the smooth curve through the nodes; with 3 and "
+       "more of them the ends of the sheet touch as well. automatic: inside, where the penalty factor of each is found "
+       "(Enforcement = penalty, Penalty rule = adaptive) for a delta of at least 1e-4 thickness, the sheet bends and "
+       "'Contact point' is the normal offset; else the nodes.",
+       "Contact points inside an element, between two neighbouring nodes. With 2 the force of each is determinate; "
+       "with 10 hardly any of the face enters a tool."},
+      3);
+    const bool possible = !space_.membrane() && contact_point_ == NodalContact::normal_offset;
+    left_open_ = choice == "automatic" && possible;
+    if (choice != "gauss" || possible)
       return;
-    if (space_.membrane())
-      section.fail("Contact points", "a membrane has no rotations that make its meridian smooth: use 'nodes'");
-    if (contact_point_ == NodalContact::outer_fibre)
-      section.fail("Contact points", "points inside the elements touch at the 'normal offset' only: use 'nodes'");
+    section.fail("Contact points",
+                 space_.membrane() ? "a membrane has no rotations that make its meridian smooth: use 'nodes'"
+                                   : "points inside the elements touch at the 'normal offset' only: use 'nodes'");
   }
 
 

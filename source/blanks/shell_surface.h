@@ -45,6 +45,9 @@ namespace deltaform
                           unsigned int edge,
                           const std::array<double, ContactPoint::max_dofs> &change) const override;
 
+    /// See Blank::touch_inside().
+    void touch_inside();
+
     /// Angle of the director, of a membrane that of the meridian.
     double director_angle(const Vector &q, unsigned int node) const;
 
@@ -76,6 +79,9 @@ namespace deltaform
     /// Read where the contact points are.
     void read(Section &section);
 
+    /// Where they are is known: the edges between nodes.
+    void set_edges();
+
 
     std::vector<double> nodal_flow_stress(Side side) const override;
     unsigned int n_contact_nodes(Side side) const override;
@@ -92,6 +98,7 @@ namespace deltaform
     const ShellState &state_;
     ShellMeridian meridian_;
     NodalContact contact_point_;
+    bool left_open_; ///< may contact points lie inside, and does the scene not say where they are?
     std::vector<std::array<unsigned int, 3>> edges_;
     std::vector<double> angle_; ///< of the reference tangent at the nodes, averaged at kinks
     std::vector<bool> weightless_; ///< nodes whose tributary area vanishes: no contact

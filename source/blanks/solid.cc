@@ -319,7 +319,15 @@ namespace deltaform
   Inherited Solid::take_formed(const KeyedArrays &formed)
   {
     if (goes_on_like(formed))
-      return Blank::take_formed(formed);
+    {
+      if (surface_.at_nodes())
+        return Blank::take_formed(formed);
+      KeyedArrays open = formed;
+      SolidSurface::leave_points_open(open);
+      Inherited inherited = Blank::take_formed(open);
+      surface_.update(inherited.unknowns);
+      return inherited;
+    }
     transfer_.cut_cells(formed);
     std::vector<Vector> fields(1);
     transfer_.take_over(fields);

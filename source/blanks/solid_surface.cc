@@ -24,6 +24,8 @@ namespace deltaform
     read_points(section,
                 {static_cast<int>(body_.space().degree()),
                  5,
+                 "nodes",
+                 {"nodes", "gauss"},
                  "What touches: the nodes, or Gauss points of the edges of the cells.",
                  "Contact points of an edge ('Contact points = gauss'); as many as the degree of the cells give a "
                  "uniform pressure."},

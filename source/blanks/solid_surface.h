@@ -69,6 +69,14 @@ namespace deltaform
       }
     }
 
+    /// The earlier operation of this state may have touched elsewhere: the areas of its contact points are left to
+    /// update().
+    static void leave_points_open(KeyedArrays &state)
+    {
+      for (const char *const name : {"area of contact points, bottom", "area of contact points, top"})
+        state.put(name, std::vector<double>());
+    }
+
   private:
     std::vector<double> nodal_flow_stress(Side side) const override;
     unsigned int n_contact_nodes(Side side) const override;

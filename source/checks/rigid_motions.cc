@@ -115,7 +115,26 @@ namespace deltaform
       std::vector<std::vector<double>> rows_;
     };
 
-    /// Nodes that lie on the tool at the start of the stage, or the one that is nearest to it.
+    /// Places of the face that may touch: the nodes, also where the contact points lie between them, as a point beside
+    /// the foot of a round tool would lean on its flank.
+    std::vector<ContactPoint> places_of(const ContactInterface &interface, const Vector &zero)
+    {
+      const ContactProjector &projector = interface.projector();
+      std::vector<ContactPoint> result;
+      if (projector.surface().points_per_edge() > 0)
+      {
+        for (unsigned int e = 0; e < projector.edges().size(); ++e)
+          for (const double end : {0., 1.})
+            result.push_back(projector.place(zero, e, end));
+        return result;
+      }
+      for (unsigned int i = 0; i < interface.n_points(); ++i)
+        if (const ContactPoint node = interface.point(zero, i); node.area > 0)
+          result.push_back(node);
+      return result;
+    }
+
+    /// Those that lie on the tool at the start of the stage, or the one that is nearest to it.
     void add_contact(const ContactInterface &interface,
                      const double time,
                      const unsigned int travel,
@@ -124,14 +143,17 @@ namespace deltaform
     {
       const Tool &tool = interface.tool();
       const double way = tool.force_driven() ? 0. : tool.travel(time);
-      const double nearest = interface.projector().closest(zero, way).second;
-      for (unsigned int i = 0; i < interface.n_points(); ++i)
+      const auto places = places_of(interface, zero);
+      std::vector<Projection> projections;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const auto &place : places)
       {
-        const ContactPoint node = interface.point(zero, i);
-        const Projection projection = tool.project(node.x, way);
-        if (node.area > 0 && projection.distance - node.offset <= nearest + 1e-6 * node.thickness)
-          conditions.touch(node.x, projection.normal, travel, tool.direction());
+        projections.push_back(tool.project(place.x, way));
+        nearest = std::min(nearest, projections.back().distance - place.offset);
       }
+      for (std::size_t i = 0; i < places.size(); ++i)
+        if (projections[i].distance - places[i].offset <= nearest + 1e-6 * places[i].thickness)
+          conditions.touch(places[i].x, projections[i].normal, travel, tool.direction());
     }
   } // namespace
 

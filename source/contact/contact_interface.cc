@@ -68,6 +68,7 @@ namespace deltaform
     if (friction_)
       friction_->begin_increment();
     const double delta = allowed_penetration(settings_, *this, time);
+    projector_.find_flat(committed_.points, delta);
     for (auto &state : trial_.points)
     {
       state.delta = delta;

@@ -32,6 +32,7 @@ namespace deltaform
   void ContactProjector::describe(const Vector &q, const unsigned int i, ContactPoint &point) const
   {
     surface_.contact_point(q, tool_.side(), i, thickness_, point);
+    flat_.describe(surface_, tool_.side(), i, point);
     release_face(point);
   }
 
@@ -94,11 +95,13 @@ namespace deltaform
     for (unsigned int i = 0; i < parents.size(); ++i)
       renumbered[i].segment = last_[parents[i]].segment;
     last_ = renumbered;
+    flat_.clear();
   }
 
 
   void ContactProjector::reset()
   {
     last_.assign(n_points(), Last());
+    flat_.clear();
   }
 } // namespace deltaform

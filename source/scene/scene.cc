@@ -118,6 +118,9 @@ namespace deltaform
     const std::string natural_length = actors.blank->fields().is_sheet() ? "thickness" : "edge";
     Section contact = root.sub("Contact");
     actors.contact = std::make_unique<ContactSettings>(contact, contact_constants, natural_length);
+    if (actors.contact->finds_factors() &&
+        actors.contact->allowed_penetration(0.) >= ContactSettings::coarse_delta * actors.blank->initial_thickness())
+      actors.blank->touch_inside();
     for (const auto &name : names)
     {
       Section own = section.sub(name);

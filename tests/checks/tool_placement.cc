@@ -37,14 +37,14 @@ BOOST_AUTO_TEST_CASE(an_overlap_is_measured_from_the_face)
   // A circle of radius 2 whose pole is .3 above the lower face, at x = 4: node 14 of the mid-surface.
   const std::string circle = "  set Shape = circle\n  set Radius = 2\n  set Side = bottom\n  set Position r = 4\n"
                              "  set Position z = -2.5\n";
-  const auto wrong = find(circle, .3, .1, "set Elements = 20\n");
+  const auto wrong = find(circle, .3, .1, "set Elements = 20\nset Contact points = nodes\n");
   BOOST_TEST_REQUIRE(wrong.has_value());
   BOOST_TEST_MESSAGE(wrong->message);
   BOOST_TEST(wrong->entry == "Position z");
   for (const std::string part : {"tool 'late' overlaps the blank", "node 14", "r = 4, z = 0", "lies 0.3"})
     BOOST_TEST(wrong->message.find(part) != std::string::npos, "'" + part + "' is missing");
-  BOOST_TEST(!find(circle, .3, .31, "set Elements = 20\n").has_value());
-  BOOST_TEST(!find(circle, 0., 1e-9, "set Elements = 20\n").has_value());
+  BOOST_TEST(!find(circle, .3, .31, "set Elements = 20\nset Contact points = nodes\n").has_value());
+  BOOST_TEST(!find(circle, 0., 1e-9, "set Elements = 20\nset Contact points = nodes\n").has_value());
   // The face of a solid is where its nodes are.
   BOOST_TEST(find(circle, .3, .1, solid).has_value());
   BOOST_TEST(!find(circle, 0., 1e-9, solid).has_value());
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(a_profile_walked_backwards)
     {"bottom", "-12 9; -12 -9", "-12 -9; -12 9", "0"},
     {"bottom", "-20 0; 20 0", "20 0; -20 0", "-30"},
   };
-  for (const std::string &blank : {std::string("set Elements = 20\n"), solid})
+  for (const std::string &blank : {std::string("set Elements = 20\nset Contact points = nodes\n"), solid})
     for (const auto &[side, forward, backward, z] : cases)
       BOOST_TEST_CONTEXT(side << " " << backward << " at " << z << ", " << blank)
       {
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(a_profile_walked_backwards)
 BOOST_AUTO_TEST_CASE(a_profile_at_the_wrong_place_is_not_walked_backwards)
 {
   // A whole thickness too high, or half of it: the way round is right.
-  for (const std::string &blank : {std::string("set Elements = 20\n"), solid})
+  for (const std::string &blank : {std::string("set Elements = 20\nset Contact points = nodes\n"), solid})
     for (const std::string z : {"thickness/2", "0"})
     {
       const auto wrong = find(profile("bottom", "-20 0; 20 0", z), 0., 1e-9, blank);

@@ -56,6 +56,12 @@ namespace deltaform
       return {};
     }
 
+    /// Their shares of its length.
+    virtual double point_weight(Side /*side*/, unsigned int /*point*/) const
+    {
+      return 1.;
+    }
+
     /// Where contact points lie inside the edges: describe any place of an edge, @p xi from 0 to 1. Its area is 0.
     virtual void contact_place(const Vector & /*q*/,
                                Side /*side*/,

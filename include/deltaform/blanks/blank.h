@@ -133,6 +133,12 @@ namespace deltaform
     }
     ///@}
 
+    /// The penalty factor of every contact point is found, so that each keeps delta, however many there are: where the
+    /// scene leaves it open, contact points lie inside the elements. To be said before anything touches the surface.
+    virtual void touch_inside()
+    {
+    }
+
     /// @name In every iteration
     ///@{
     /// Add internal forces and, if wanted, their tangent at @p q. The trial history starts from the committed one.

@@ -134,7 +134,7 @@ namespace deltaform
 
     unsigned int correct_factors()
     {
-      return factors_.correct(trial_.points);
+      return factors_.correct(trial_.points) + projector_.wake_flat(trial_.points);
     }
     ///@}
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/assembly/contact_surface.h>
+#include <deltaform/contact/flat_edges.h>
 #include <deltaform/io/archive.h>
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/tools/tool.h>
@@ -92,6 +93,19 @@ namespace deltaform
       return last_[i].distance;
     }
 
+    /// See FlatEdges.
+    ///@{
+    void find_flat(const FlatEdges::Points &committed, const double delta)
+    {
+      flat_.find(*this, committed, delta);
+    }
+
+    unsigned int wake_flat(const FlatEdges::Points &trial)
+    {
+      return flat_.wake(*this, trial);
+    }
+    ///@}
+
     /// Point with the smallest gap at @p q when the tool has travelled @p travel, and that gap.
     std::pair<unsigned int, double> closest(const Vector &q, double travel) const;
 
@@ -128,5 +142,6 @@ namespace deltaform
     ContactThickness thickness_;
     bool gives_way_; ///< the sheet's half thickness on this side is a spring in series with the contact
     std::vector<Last> last_;
+    FlatEdges flat_;
   };
 } // namespace deltaform

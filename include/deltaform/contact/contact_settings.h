@@ -27,6 +27,17 @@ namespace deltaform
       return normal_law->augmentation_tolerance() == 0;
     }
 
+    /// An allowed penetration from this share of the thickness on is coarse: points inside the elements keep it
+    /// wherever they are. Below, the face between them is deeper all the same, and they hold an element in more places
+    /// than it can follow: they come and go, and an increment takes many times the iterations.
+    static constexpr double coarse_delta = 1e-4;
+
+    /// Is the factor of every contact point found so that it keeps delta?
+    bool finds_factors() const
+    {
+      return normal_law->uses_penalty() && stores_energy() && rule->promises();
+    }
+
     std::unique_ptr<NormalLaw> normal_law;
     std::unique_ptr<PenaltyRule> rule;
     TimeFunction allowed_penetration;

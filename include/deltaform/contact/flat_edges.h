@@ -1,0 +1,43 @@
+#pragma once
+
+#include <deltaform/assembly/contact_surface.h>
+#include <deltaform/contact/contact_point_state.h>
+#include <deltaform/tools/tool.h>
+
+#include <vector>
+
+namespace deltaform
+{
+  class ContactProjector;
+
+  /**
+   * Edges with contact points inside them that lie flat on a straight part of the tool. Between two ends that keep
+   * delta, all of such an edge does: its outermost points stand for it, with half of its area each, and the points
+   * between them are not asked. They would bear what the ends bear, and come and go without end.
+   */
+  class FlatEdges
+  {
+  public:
+    using Points = std::vector<ContactPointState>;
+
+    /// Find them where @p points were accepted; @p delta: the allowed penetration of the increment that begins. An
+    /// edge whose inner points carry a force keeps them.
+    void find(const ContactProjector &projector, const Points &points, double delta);
+
+    /// Equilibrium: an edge that is not flat any more has all its points from here on, until the next find().
+    /// @return how many edges
+    unsigned int wake(const ContactProjector &projector, const Points &trial);
+
+    /// None is flat.
+    void clear()
+    {
+      flat_.clear();
+    }
+
+    /// What point @p i of @p surface stands for: its area and compliance.
+    void describe(const ContactSurface &surface, Side side, unsigned int i, ContactPoint &point) const;
+
+  private:
+    std::vector<bool> flat_; ///< of every edge; empty: none
+  };
+} // namespace deltaform

@@ -1,0 +1,113 @@
+#include <deltaform/contact/contact_projector.h>
+#include <deltaform/contact/flat_edges.h>
+
+#include <algorithm>
+
+namespace deltaform
+{
+  namespace
+  {
+    // Shares of delta by which an edge may be deeper between its outermost points than these: where it begins, and
+    // where it ends in an increment.
+    constexpr double flat_enough = .1, no_longer = .25;
+
+    /// The points of an edge over the tool.
+    class Face
+    {
+    public:
+      Face(const ContactProjector &projector, const FlatEdges::Points &points, const unsigned int edge)
+        : projector_(projector), points_(points), first_(edge * projector.group()),
+          last_(first_ + projector.group() - 1), begin_(look(first_)), end_(look(last_))
+      {
+      }
+
+      bool on_straight_part() const
+      {
+        return begin_.curvature == 0. && end_.curvature == 0. && begin_.segment == end_.segment &&
+               begin_.normal * end_.normal > 1. - 1e-12;
+      }
+
+      bool touches_inside() const
+      {
+        return std::any_of(points_.begin() + first_ + 1, points_.begin() + last_,
+                           [](const ContactPointState &state) { return state.touching; });
+      }
+
+      bool ends_touch() const
+      {
+        return points_[first_].touching || points_[last_].touching;
+      }
+
+      /// By how much the deepest point between the ends is deeper than a straight line through them (length).
+      double bulge() const
+      {
+        const Point2 &start = points_[first_].position;
+        const double length = start.distance(points_[last_].position);
+        double result = 0.;
+        for (unsigned int i = first_ + 1; i < last_; ++i)
+        {
+          const double share = start.distance(points_[i].position) / length;
+          const double straight = (1. - share) * begin_.distance + share * end_.distance;
+          result = std::max(result, straight - look(i).distance);
+        }
+        return result;
+      }
+
+    private:
+      Projection look(const unsigned int i) const
+      {
+        return projector_.look(i, points_[i].position);
+      }
+
+      const ContactProjector &projector_;
+      const FlatEdges::Points &points_;
+      unsigned int first_, last_;
+      Projection begin_, end_;
+    };
+  } // namespace
+
+
+  void FlatEdges::find(const ContactProjector &projector, const Points &points, const double delta)
+  {
+    if (projector.group() < 3)
+      return;
+    flat_.assign(points.size() / projector.group(), false);
+    for (unsigned int e = 0; e < flat_.size(); ++e)
+      if (const Face face(projector, points, e); face.on_straight_part() && !face.touches_inside())
+        flat_[e] = face.bulge() <= flat_enough * delta;
+  }
+
+
+  unsigned int FlatEdges::wake(const ContactProjector &projector, const Points &trial)
+  {
+    unsigned int n_woken = 0;
+    for (unsigned int e = 0; e < flat_.size(); ++e)
+      if (flat_[e])
+        if (const Face face(projector, trial, e);
+            face.ends_touch() && face.bulge() > no_longer * trial[e * projector.group()].delta)
+        {
+          flat_[e] = false;
+          ++n_woken;
+        }
+    return n_woken;
+  }
+
+
+  void
+  FlatEdges::describe(const ContactSurface &surface, const Side side, const unsigned int i, ContactPoint &point) const
+  {
+    if (flat_.empty())
+      return;
+    const unsigned int n = surface.points_per_edge();
+    if (!flat_[i / n])
+      return;
+    if (i % n != 0 && i % n != n - 1)
+    {
+      point.area = point.compliance = 0.;
+      return;
+    }
+    const double share = .5 / surface.point_weight(side, i);
+    point.area *= share;
+    point.compliance /= share;
+  }
+} // namespace deltaform

@@ -1,0 +1,129 @@
+// Edges that lie flat on a straight part of the tool: their outermost points stand for them.
+#include "fake_surface.h"
+
+#include <deltaform/parameters/registry.h>
+
+using namespace deltaform;
+using namespace deltaform::testing;
+
+namespace
+{
+  constexpr double delta = 1e-3;
+
+  /// Two edges, each with four points inside it; every point moves by itself.
+  class TwoEdges : public FakeSurface
+  {
+  public:
+    TwoEdges()
+      : FakeSurface(8)
+    {
+      for (unsigned int i = 0; i < 8; ++i)
+        X[i] = Point2(.25 * i, 0.);
+      edges = {{{0, 1, invalid_index}}, {{1, 2, invalid_index}}};
+      area = .3;
+      compliance = .02;
+    }
+
+    unsigned int points_per_edge() const override
+    {
+      return 4;
+    }
+
+    double point_weight(Side, const unsigned int i) const override
+    {
+      return i % 4 == 0 || i % 4 == 3 ? .1 : .4;
+    }
+  };
+
+  /// Over a tool, in the first increment with the second edge bulged by @p bulge (length) towards the tool.
+  struct Fixture
+  {
+    explicit Fixture(const Entries &tool_entries, const double bulge = 0.)
+      : interface(surface, {"Allowed penetration=" + std::to_string(delta)}, tool_entries), q(interface.n)
+    {
+      q[2 * 5 + 1] = -bulge;
+      begin();
+    }
+
+    void begin()
+    {
+      interface.contact.begin_stage(q, 0.);
+      interface.begin_increment(q, 1., 1e3);
+    }
+
+    std::vector<double> areas() const
+    {
+      std::vector<double> result;
+      for (unsigned int i = 0; i < 8; ++i)
+        result.push_back(interface.contact.point(q, i).area);
+      return result;
+    }
+
+    TwoEdges surface;
+    InterfaceFixture interface;
+    Vector q;
+  };
+
+
+  const std::vector<double> all{.3, .3, .3, .3}, outermost{1.5, 0., 0., 1.5};
+
+  std::vector<double> both(const std::vector<double> &first, const std::vector<double> &second)
+  {
+    std::vector<double> result = first;
+    result.insert(result.end(), second.begin(), second.end());
+    return result;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(flat_edges)
+
+BOOST_AUTO_TEST_CASE(the_outermost_points_have_half_of_the_area_each)
+{
+  const Fixture even(flat);
+  BOOST_TEST(even.areas() == both(outermost, outermost), boost::test_tools::per_element());
+  // A spring through the thickness behind an area: .02 of .3.
+  BOOST_TEST(even.interface.contact.point(even.q, 0).compliance == .02 / 5., boost::test_tools::tolerance(1e-14));
+  // Away from the tool does not matter.
+  BOOST_TEST(Fixture(flat, -delta).areas() == both(outermost, outermost), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(deeper_between_them_than_a_tenth_of_delta)
+{
+  BOOST_TEST(Fixture(flat, .099 * delta).areas() == both(outermost, outermost), boost::test_tools::per_element());
+  BOOST_TEST(Fixture(flat, .101 * delta).areas() == both(outermost, all), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(over_a_round_part_every_point_is_asked)
+{
+  BOOST_TEST(Fixture({"Shape=circle", "Radius=1e3", "Side=bottom", "Position z=-1e3"}).areas() == both(all, all),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(an_edge_that_is_flat_no_longer_has_all_its_points)
+{
+  Fixture fixture(flat);
+  auto &contact = fixture.interface.contact;
+  // All of it .5 delta in; the inner points of a flat edge have no force.
+  for (unsigned int i = 0; i < 8; ++i)
+    fixture.q[2 * i + 1] = -.5 * delta;
+  fixture.q[2 * 5 + 1] -= .24 * delta;
+  fixture.interface.assemble(fixture.q);
+  for (const unsigned int i : {0, 3, 4, 7})
+    BOOST_TEST(contact.trial()[i].touching);
+  for (const unsigned int i : {1, 2, 5, 6})
+    BOOST_TEST(!contact.trial()[i].touching);
+  contact.correct_factors();
+  BOOST_TEST(fixture.areas() == both(outermost, outermost), boost::test_tools::per_element());
+  fixture.q[2 * 5 + 1] -= .02 * delta;
+  fixture.interface.assemble(fixture.q);
+  BOOST_TEST(contact.correct_factors() > 0U);
+  BOOST_TEST(fixture.areas() == both(outermost, all), boost::test_tools::per_element());
+  fixture.interface.assemble(fixture.q);
+  BOOST_TEST(contact.trial()[5].touching);
+  // It keeps them as long as one of the inner ones bears a force, flat or not.
+  contact.commit(fixture.q);
+  fixture.interface.begin_increment(fixture.q, 2., 1e3);
+  BOOST_TEST(fixture.areas() == both(outermost, all), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
