@@ -38,6 +38,9 @@ BOOST_AUTO_TEST_CASE(less_than_the_flow_stress_does_not_iron)
   for (unsigned int k = 0; k < 5; ++k)
     watch.observe(sheet(199.));
   BOOST_TEST(watch.finding() == "");
+  // If the next increment cannot be solved, that is why.
+  BOOST_TEST(watch.suspicion().find("with 199, close to its flow stress of 200") != std::string::npos);
+  watch.observe(sheet(139.));
   BOOST_TEST(watch.suspicion() == "");
 }
 

@@ -25,7 +25,8 @@ namespace deltaform
       return n_pressed_ >= enough_increments ? worst_ : "";
     }
 
-    /// The same of the last increment alone: what may be the cause where the next one cannot be solved.
+    /// The same of the last increment alone, also if the pressure was only close to the flow stress: what may be the
+    /// cause where the next one cannot be solved.
     const std::string &suspicion() const
     {
       return worst_;
@@ -39,6 +40,7 @@ namespace deltaform
 
   private:
     static constexpr unsigned int enough_increments = 2;
+    static constexpr double suspicious = .7; ///< share of the flow stress: the next increment may be the one too much
 
     unsigned int n_pressed_ = 0; ///< increments in a row with a section above its flow stress
     std::string worst_; ///< the section that is furthest above it in the last increment
