@@ -15,7 +15,8 @@ namespace deltaform
       worst = section.clamping_pressure / section.flow_stress;
       worst_ = "node " + std::to_string(i) + " at R0 = " + text::rounded(section.place) +
                " is pressed on both faces with " + text::rounded(section.clamping_pressure) +
-               (worst > 1. ? ", more than its flow stress of " : ", close to its flow stress of ") + text::rounded(section.flow_stress) +
+               (worst > 1. ? ", more than its flow stress of " : ", close to its flow stress of ") +
+               text::rounded(section.flow_stress) +
                ": the tools iron the sheet here, and a shell does not flow through its thickness";
     }
     n_pressed_ = worst > 1. ? n_pressed_ + 1 : 0;
