@@ -248,7 +248,7 @@ def penetration(axis, runs, options):
     axis.set_ylabel(r"penetration / allowed penetration $\delta$")
     run, state = found[0]
     at = f" at {_moment(run, state)}" if len(found) == 1 else ""
-    axis.set_title("Penetration of the touching nodes" + at)
+    axis.set_title("Penetration of the touching points" + at)
     _legend(axis, list(handles.values()))
 
 

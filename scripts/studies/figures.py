@@ -66,6 +66,7 @@ def run(program, folder, name, scene, entries):
     out = os.path.join(folder, "runs", name.replace(" ", "_").replace(",", ""))
     command = [program, os.path.join(ROOT, "prm", scene + ".prm"), "--quiet", "--output", out,
                "--set", "Output/Condition number every=1", "--set", "Output/Pictures=0",
+               "--set", "Blank/Contact points=nodes",  # as in the paper
                "--set", "Output/Travels=" + ", ".join(f"{travel:g}" for travel in TRAVELS)]
     for entry, value in entries.items():
         command += ["--set", f"{entry}={value}"]

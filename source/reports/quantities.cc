@@ -35,7 +35,7 @@ namespace deltaform
     void describe_touching(const Actors &actors, Columns &columns)
     {
       for (const auto &interface : actors.interfaces)
-        columns.add({{column_name(interface->tool().name()) + "_touching", "1", "nodes that touch the tool"}},
+        columns.add({{column_name(interface->tool().name()) + "_touching", "1", "contact points that touch the tool"}},
                     [contact = interface.get()](const Increment &, Row &row) {
                       const auto &points = contact->committed();
                       row.emplace_back(static_cast<double>(

@@ -106,7 +106,7 @@ namespace deltaform
                  {"max_epsilon", "force/length", "largest penalty factor of what touches"},
                  {"floor_share", "1",
                   "share of what touches whose factor is its lower bound rather than lambda/delta"},
-                 {"contact_pairs", "1", "touching nodes; one between two tools counts twice"}},
+                 {"contact_pairs", "1", "touching contact points; one between two tools counts twice"}},
                 [](const Increment &increment, Row &row) {
                   const ContactAccount &contact = increment.contact();
                   row.insert(row.end(), {contact.max_penetration, contact.max_penetration_over_delta,
@@ -219,7 +219,7 @@ namespace deltaform
                  {"heat_stored", "force*length", "in the blank, over that at its initial temperature"},
                  {"heat_of_flow", "force*length", "made by plastic flow so far"},
                  {"heat_of_friction", "force*length", "the blank's share of it so far"},
-                 {"heat_to_tools", "force*length", "through the touching nodes so far"},
+                 {"heat_to_tools", "force*length", "through the touching points so far"},
                  {"heat_to_surroundings", "force*length", "by films so far"},
                  {"heat_error", "1",
                   "stored - (flow + friction - tools - surroundings) over the largest of them: round-off"}},
