@@ -86,6 +86,17 @@ BOOST_AUTO_TEST_CASE(a_limit_is_met)
   BOOST_TEST(ends.reached().find("thinning > .25") == 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_short_increment_does_not_tell_the_rate)
+{
+  enter("thinning > .25"); // at a thickness of 1.5
+  ends.observe(Told(model, .2, 1.8));
+  ends.observe(Told(model, .4, 1.6));
+  // A tenth of the increment before, in which something else made the sheet thicker.
+  ends.observe(Told(model, .42, 1.61));
+  // From 1.8 at .2: .19 in .22.
+  BOOST_TEST(ends.shorten(.9) == .42 + .11 * .22 / .19, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(a_share_of_the_largest)
 {
   enter("min_thickness falls to .75");

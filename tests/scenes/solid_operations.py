@@ -138,12 +138,21 @@ def under_the_same_die(runs, friction):
         sys.exit("under the same die the force is wrong")
 
 
+def other_contact_points(runs, first, friction):
+    """The block that was touched at its nodes is touched at points of its edges from here on."""
+    gauss = "Blank/Contact points=gauss"
+    whole = Pressed(runs.run("whole_gauss", scene(WHOLE, "form, press", form=2, release=2.5, press=3.5),
+                             *entries("coarse", friction, gauss))[0])
+    compare("from nodes to points", Pressed(runs.run("gauss", second(first), *entries("coarse", friction, gauss))[0]), whole, 3e-3)
+
+
 def main():
     runs = Runs(*sys.argv[1:])
     another_mesh(runs, .05, (1e-4, 1e-4, 5e-4))
     first = another_mesh(runs, .15, (1e-3, 1.2e-3, 7e-3))
     refined(runs, .15)
     under_the_same_die(runs, .15)
+    other_contact_points(runs, first["coarse"], .15)
     for name, sets, words in (("longer", ("Blank/Points=0 3.75; 12 3.75",), "no part of the one that was formed"),
                               ("metal", ("Material/Backstress/Law=linear", "Material/Backstress/Hardening modulus=10"), "knew other numbers")):
         _, said = runs.run(name, second(first["coarse"]), *entries("fine", .15, *sets), expected=1)
