@@ -20,9 +20,8 @@ namespace deltaform
              (model.discretization().on_linear_path() ? ", constant stiffness: one factorization" : "");
     }
 
-    std::string effort_in_words(const Discretization &discretization)
+    std::string effort_in_words(const Discretization &discretization, const System &system)
     {
-      const System &system = discretization.system();
       return std::to_string(system.n_factorizations()) + " factorizations" +
              (discretization.on_linear_path()
                 ? ", " + std::to_string(system.n_compliances()) + " compliances of contact unknowns"
@@ -77,9 +76,10 @@ namespace deltaform
     : actors_(actors), settings_(settings), journal_(journal), timers_(timers),
       timer_attempt_(timers.section("10 start of an increment, residual, length of steps, checks")),
       timer_output_(timers.section("13 output")), functions_(actors), model_(actors, settings.linear_solver, timers),
-      newton_(model_, model_.discretization().system(), settings.newton, model_.discretization().numbering().scale,
+      workspace_(model_), next_(model_, workspace_),
+      newton_(next_, workspace_.system(), settings.newton, model_.discretization().numbering().scale,
               model_.discretization().numbering().size, timers),
-      increment_(model_, newton_, settings.steps), conditions_(actors), ends_(actors),
+      increment_(next_, newton_, settings.steps), conditions_(actors), ends_(actors),
       outcome_{exit_status::done, "", {}, 0, 0, std::nullopt}
   {
     if (!settings.energies)
@@ -117,7 +117,7 @@ namespace deltaform
 
   int Analysis::end()
   {
-    journal_.detail(effort_in_words(model_.discretization()));
+    journal_.detail(effort_in_words(model_.discretization(), workspace_.system()));
     warn(conditions_.warnings(outcome_.exit_status == exit_status::done));
     const Timers::Scope timer(timers_, timer_output_);
     outcome_.increments = state_.n_increments;
@@ -176,7 +176,7 @@ namespace deltaform
       return false;
     if (state_.n_increments >= settings_.steps.max_increments)
       return stop(enough_in_words(state_.n_increments), exit_status::not_converged, checkpoint());
-    observers_.announce(model_, state_.n_increments + 1);
+    observers_.announce(model_, workspace_, state_.n_increments + 1);
     for (;;)
     {
       const double next = ends_.shorten(control_->next(time()));
@@ -191,16 +191,12 @@ namespace deltaform
       const IncrementResult result = attempt(next, effort);
       cost_ += result.cost;
       if (!result.rejected)
-      {
-        accept(next, result);
-        break;
-      }
+        return accept(next, result);
       ++cost_.cutbacks;
       journal_.detail(cut_back_in_words(*result.rejected, state_.n_increments + 1, next));
       if (!control_->reject(next - time()))
         return give_up(*result.rejected);
     }
-    return outcome_.exit_status == exit_status::done;
   }
 
 
@@ -215,6 +211,7 @@ namespace deltaform
   IncrementResult Analysis::attempt(const double end, const Effort effort)
   {
     const Timers::Remainder rest(timers_, timer_attempt_);
+    workspace_.follow_mesh();
     const double length = end - time();
     const double ratio = state_.last_length > 0 ? length / state_.last_length : 0.;
     const IncrementStart start{end, ratio, settings_.steps.extrapolate, state_.before};
@@ -224,14 +221,14 @@ namespace deltaform
   }
 
 
-  void Analysis::accept(const double next, const IncrementResult &result)
+  bool Analysis::accept(const double next, const IncrementResult &result)
   {
     const double flow_error = settings_.steps.flow_error > 0. ? actors_.blank->flow_error() : 0.;
     state_.last_length = next - time();
     state_.before = model_.committed();
-    observers_.tell([&](Observer &observer) { observer.solved(model_, result.q); });
-    model_.before_contact({});
-    model_.commit(result.q);
+    observers_.tell([&](Observer &observer) { observer.solved(model_, workspace_.system(), result.q); });
+    workspace_.before_contact({});
+    model_.commit(result.q, workspace_);
     ++state_.n_increments;
     control_->accept(result.iterations_to_equilibrium, flow_error);
     ++state_.since_refinement;
@@ -247,9 +244,8 @@ namespace deltaform
     state_.step = control_->state();
     notify(increment);
     if (refined && !refine())
-      return;
-    if (!unusable.empty())
-      stop(unusable, exit_status::not_converged, checkpoint());
+      return false;
+    return unusable.empty() || stop(unusable, exit_status::not_converged, checkpoint());
   }
 
 
@@ -282,7 +278,7 @@ namespace deltaform
 
   bool Analysis::give_up(const Rejected &rejected)
   {
-    model_.discard(time());
+    workspace_.begin(time());
     const std::string cause = conditions_.likely_cause();
     return stop((cause.empty() ? "" : cause + "; ") +
                   in_words(rejected, state_.n_increments + 1, stage(), model_.blank().fields().is_sheet()),

@@ -47,13 +47,13 @@ namespace deltaform
       const IncrementResult result = attempt(time(), Effort::last_resorts);
       if (result.rejected)
       {
-        model_.discard(time());
+        workspace_.begin(time());
         return stop("after a refinement of the blank there is no equilibrium: " + result.rejected->sentence +
                       ". Refine less at once (Blank/Refinement), or begin with a finer mesh",
                     status_of(*result.rejected), std::move(unrefined));
       }
       state_.before = model_.committed();
-      model_.commit(result.q);
+      model_.commit(result.q, workspace_);
       ++state_.n_increments;
       marked = pass < passes && model_.mark();
       if (!marked)
@@ -73,7 +73,7 @@ namespace deltaform
     const IncrementResult result = attempt(time(), Effort::last_resorts);
     cost_ += result.cost;
     if (!result.rejected)
-      model_.commit(result.q);
+      model_.commit(result.q, workspace_);
     journal_.note(model_.formed_start().end(result.rejected ? result.rejected->sentence : ""));
   }
 } // namespace deltaform

@@ -55,6 +55,7 @@ namespace deltaform
     const auto &stages = actors_.stages;
     check_fits(state, stages);
     model_.set_state(state.model, stages[state.stage]);
+    workspace_.begin(time());
     state_ = state;
     state_.model = ModelState();
     conditions_.load(state.conditions);

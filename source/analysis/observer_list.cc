@@ -8,7 +8,7 @@
 
 namespace deltaform
 {
-  void ObserverList::announce(Model &model, const unsigned int number) const
+  void ObserverList::announce(const Model &model, Workspace &workspace, const unsigned int number) const
   {
     std::vector<Observer *> wanting;
     for (const auto &observer : all_)
@@ -18,7 +18,7 @@ namespace deltaform
         wanting.push_back(observer.get());
     }
     if (!wanting.empty())
-      model.before_contact([wanting](const System &system) {
+      workspace.before_contact([wanting](const System &system) {
         for (auto *const observer : wanting)
           observer->tangent_without_contact(system);
       });

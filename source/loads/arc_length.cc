@@ -51,9 +51,8 @@ namespace deltaform
   }
 
 
-  void ArcLength::assemble(const Load &load, const Vector &q, const double length, AssemblyTarget &target)
+  void ArcLength::assemble(const Load &load, const Vector &q, const double length, AssemblyTarget &target) const
   {
-    tried_ = length;
     // In the unit of a work, as the other rows are forces times displacements.
     const double forces = load.unit_force(q.size());
     const auto [gradient, travelled] = this->travelled(load, q);
@@ -74,7 +73,7 @@ namespace deltaform
   }
 
 
-  void ArcLength::accept(const Vector &q)
+  void ArcLength::accept(const Vector &q, const double length)
   {
     double sum = 0.;
     Vector way(n_);
@@ -86,8 +85,8 @@ namespace deltaform
     }
     // Forwards is where the length grows.
     if (sum > 0.)
-      direction_.equ((tried_ < accepted_ ? -1. : 1.) / std::sqrt(sum), way);
-    accepted_ = tried_;
+      direction_.equ((length < accepted_ ? -1. : 1.) / std::sqrt(sum), way);
+    accepted_ = length;
   }
 
 
@@ -102,7 +101,7 @@ namespace deltaform
 
   void ArcLength::set_history(const std::vector<double> &values)
   {
-    accepted_ = tried_ = values[0];
+    accepted_ = values[0];
     std::copy_n(values.begin() + 1, n_, start_.begin());
     std::copy_n(values.begin() + 1 + n_, n_, direction_.begin());
   }

@@ -48,12 +48,6 @@ namespace deltaform
           line.add(q, force(value) / lines_.size(), target);
       }
 
-      Status assemble(const Vector &q, const double time, AssemblyTarget &target) override
-      {
-        value_now_ = size(q, time);
-        return Load::assemble(q, time, target);
-      }
-
       void renumber() override
       {
         const auto nodes = boundary_.lines();
@@ -68,8 +62,9 @@ namespace deltaform
         restraint_ = 0.;
       }
 
-      void accept(const Vector &q) override
+      void accept(const Vector &q, const double time, double /*duration*/) override
       {
+        const double held = force(size(q, time));
         const double before = restraint_;
         double passed = 0.;
         restraint_ = 0.;
@@ -77,7 +72,7 @@ namespace deltaform
         {
           const BeadHistory next = line.next(q);
           passed += (next.material - line.history.material) / lines_.size();
-          restraint_ += force(value_now_) * next.share / lines_.size();
+          restraint_ += held * next.share / lines_.size();
           line.history = next;
         }
         work_ += .5 * (before + restraint_) * passed;
@@ -166,7 +161,6 @@ namespace deltaform
       std::string closes_;
       TimeFunction closing_force_;
       std::vector<BeadLine> lines_;
-      double value_now_ = 0.; ///< of the last assembly
       double restraint_ = 0., work_ = 0.; ///< accepted
     };
 

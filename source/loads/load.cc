@@ -61,7 +61,7 @@ namespace deltaform
   }
 
 
-  Status Load::assemble(const Vector &q, const double time, AssemblyTarget &target)
+  Status Load::assemble(const Vector &q, const double time, AssemblyTarget &target) const
   {
     add(q, size(q, time), target);
     if (tool_unknown_ != invalid_index)

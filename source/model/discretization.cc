@@ -5,8 +5,9 @@
 
 namespace deltaform
 {
-  Discretization::Discretization(Actors &actors, const LinearSolverSettings &linear_solver)
-    : actors_(actors), linear_solver_(linear_solver)
+  Discretization::Discretization(Actors &actors, const LinearSolverSettings &linear_solver,
+                                 std::vector<const Term *> terms)
+    : actors_(actors), linear_solver_(linear_solver), terms_(std::move(terms))
   {
     renumber();
   }
@@ -15,18 +16,32 @@ namespace deltaform
   void Discretization::renumber()
   {
     numbering_ = Numbering(actors_);
-    const std::size_t width = front_width(*numbering_.pattern);
-    linear_solver_.choose(numbering_.n_sparse, width);
-    // Newton's method holds on to the object.
-    System system(std::move(*numbering_.pattern), numbering_.n_border, linear_solver_, numbering_.owned);
-    if (system_)
-      *system_ = std::move(system);
-    else
-      system_ = std::make_unique<System>(std::move(system));
-    numbering_.pattern.reset();
+    dealii::DynamicSparsityPattern pattern(numbering_.n_sparse, numbering_.n_sparse);
+    add_couplings(pattern);
+    front_width_ = front_width(pattern);
+    linear_solver_.choose(numbering_.n_sparse, front_width_);
+    ++n_meshes_;
+  }
+
+
+  void Discretization::add_couplings(dealii::DynamicSparsityPattern &pattern) const
+  {
+    for (const Term *const term : terms_)
+      term->add_couplings(pattern);
+    for (const auto i : numbering_.owned)
+      pattern.add(i, i);
+  }
+
+
+  System Discretization::make_system() const
+  {
+    dealii::DynamicSparsityPattern pattern(numbering_.n_sparse, numbering_.n_sparse);
+    add_couplings(pattern);
+    System system(std::move(pattern), numbering_.n_border, linear_solver_, numbering_.owned);
     if (on_linear_path())
-      system_->keep_constant_part(numbering_.contact_unknowns, std::clamp<std::size_t>(width / 2, 100, 600));
+      system.keep_constant_part(numbering_.contact_unknowns, std::clamp<std::size_t>(front_width_ / 2, 100, 600));
     if (on_linear_path() || linear_solver_.iterative())
-      system_->set_near_null_space(numbering_.rigid_motions(*actors_.blank));
+      system.set_near_null_space(numbering_.rigid_motions(*actors_.blank));
+    return system;
   }
 } // namespace deltaform

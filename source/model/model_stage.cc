@@ -1,5 +1,6 @@
 // What happens between the increments: stages begin, states are accepted.
 #include <deltaform/model/model.h>
+#include <deltaform/model/workspace.h>
 
 namespace deltaform
 {
@@ -10,7 +11,7 @@ namespace deltaform
       book_.release(stage.name, state_);
     state_.releases_at_once = state_.released.any && stage.release_at_once;
     enter_stage(stage);
-    time_ = state_.time = stage.begin;
+    state_.time = stage.begin;
     auto lost = contact_.begin_stage(stage.begin, discretization_.numbering().size[0], state_.unknowns);
     supports_.hold(state_);
     formed_start_.enter(stage, book_);
@@ -43,12 +44,13 @@ namespace deltaform
   }
 
 
-  void Model::commit(const Vector &q)
+  void Model::commit(const Vector &q, const Workspace &workspace)
   {
     const Timers::Scope timer(timers_.all, timers_.commit);
-    state_.time = time_;
-    book_.accept(q, system(), state_);
-    terms_.accept(q);
+    const double duration = workspace.time() - state_.time;
+    state_.time = workspace.time();
+    book_.accept(q, workspace.system(), state_);
+    terms_.accept(q, state_.time, duration);
     state_.unknowns = q;
     state_.releases_at_once = false;
     terms_.refresh(q);

@@ -16,21 +16,13 @@ namespace deltaform
       first_multiplier.push_back(n_sparse);
       n_sparse += multipliers ? interface->n_points() : 0;
     }
-    pattern = std::make_unique<dealii::DynamicSparsityPattern>(n_sparse, n_sparse);
-    blank.add_couplings(*pattern);
-    for (const auto &load : actors.loads)
-      load->add_couplings(*pattern);
     share_rows(blank);
-    for (const auto i : owned)
-      pattern->add(i, i);
     const Vector zero(n_blank);
     for (unsigned int p = 0; p < actors.interfaces.size(); ++p)
     {
       ContactInterface &interface = *actors.interfaces[p];
       interface.set_dofs(n_sparse + n_border, first_multiplier[p]);
       n_border += interface.tool().force_driven();
-      if (multipliers)
-        couple_multipliers(interface);
       for (unsigned int i = 0; i < interface.n_points(); ++i)
       {
         const ContactPoint node = interface.point(zero, i);
@@ -68,24 +60,6 @@ namespace deltaform
       owned.add_index(i);
     if (all_of_blank || is_last)
       owned.add_range(n_blank, n_sparse);
-  }
-
-
-  void Numbering::couple_multipliers(const ContactInterface &interface)
-  {
-    const Vector zero(n_blank);
-    for (unsigned int i = 0; i < interface.n_points(); ++i)
-    {
-      const ContactPoint node = interface.point(zero, i);
-      const DofIndex multiplier = interface.multiplier_dof(i);
-      for (unsigned int k = 0; k < node.n_dofs; ++k)
-      {
-        if (owned.is_element(node.dofs[k]))
-          pattern->add(node.dofs[k], multiplier);
-        if (owned.is_element(multiplier))
-          pattern->add(multiplier, node.dofs[k]);
-      }
-    }
   }
 
 

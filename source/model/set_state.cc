@@ -58,6 +58,5 @@ namespace deltaform
     contact_.load(state.interfaces);
     book_.load_histories(state);
     enter_stage(stage);
-    discard(state_.time);
   }
 } // namespace deltaform

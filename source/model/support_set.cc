@@ -36,16 +36,17 @@ namespace deltaform
   }
 
 
-  void SupportSet::prescribe(const ModelState &state, const double time)
+  Vector SupportSet::prescribed(const ModelState &state, const double time) const
   {
-    values_ = state.unknowns;
+    Vector values = state.unknowns;
     for (const auto &support : actors_.supports)
       if (support.acts_in(stage_))
         for (unsigned int i = 0; i < support.dofs.size(); ++i)
         {
           const DofIndex dof = support.dofs[i];
-          values_[dof] = numbering_.is_fixed[dof] ? 0. : (support.hold ? state.hold[dof] : support.at(i, time));
+          values[dof] = numbering_.is_fixed[dof] ? 0. : (support.hold ? state.hold[dof] : support.at(i, time));
         }
+    return values;
   }
 
 

@@ -67,10 +67,10 @@ namespace deltaform
   }
 
 
-  void ConditionReport::solved(const Model &model, const Vector &q)
+  void ConditionReport::solved(const Model &model, const System &system, const Vector &q)
   {
     if (due_)
-      numbers_ = measure(model, q);
+      numbers_ = measure(model, system, q);
   }
 
 
@@ -110,11 +110,10 @@ namespace deltaform
   }
 
 
-  ConditionNumbers ConditionReport::measure(const Model &model, const Vector &q)
+  ConditionNumbers ConditionReport::measure(const Model &model, const System &system, const Vector &q)
   {
     Timers::Scope timer(timers_, timer_);
     ConditionNumbers result;
-    const System &system = model.discretization().system();
     const std::vector<int> numbers = condition::free_numbers(system);
     condition::Matrix without;
     without.swap(without_);

@@ -3,9 +3,10 @@
 #include <deltaform/parameters/text.h>
 #include <deltaform/stage/contact_set.h>
 
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
-#include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@ namespace deltaform
 {
   namespace
   {
-    constexpr unsigned int depth_of_augmentation = 8; ///< rounds that the acceleration looks back to
-
     /// Move a tool along its direction until it touches, by its unknown @p travel. @return has it found the blank?
     bool bring_into_contact(const ContactInterface &interface, const double extent, double &travel, const Vector &q)
     {
@@ -68,7 +67,7 @@ namespace deltaform
 
 
   ContactSet::ContactSet(Actors &actors)
-    : actors_(actors), augmentation_(depth_of_augmentation)
+    : actors_(actors)
   {
   }
 
@@ -159,59 +158,29 @@ namespace deltaform
   }
 
 
-  void ContactSet::begin_increment(const double time)
+  void ContactSet::add_couplings(dealii::DynamicSparsityPattern &pattern) const
   {
-    for (auto *interface : active_)
-      interface->begin_increment(time);
-    augmentation_.restart();
-    factors_due_ = !active_.empty();
-    cycling_ = false;
-    visited_.clear();
-  }
-
-
-  bool ContactSet::soften(const double share)
-  {
-    for (auto *interface : active_)
-      interface->soften(share);
-    return !active_.empty();
-  }
-
-
-  void ContactSet::read_body(const Vector &q, const System &body, const bool tangent)
-  {
-    if (!actors_.contact || !(factors_due_ || (actors_.contact->rule->in_every_iteration() && tangent)))
+    if (!actors_.contact || !actors_.contact->normal_law->has_multiplier())
       return;
-    if (factors_due_)
-      for (auto *interface : active_)
-        interface->read_stiffness(q, body);
-    Vector coupling;
-    if (actors_.contact->normal_law->uses_penalty() && actors_.contact->rule->needs_coupling())
-    {
-      Vector mismatch(q.size());
-      coupling.reinit(q.size());
-      for (const auto *interface : active_)
-        interface->add_mismatch(q, mismatch);
-      body.multiply(mismatch, coupling);
-    }
-    for (auto *interface : active_)
-      interface->predict_factors(q, coupling.size() > 0 ? &coupling : nullptr);
-    factors_due_ = false;
+    const Vector zero(actors_.blank->n_dofs());
+    for (const auto &interface : actors_.interfaces)
+      for (unsigned int i = 0; i < interface->n_points(); ++i)
+      {
+        const ContactPoint node = interface->point(zero, i);
+        const DofIndex multiplier = interface->multiplier_dof(i);
+        for (unsigned int k = 0; k < node.n_dofs; ++k)
+        {
+          pattern.add(node.dofs[k], multiplier);
+          pattern.add(multiplier, node.dofs[k]);
+        }
+      }
   }
 
 
-  Status ContactSet::assemble(const Vector &q, double /*time*/, AssemblyTarget &target)
+  Status ContactSet::assemble(const Vector &q, double /*time*/, AssemblyTarget &target) const
   {
     for (auto *interface : active_)
       interface->assemble(q, target);
-    if (!target.wants_tangent() || !changed())
-      return {};
-    std::size_t signature = 0;
-    for (const auto *interface : active_)
-      for (const auto &state : interface->trial())
-        boost::hash_combine(signature, state.touching);
-    cycling_ |= std::find(visited_.begin(), visited_.end(), signature) != visited_.end();
-    visited_.push_back(signature);
     return {};
   }
 
@@ -231,31 +200,6 @@ namespace deltaform
         factor = std::min(factor, length / std::max(std::abs(travel), 1e-300));
       }
     return factor;
-  }
-
-
-  unsigned int ContactSet::correct_early()
-  {
-    // The digits of an iterate are those of the linear solver, and of the number of processes: so would be the factors.
-    if (actors_.blank->may_be_distributed())
-      return 0;
-    unsigned int changed = 0;
-    for (auto *interface : active_)
-      changed += interface->correct_factors_early();
-    return changed;
-  }
-
-
-  unsigned int ContactSet::correct()
-  {
-    cycling_ = false;
-    visited_.clear();
-    unsigned int changed = 0;
-    for (auto *interface : active_)
-      changed += interface->correct_factors();
-    if (actors_.contact && actors_.contact->normal_law->augmentation_tolerance() > 0)
-      changed += augmentation_.update(active_);
-    return changed;
   }
 
 
@@ -285,7 +229,7 @@ namespace deltaform
   }
 
 
-  void ContactSet::accept(const Vector &q)
+  void ContactSet::accept(const Vector &q, double /*time*/, double /*duration*/)
   {
     for (auto *interface : active_)
       interface->commit(q);
@@ -335,59 +279,5 @@ namespace deltaform
   {
     for (auto &interface : actors_.interfaces)
       interface->count_no_energy();
-  }
-
-
-  bool ContactSet::foresee(const Vector &q, const Vector &d)
-  {
-    unsigned int n_others = 0;
-    for (auto *interface : active_)
-      n_others += interface->foresee(q, d);
-    return n_others > 0;
-  }
-
-
-  void ContactSet::prepare_step(const Vector &d)
-  {
-    for (auto *interface : active_)
-      interface->prepare_step(d);
-  }
-
-
-  void ContactSet::advance(const double factor)
-  {
-    for (auto *interface : active_)
-      interface->advance(factor);
-  }
-
-
-  bool ContactSet::changed() const
-  {
-    return std::any_of(active_.begin(), active_.end(),
-                       [](const ContactInterface *interface) { return interface->status_changed(); });
-  }
-
-
-  unsigned int ContactSet::patience() const
-  {
-    // The same set for the second time: the iteration goes round in circles.
-    if (cycling_)
-      return 0;
-    // Penalty springs need the line search, most of all on fine meshes; exact constraints are best left alone.
-    return actors_.contact && actors_.contact->normal_law->has_multiplier() ? 1000 : 2;
-  }
-
-
-  bool ContactSet::consistent(const double allowed_tension) const
-  {
-    return std::all_of(active_.begin(), active_.end(),
-                       [&](const ContactInterface *interface) { return interface->consistent(allowed_tension); });
-  }
-
-
-  void ContactSet::allow_status_tolerance(const double force)
-  {
-    for (auto *interface : active_)
-      interface->allow_status_tolerance(force);
   }
 } // namespace deltaform

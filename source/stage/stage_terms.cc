@@ -19,14 +19,7 @@ namespace deltaform
   }
 
 
-  void StageTerms::read_body(const Vector &q, const System &body, const bool tangent)
-  {
-    for (Term *const term : all_)
-      term->read_body(q, body, tangent);
-  }
-
-
-  Status StageTerms::assemble_others(const Vector &q, const double time, AssemblyTarget &target)
+  Status StageTerms::assemble_others(const Vector &q, const double time, AssemblyTarget &target) const
   {
     for (unsigned int i = 1; i + 1 < all_.size(); ++i)
       if (const Status status = all_[i]->assemble(q, time, target); !status.good())
@@ -35,9 +28,9 @@ namespace deltaform
   }
 
 
-  void StageTerms::accept(const Vector &q)
+  void StageTerms::accept(const Vector &q, const double time, const double duration)
   {
-    std::for_each(all_.rbegin(), all_.rend(), [&](Term *const term) { term->accept(q); });
+    std::for_each(all_.rbegin(), all_.rend(), [&](Term *const term) { term->accept(q, time, duration); });
   }
 
 

@@ -7,7 +7,7 @@
 
 namespace deltaform
 {
-  Status ToolStops::assemble(const Vector &q, const double time, AssemblyTarget &target)
+  Status ToolStops::assemble(const Vector &q, const double time, AssemblyTarget &target) const
   {
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
     {
@@ -30,7 +30,7 @@ namespace deltaform
   }
 
 
-  double ToolStops::overrun(const unsigned int i, const double travel, const double time)
+  double ToolStops::overrun(const unsigned int i, const double travel, const double time) const
   {
     const Tool &tool = *actors_.tools[i];
     const double beyond_place = std::max(travel - tool.stop_travel(time), 0.);

@@ -50,7 +50,7 @@ namespace
     {
       log += "before ";
     }
-    void solved(const Model &, const Vector &) override
+    void solved(const Model &, const System &, const Vector &) override
     {
       log += "solved ";
     }

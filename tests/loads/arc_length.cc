@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative)
     {
       const Vector q = random();
       strip.missing(q, .3);
-      strip.load->accept(q);
+      strip.load->accept(q, .3, .1);
     }
     const Assembly assembly = [&](const Vector &state, AssemblyTarget &target) {
       strip.load->assemble(state, .5, target);
@@ -89,12 +89,12 @@ BOOST_AUTO_TEST_CASE(lengths_are_root_mean_squares_of_what_the_nodes_go)
   PulledStrip strip;
   // At first the way of what is loaded, then that of all nodes: of a rigid motion they are the same.
   BOOST_TEST(std::abs(strip.missing(strip.moved(.2), .2)) < 1e-14);
-  strip.load->accept(strip.moved(.2));
+  strip.load->accept(strip.moved(.2), .2, .1);
   BOOST_TEST(std::abs(strip.missing(strip.moved(.5), .5)) < 1e-14);
   BOOST_TEST(std::abs(strip.missing(strip.moved(.5), .6)) > .05);
   // Back where the length shrinks.
   BOOST_TEST(std::abs(strip.missing(strip.moved(.1), .1)) < 1e-14);
-  strip.load->accept(strip.moved(.1));
+  strip.load->accept(strip.moved(.1), .1, .1);
   BOOST_TEST(std::abs(strip.missing(strip.moved(.3), .3)) < 1e-14);
 }
 
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(the_path_is_remembered)
 {
   PulledStrip strip, other;
   strip.missing(strip.moved(.2), .2);
-  strip.load->accept(strip.moved(.2));
+  strip.load->accept(strip.moved(.2), .2, .1);
   BOOST_TEST(strip.load->history().size() == other.load->history().size());
   other.load->set_history(strip.load->history());
   BOOST_TEST(std::abs(other.missing(strip.moved(.5), .5)) < 1e-14);

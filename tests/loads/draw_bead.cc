@@ -45,7 +45,7 @@ namespace
   void go_to(Load &bead, const Blank &blank, const double way)
   {
     force(bead, blank, way);
-    bead.accept(moved(blank, way));
+    bead.accept(moved(blank, way), 1., 1.);
   }
 
   void for_shell_and_solid(const std::function<void(Blank &)> &body)

@@ -3,6 +3,8 @@
 #include "../solver/mpi.h"
 
 #include <deltaform/model/model.h>
+#include <deltaform/model/next_state.h>
+#include <deltaform/model/workspace.h>
 #include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/scene_error.h>
 #include <deltaform/scene/scene.h>
@@ -22,7 +24,7 @@ namespace
   {
     explicit Fixture(const std::vector<std::string> &more = {})
       : tree(ParameterTree::parse("", "test", pressed_strip(more))), scene(tree),
-        model(scene.actors, *scene.linear_solver, timers)
+        model(scene.actors, *scene.linear_solver, timers), workspace(model), next(model, workspace)
     {
     }
 
@@ -34,27 +36,29 @@ namespace
     /// Begin an increment and assemble at the end of it.
     Vector residual(const double time, const Vector &q)
     {
-      model.begin(time, 0.);
+      next.begin(time, 0.);
       return again(q);
     }
 
     Vector again(const Vector &q)
     {
-      BOOST_TEST_REQUIRE(model.assemble(q, true).good());
-      return model.discretization().system().residual();
+      BOOST_TEST_REQUIRE(next.assemble(q, true).good());
+      return workspace.system().residual();
     }
 
     /// Accept whatever @p q is.
     void accept(const double time, const Vector &q)
     {
       residual(time, q);
-      model.commit(q);
+      model.commit(q, workspace);
     }
 
     ParameterTree tree;
     Scene scene;
     Timers timers;
     Model model;
+    Workspace workspace;
+    NextState next;
   };
 
   /// Small against the strip: what touches stays in touch.
@@ -118,10 +122,10 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative_of_the_residual)
       const Vector d = random_unknowns(model, generator, 1.);
       fixture.residual(.2, q);
       // Contact turns the force that the last step foresaw; here it is what the assembly has found.
-      model.active_set()->prepare_step(Vector(q.size()));
-      model.active_set()->advance(1.);
+      fixture.next.active_set()->prepare_step(Vector(q.size()));
+      fixture.next.active_set()->advance(1.);
       fixture.again(q);
-      const System &system = model.discretization().system();
+      const System &system = fixture.workspace.system();
       Vector slope(q.size()), largest(q.size());
       system.for_each_entry([&](const DofIndex row, const DofIndex column, const double value) {
         slope[row] += value * d[column];
@@ -151,7 +155,7 @@ BOOST_AUTO_TEST_CASE(what_was_tried_leaves_no_trace)
   const Vector wrong = random_unknowns(other.model, generator, .01);
   const std::string fresh = touching_bytes(other.model);
   other.residual(.7, wrong);
-  other.model.discard(0.);
+  other.workspace.begin(0.);
   BOOST_TEST((touching_bytes(other.model) == fresh));
   other.residual(.2, wrong);
   for (Fixture *const one : {&fixture, &other})
@@ -205,6 +209,36 @@ BOOST_AUTO_TEST_CASE(two_states_of_one_model_in_turn)
   model.set_state(first, fixture.stage());
   fixture.accept(.2, p);
   BOOST_TEST((bytes(model) == end));
+}
+
+BOOST_AUTO_TEST_CASE(two_workspaces_of_one_model)
+{
+  Fixture fixture;
+  std::mt19937 generator(36);
+  fixture.model.begin_stage(fixture.stage());
+  const Vector q = random_unknowns(fixture.model, generator, 1e-4), p = random_unknowns(fixture.model, generator, 1e-4);
+  const auto entries = [](const System &system) {
+    std::vector<double> result;
+    system.for_each_entry([&](DofIndex, DofIndex, const double value) { result.push_back(value); });
+    return result;
+  };
+  const std::string committed = touching_bytes(fixture.model);
+  const Vector residual = fixture.residual(.1, q);
+  const std::vector<double> tangent = entries(fixture.workspace.system());
+  // Another way to another state with what is its own, and again: a model and a workspace remember nothing of it.
+  const Model &model = fixture.model;
+  Workspace own(model);
+  NextState other(model, own);
+  other.begin(.2, 0.);
+  BOOST_TEST(other.assemble(p, true).good());
+  BOOST_TEST((own.system().residual() != residual));
+  BOOST_TEST((fixture.workspace.system().residual() == residual));
+  BOOST_TEST((entries(fixture.workspace.system()) == tangent));
+  BOOST_TEST((touching_bytes(model) == committed));
+  other.begin(.1, 0.);
+  BOOST_TEST(other.assemble(q, true).good());
+  BOOST_TEST((own.system().residual() == residual));
+  BOOST_TEST((entries(own.system()) == tangent));
 }
 
 BOOST_AUTO_TEST_CASE(a_state_of_another_mesh_is_refused)

@@ -8,6 +8,8 @@
 #include <deltaform/increment/increment.h>
 #include <deltaform/increment/step_control.h>
 #include <deltaform/model/model.h>
+#include <deltaform/model/next_state.h>
+#include <deltaform/model/workspace.h>
 #include <deltaform/process/journal.h>
 #include <deltaform/process/timers.h>
 #include <deltaform/reports/checkpoint.h>
@@ -115,11 +117,9 @@ namespace deltaform
     }
 
     IncrementResult attempt(double end, Effort effort);
+    bool accept(double next, const IncrementResult &result); ///< @return false if the run has stopped
 
-    void accept(double next, const IncrementResult &result);
-
-    /// Refine what is marked and restore equilibrium at the same time, pass by pass; each is an increment of its own.
-    /// @return false if the run has stopped, because there is none
+    /// Refine what is marked, pass by pass, each an increment at the same time. @return false if the run has stopped
     bool refine();
 
     bool refinement_marked();
@@ -144,6 +144,8 @@ namespace deltaform
     Timers::Index timer_attempt_, timer_output_;
     FunctionValues functions_;
     Model model_;
+    Workspace workspace_;
+    NextState next_;
     Newton newton_;
     Increment increment_;
     Conditions conditions_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/model/workspace.h>
 #include <deltaform/reports/accepted_increment.h>
 #include <deltaform/reports/observer.h>
 
@@ -27,7 +28,7 @@ namespace deltaform
     }
 
     /// An increment will be tried: whoever wants to see its tangent is shown it.
-    void announce(Model &model, unsigned int number) const;
+    void announce(const Model &model, Workspace &workspace, unsigned int number) const;
 
     /// What they remember, in bytes that only they understand.
     std::string save() const;

@@ -24,10 +24,10 @@ namespace deltaform
     void begin(const Vector &q);
 
     /// Add the equation that the path is as long as @p length, and how the forces on the blank depend on the load.
-    void assemble(const Load &load, const Vector &q, double length, AssemblyTarget &target);
+    void assemble(const Load &load, const Vector &q, double length, AssemblyTarget &target) const;
 
-    /// The state at the last length is accepted.
-    void accept(const Vector &q);
+    /// The state @p q, where the path is as long as @p length, is accepted.
+    void accept(const Vector &q, double length);
 
     /// What is remembered; always as many numbers.
     std::vector<double> history() const;
@@ -44,6 +44,6 @@ namespace deltaform
     DofIndex n_;
     double n_nodes_;
     Vector start_, direction_; ///< of the blank's unknowns; direction zero: none yet
-    double accepted_ = 0., tried_ = 0.; ///< length
+    double accepted_ = 0.; ///< length
   };
 } // namespace deltaform

@@ -86,18 +86,12 @@ namespace deltaform
 
     bool acts_in(const std::string &stage) const;
 
-    Status assemble(const Vector &q, double time, AssemblyTarget &target) override;
+    Status assemble(const Vector &q, double time, AssemblyTarget &target) const override;
 
-    void accept(const Vector &q) override
+    void accept(const Vector &q, const double time, double /*duration*/) override
     {
       if (path_)
-        path_->accept(q);
-    }
-
-    /// Enter the couplings between unknowns of the blank that no cell makes: the matrix has places for these entries
-    /// of the tangent and no others. Every process enters all of them.
-    virtual void add_couplings(dealii::DynamicSparsityPattern & /*pattern*/) const
-    {
+        path_->accept(q, skipped_.value(value_, time));
     }
 
     /// Add the forces of a load of the size @p value at @p q, with their sign in the residual.

@@ -1,21 +1,23 @@
 #pragma once
 
+#include <deltaform/assembly/term.h>
 #include <deltaform/model/numbering.h>
 #include <deltaform/solver/linear_solver.h>
 #include <deltaform/solver/system.h>
 #include <deltaform/stage/actors.h>
 
-#include <memory>
+#include <vector>
 
 namespace deltaform
 {
-  /// The unknowns on the blank's present mesh, and the linear system for them.
+  /// The unknowns on the blank's present mesh, how they couple, and the linear solver for them.
   class Discretization
   {
   public:
-    Discretization(Actors &actors, const LinearSolverSettings &linear_solver);
+    /// @param terms of all stages: they tell the couplings
+    Discretization(Actors &actors, const LinearSolverSettings &linear_solver, std::vector<const Term *> terms);
 
-    /// Number the unknowns of another mesh. The system is the same object as before, empty.
+    /// Number the unknowns of another mesh.
     void renumber();
 
     const Numbering &numbering() const
@@ -23,15 +25,14 @@ namespace deltaform
       return numbering_;
     }
 
-    System &system()
+    /// How many meshes there have been: a system belongs to one of them.
+    unsigned int n_meshes() const
     {
-      return *system_;
+      return n_meshes_;
     }
 
-    const System &system() const
-    {
-      return *system_;
-    }
+    /// An empty linear system for the unknowns.
+    System make_system() const;
 
     /// As chosen for the present mesh.
     const LinearSolverSettings &linear_solver() const
@@ -46,9 +47,14 @@ namespace deltaform
     }
 
   private:
+    /// Of the sparse unknowns, into an empty @p pattern.
+    void add_couplings(dealii::DynamicSparsityPattern &pattern) const;
+
     Actors &actors_;
     LinearSolverSettings linear_solver_;
+    std::vector<const Term *> terms_;
     Numbering numbering_;
-    std::unique_ptr<System> system_;
+    std::size_t front_width_ = 0; ///< of the direct factorization (unknowns)
+    unsigned int n_meshes_ = 0;
   };
 } // namespace deltaform

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/model/support_set.h>
+#include <deltaform/solver/system.h>
 #include <deltaform/stage/actors.h>
 #include <deltaform/stage/body.h>
 #include <deltaform/stage/contact_set.h>

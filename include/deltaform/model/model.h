@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deltaform/assembly/accounts.h>
-#include <deltaform/increment/increment_problem.h>
 #include <deltaform/model/discretization.h>
 #include <deltaform/model/force_book.h>
 #include <deltaform/model/formed_start.h>
@@ -15,86 +14,26 @@
 #include <deltaform/stage/stage_terms.h>
 #include <deltaform/stage/tool_stops.h>
 
-#include <algorithm>
-#include <functional>
+#include <string>
 #include <vector>
 
 namespace deltaform
 {
+  class Workspace;
+
   /**
-   * The equations of one increment: the terms of the current stage (body, loads, released forces, contact), assembled
-   * in this order, because penalty rules read the body's stiffness before contact adds to it; and the state that is
-   * committed.
+   * The terms of the current stage (body, loads, released forces, contact), what is prescribed in it, and the committed
+   * state. It is const while an increment is solved: NextState has the equations, Workspace what they need. It changes
+   * when an increment is accepted, a stage begins, or the blank is refined.
    */
-  class Model : public IncrementProblem
+  class Model
   {
   public:
     Model(Actors &actors, const LinearSolverSettings &linear_solver, Timers &timers);
 
-    /// @name Equations
-    ///@{
-    double typical_length() const override
-    {
-      return actors_.blank->typical_length();
-    }
-    Status assemble(const Vector &q, bool tangent) override;
-    bool assemble_foreseen(const Vector &q) override;
-    double limit_step(const Vector &q, Vector &d) const override
-    {
-      return std::min(contact_.limit_travels(d, typical_length()), actors_.blank->admissible_step(q, d));
-    }
-    ActiveSet *active_set() override
-    {
-      return contact_.empty() ? nullptr : &contact_;
-    }
-    unsigned int correct_early() override
-    {
-      return contact_.correct_early();
-    }
-
-    unsigned int correct() override
-    {
-      return contact_.correct();
-    }
-    ///@}
-
-    /// @name IncrementProblem
-    ///@{
-    void begin(double time, double ratio) override;
-    bool soften(const double share) override
-    {
-      return contact_.soften(share);
-    }
-    const Vector &committed() const override
-    {
-      return state_.unknowns;
-    }
-    const Vector &prescribed() const override
-    {
-      return supports_.values();
-    }
-    const std::vector<bool> &is_prescribed() const override
-    {
-      return supports_.is_prescribed();
-    }
-    double force_floor() const override;
-    IncrementSize increment_size(const Vector &dq) const override
-    {
-      return actors_.blank->increment_size(dq);
-    }
-    std::string broken_promise() const override
-    {
-      return contact_.broken_promise(state_.unknowns);
-    }
-    bool releases_at_once() const override
-    {
-      return state_.releases_at_once;
-    }
-    std::string describe(const DofIndex unknown) const override
-    {
-      return unknown < actors_.blank->n_dofs() ? actors_.blank->describe_dof(unknown) : "";
-    }
-    ///@}
+    // The parts refer to each other.
+    Model(const Model &) = delete;
+    Model &operator=(const Model &) = delete;
 
     /// A stage begins: tools, loads and supports that end with the last stage become forces that fade out.
     /// @return names of force-driven tools that do not find the blank along their direction
@@ -108,23 +47,38 @@ namespace deltaform
       return formed_start_;
     }
 
-    /// Discard what was tried since the last commit. @param time of the state that is looked for next
-    void discard(double time);
-
     /// Mark what blank and contact want to be finer. @return is anything marked? Nothing while released forces fade out
     bool mark();
 
     /// Refine the marked cells; the committed state goes along. Then find equilibrium anew: begin() at the same time.
     void refine();
 
-    /// Accept @p q as the state at the end of the increment.
-    void commit(const Vector &q);
+    /// Accept @p q, which was assembled last in @p workspace, as the state at the end of the increment.
+    void commit(const Vector &q, const Workspace &workspace);
 
-    /// Call @p action in every assembly of a tangent that holds all terms but those of contact; empty: no more.
-    void before_contact(std::function<void(const System &)> action)
+    /// @name What the next state is sought with
+    ///@{
+    const Body &body() const
     {
-      before_contact_ = std::move(action);
+      return body_;
     }
+    const ContactSet &contact_set() const
+    {
+      return contact_;
+    }
+    const SupportSet &supports() const
+    {
+      return supports_;
+    }
+    const StageTerms &terms() const
+    {
+      return terms_;
+    }
+    const ModelTimers &timers() const
+    {
+      return timers_;
+    }
+    ///@}
 
     const Actors &actors() const
     {
@@ -134,11 +88,6 @@ namespace deltaform
     const Blank &blank() const
     {
       return *actors_.blank;
-    }
-
-    Discretization &discretization()
-    {
-      return discretization_;
     }
 
     const Discretization &discretization() const
@@ -169,6 +118,23 @@ namespace deltaform
     ContactAccount contact() const
     {
       return contact_account(contact_, actors_, state_.unknowns);
+    }
+
+    /// Unknowns, forces and works of the committed state; points are with the blank and the interfaces.
+    const ModelState &committed_state() const
+    {
+      return state_;
+    }
+
+    const Vector &committed() const
+    {
+      return state_.unknowns;
+    }
+
+    /// Do forces of the last stage vanish in the next increment?
+    bool releases_at_once() const
+    {
+      return state_.releases_at_once;
     }
 
     /// Force of the blank on each tool, committed.
@@ -224,15 +190,8 @@ namespace deltaform
     /// Who takes part in a stage, and which unknowns it prescribes.
     void enter_stage(const Stage &stage);
 
-    System &system()
-    {
-      return discretization_.system();
-    }
-
-    const System &system() const
-    {
-      return discretization_.system();
-    }
+    /// Those of all stages.
+    std::vector<const Term *> all_terms() const;
 
     /// An empty state with the present unknowns.
     void clear_state();
@@ -242,17 +201,15 @@ namespace deltaform
 
     Actors &actors_;
     ModelTimers timers_;
-    Discretization discretization_;
     Body body_;
     ToolStops stops_;
     ContactSet contact_;
+    Discretization discretization_;
     SupportSet supports_;
     ForceBook book_;
     StageTerms terms_;
 
     ModelState state_; ///< committed; body and contact points are with the blank and the interfaces
     FormedStart formed_start_;
-    double time_ = 0; ///< at the end of the increment that is tried
-    std::function<void(const System &)> before_contact_; ///< mostly empty
   };
 } // namespace deltaform

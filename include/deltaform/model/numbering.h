@@ -3,10 +3,8 @@
 #include <deltaform/stage/actors.h>
 
 #include <deal.II/base/index_set.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <array>
-#include <memory>
 #include <vector>
 
 namespace deltaform
@@ -31,9 +29,7 @@ namespace deltaform
       return n_sparse + n_border;
     }
 
-    /// Couplings of the sparse unknowns, in the rows that this process keeps; until the matrix is made of them.
-    std::unique_ptr<dealii::DynamicSparsityPattern> pattern;
-    dealii::IndexSet owned;
+    dealii::IndexSet owned; ///< rows of the matrix that this process keeps
 
     /// Of every unknown: makes rotations comparable with displacements and moments with forces. A multiplier is a
     /// force: divided by a stiffness it compares with displacements, its row (a gap) times it with forces.
@@ -55,7 +51,6 @@ namespace deltaform
   private:
     /// Multipliers come after the last rows of the blank.
     void share_rows(const Blank &blank);
-    void couple_multipliers(const ContactInterface &interface);
     void measure(const Blank &blank);
   };
 } // namespace deltaform

@@ -28,14 +28,8 @@ namespace deltaform
       return is_prescribed_;
     }
 
-    /// Values of the prescribed unknowns, set by prescribe().
-    const Vector &values() const
-    {
-      return values_;
-    }
-
-    /// Look up the values at @p time; all else stays as it is in @p state.
-    void prescribe(const ModelState &state, double time);
+    /// Unknowns with the values that are prescribed at @p time; all else as it is in @p state.
+    Vector prescribed(const ModelState &state, double time) const;
 
     /// A stage begins: supports with Hold keep what is reached in @p state.
     void hold(ModelState &state) const;
@@ -51,6 +45,5 @@ namespace deltaform
     const Numbering &numbering_;
     std::string stage_;
     std::vector<bool> is_prescribed_;
-    Vector values_;
   };
 } // namespace deltaform

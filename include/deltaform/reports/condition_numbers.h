@@ -46,7 +46,7 @@ namespace deltaform
 
     /// Measures the converged but not yet committed state, which is not touched: the tangents are those of the last
     /// Newton iteration.
-    void solved(const Model &model, const Vector &q) override;
+    void solved(const Model &model, const System &system, const Vector &q) override;
 
     void accepted(const AcceptedIncrement &increment) override;
 
@@ -54,7 +54,7 @@ namespace deltaform
     static void describe(Columns &columns, const ConditionReport *report);
 
   private:
-    ConditionNumbers measure(const Model &model, const Vector &q);
+    ConditionNumbers measure(const Model &model, const System &system, const Vector &q);
 
     unsigned int every_;
     condition::Method method_;

@@ -73,8 +73,8 @@ namespace deltaform
     {
     }
 
-    /// It is solved, by the unknowns @p q, and will be accepted.
-    virtual void solved(const Model & /*model*/, const Vector & /*q*/)
+    /// It is solved, by the unknowns @p q, and will be accepted; @p system is that of the last assembly.
+    virtual void solved(const Model & /*model*/, const System & /*system*/, const Vector & /*q*/)
     {
     }
 

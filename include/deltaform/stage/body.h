@@ -17,24 +17,28 @@ namespace deltaform
     {
     }
 
-    /// See Blank::begin_increment().
-    void begin_increment(const double duration, const double ratio)
+    void add_couplings(dealii::DynamicSparsityPattern &pattern) const override
     {
-      duration_ = duration;
+      blank_.add_couplings(pattern);
+    }
+
+    /// See Blank::begin_increment().
+    void begin_increment(const double duration, const double ratio) const
+    {
       blank_.begin_increment(duration, ratio);
     }
 
-    Status assemble(const Vector &q, const double /*time*/, AssemblyTarget &target) override
+    Status assemble(const Vector &q, const double /*time*/, AssemblyTarget &target) const override
     {
       return blank_.assemble(q, target);
     }
 
     /// Contact has been accepted before.
-    void accept(const Vector &q) override
+    void accept(const Vector &q, double /*time*/, const double duration) override
     {
       blank_.commit(q);
       if (heat_ != nullptr)
-        heat_->advance(duration_, q, contact_.interfaces());
+        heat_->advance(duration, q, contact_.interfaces());
     }
 
     /// See Adaptive::refine().
@@ -84,6 +88,5 @@ namespace deltaform
     Blank &blank_;
     HeatFlow *heat_; ///< null: none flows
     const ContactSet &contact_;
-    double duration_ = 0; ///< of the increment that is tried
   };
 } // namespace deltaform

@@ -2,9 +2,6 @@
 
 #include <deltaform/assembly/accounts.h>
 #include <deltaform/assembly/term.h>
-#include <deltaform/contact/augmentation.h>
-#include <deltaform/increment/equations.h>
-#include <deltaform/solver/system.h>
 #include <deltaform/stage/actors.h>
 
 #include <array>
@@ -14,10 +11,10 @@
 namespace deltaform
 {
   /**
-   * The contact interfaces of a stage as one part of the equations: their penalty factors, residual and tangent, and
-   * the inequalities, which are active where a point touches.
+   * The contact interfaces of a stage as one part of the equations. What is found out while these are solved is
+   * ContactSolve's.
    */
-  class ContactSet : public Term, public ActiveSet
+  class ContactSet : public Term
   {
   public:
     explicit ContactSet(Actors &actors);
@@ -60,27 +57,9 @@ namespace deltaform
     std::vector<std::string> save() const;
     void load(const std::vector<std::string> &bytes);
 
-    /// An increment that ends at @p time begins; what was tried before is discarded.
-    void begin_increment(double time);
-
-    /// Start the continuation of first touches. @return false if no interface exists
-    bool soften(double share);
-
-    /// Will the next assembly need the tangent of the blank for the penalty factors?
-    bool factors_due() const
-    {
-      return factors_due_;
-    }
-
     /// Shorten the travels of tools in the step @p d that nothing resists. @return the share of the step that moves no
     /// tool by more than @p length
     double limit_travels(Vector &d, double length) const;
-
-    /// See Equations.
-    ///@{
-    unsigned int correct_early();
-    unsigned int correct(); ///< penalty factors and shifts
-    ///@}
 
     /// Where penetration <= delta is broken in the trial state, in words; empty if it is kept or none was made.
     std::string broken_promise(const Vector &committed) const;
@@ -90,33 +69,18 @@ namespace deltaform
 
     /// @name Term
     ///@{
-    /// Let the rule give the penalty factors where it is its turn.
-    void read_body(const Vector &q, const System &body, bool tangent) override;
-    Status assemble(const Vector &q, double time, AssemblyTarget &target) override;
-    void accept(const Vector &q) override;
+    /// Between multipliers and the blank, of all interfaces.
+    void add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
+    Status assemble(const Vector &q, double time, AssemblyTarget &target) const override;
+    void accept(const Vector &q, double time, double duration) override;
     /// Count the work of the new thickness, and tell the blank the contact pressure of the next increments.
     void refresh(const Vector &q) override;
     void add_to(EnergyAccount &account) const override;
     void count_no_energy() override;
     ///@}
 
-    /// @name ActiveSet
-    ///@{
-    bool foresee(const Vector &q, const Vector &d) override;
-    void prepare_step(const Vector &d) override;
-    void advance(double factor) override;
-    bool changed() const override;
-    unsigned int patience() const override;
-    bool consistent(double allowed_tension) const override;
-    void allow_status_tolerance(double force) override;
-    ///@}
-
   private:
     Actors &actors_;
     std::vector<ContactInterface *> active_;
-    Augmentation augmentation_;
-    std::vector<std::size_t> visited_; ///< sets of touching points met in this solve
-    bool cycling_ = false; ///< one of them was met again
-    bool factors_due_ = false; ///< the rule has to predict in the next assembly
   };
 } // namespace deltaform

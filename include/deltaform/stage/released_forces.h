@@ -25,7 +25,7 @@ namespace deltaform
     /// Add what acts at @p time to the residual.
     void add(double time, AssemblyTarget &target) const;
 
-    Status assemble(const Vector & /*q*/, const double time, AssemblyTarget &target) override
+    Status assemble(const Vector & /*q*/, const double time, AssemblyTarget &target) const override
     {
       add(time, target);
       return {};

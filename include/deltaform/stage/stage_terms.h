@@ -18,13 +18,10 @@ namespace deltaform
 
     void enter_stage(const std::vector<Term *> &others);
 
-    /// The body has been assembled, alone.
-    void read_body(const Vector &q, const System &body, bool tangent);
-
     /// All but the body and contact.
-    Status assemble_others(const Vector &q, double time, AssemblyTarget &target);
+    Status assemble_others(const Vector &q, double time, AssemblyTarget &target) const;
 
-    void accept(const Vector &q);
+    void accept(const Vector &q, double time, double duration);
     void refresh(const Vector &q);
 
     /// Switch energies off. @param of_contact those of contact, too

@@ -26,7 +26,7 @@ namespace deltaform
       known_.assign(known_.size(), Clearance());
     }
 
-    Status assemble(const Vector &q, double time, AssemblyTarget &target) override;
+    Status assemble(const Vector &q, double time, AssemblyTarget &target) const override;
 
   private:
     /// Of a tool to the others at a time and travel: no stop is nearer than that.
@@ -36,13 +36,14 @@ namespace deltaform
     };
 
     /// How far tool @p i is beyond its stop (length); 0 if it is not.
-    double overrun(unsigned int i, double travel, double time);
+    double overrun(unsigned int i, double travel, double time) const;
 
     /// Gap to the nearest tool on the other side, beyond the least one.
     double clearance(const Tool &tool, double travel, double time, double reach) const;
 
     const Actors &actors_;
     std::string stage_;
-    std::vector<Clearance> known_; ///< what was found last, of every tool
+    /// What was found last, of every tool. It spares a search where the tool is certainly clear, and changes no answer.
+    mutable std::vector<Clearance> known_;
   };
 } // namespace deltaform
