@@ -74,7 +74,7 @@ namespace deltaform
                               "). Give the points, and their fillet radii, in the opposite order: walk it with the "
                               "blank to its left"};
 
-    const auto [node, gap] = interface.projector().closest(q, travel);
+    const auto [node, gap] = interface.projector().closest(q, travel * tool.direction());
     if (!(gap < -tolerance))
       return std::nullopt;
     return Misplacement{"Position z",

@@ -29,7 +29,7 @@ namespace deltaform
     std::array<double, ContactPoint::max_dofs> change{};
     for (unsigned int k = 0; k < edge.n_dofs; ++k)
       change[k] = q[edge.dofs[k]] - edge.values[k] + (step != nullptr ? (*step)[edge.dofs[k]] : 0.);
-    const double way = projector_.surface().largest_motion(projector_.tool().side(), e, change);
+    const double way = projector_.surface().largest_motion(projector_.side(), e, change);
     return way + (shift - edge.shift).norm() < edge.clearance;
   }
 } // namespace deltaform

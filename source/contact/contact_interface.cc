@@ -28,9 +28,11 @@ namespace deltaform
 
   ContactInterface::ContactInterface(const ContactSurface &surface,
                                      const Tool &tool,
+                                     std::unique_ptr<Counterpart> counterpart,
                                      const ContactSettings &settings,
                                      Section tool_section)
-    : settings_(settings), projector_(surface, tool, tool_section), friction_(make_friction(tool_section, projector_)),
+    : settings_(settings), tool_(tool), counterpart_(std::move(counterpart)),
+      projector_(surface, tool.side(), *counterpart_, tool_section), friction_(make_friction(tool_section, projector_)),
       factors_(settings, projector_, friction_.get()),
       iteration_(*settings.normal_law, projector_, factors_, friction_.get()), account_(settings.stores_energy())
   {
@@ -79,8 +81,7 @@ namespace deltaform
 
   void ContactInterface::assemble(const Vector &q, AssemblyTarget &target)
   {
-    const double load = tool().force_driven() ? tool().force(trial_.time) : 0.;
-    iteration_.assemble(q, shift(q), load, committed_.points, trial_.points, target);
+    iteration_.assemble(q, shift(q), trial_.time, committed_.points, trial_.points, target);
   }
 
 
@@ -131,27 +132,6 @@ namespace deltaform
     trial_.step = trial_.time - committed_.time;
     account_.finish(trial_);
     committed_ = trial_;
-  }
-
-
-  void ContactInterface::refresh(const Vector &q)
-  {
-    if (!account_.counts())
-      return;
-    // The thickness has become another than was foreseen, at fixed positions; the forces stay those of the accepted
-    // equilibrium.
-    const Tensor1 way = shift(q);
-    for (unsigned int i = 0; i < committed_.points.size(); ++i)
-    {
-      ContactPointState &state = committed_.points[i];
-      if (!state.touching)
-        continue;
-      const ContactPoint description = point(q, i);
-      state.offset = description.offset;
-      const double gap = projector_.look(i, description.x - way).distance - face(description, state);
-      // The force works on the face that moves towards the tool.
-      committed_.energy.thickness += state.force * (state.gap - gap);
-    }
   }
 
 

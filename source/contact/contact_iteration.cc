@@ -34,27 +34,16 @@ namespace deltaform
   }
 
 
-  void ContactIteration::set_dofs(const DofIndex travel, const DofIndex first_multiplier)
-  {
-    travel_dof_ = travel;
-    first_multiplier_ = first_multiplier;
-  }
-
-
   void ContactIteration::assemble(const Vector &q,
                                   const Tensor1 &shift,
-                                  const double tool_load,
+                                  const double time,
                                   const Points &committed,
                                   Points &trial,
                                   AssemblyTarget &target)
   {
     tool_force_ = Tensor1();
     status_changed_ = false;
-    if (projector_.tool().force_driven())
-    {
-      const double residual = -tool_load, zero = 0.;
-      target.add(&travel_dof_, 1, target.wants_tangent() ? &zero : nullptr, &residual);
-    }
+    projector_.counterpart().add_load(q, time, target);
     const unsigned int n = projector_.group();
     if (n == 1)
       for (unsigned int i = 0; i < trial.size(); ++i)
@@ -194,14 +183,12 @@ namespace deltaform
                              ContactPointState &state,
                              AssemblyTarget &target)
   {
-    const Tool &tool = projector_.tool();
     const ContactForce force(projection, friction_ ? friction_->transfer(projection, point.offset) : SlipTransfer(),
                              normal, friction);
     if (normal.touching)
       tool_force_ -= force.value();
     PointRows rows(point);
-    if (tool.force_driven())
-      rows.add_travel(travel_dof_, tool.direction());
+    projector_.counterpart().add_columns(rows);
     law_.join(rows, first_multiplier_ + i);
     rows.add_force(force.value());
     rows.copy_residual(state.residual);
@@ -214,8 +201,7 @@ namespace deltaform
 
   Tensor1 ContactIteration::motion(const unsigned int i, const Vector &d) const
   {
-    const bool driven = projector_.tool().force_driven();
-    return work_[i].point.motion(d, driven ? -d[travel_dof_] * projector_.tool().direction() : Tensor1());
+    return work_[i].point.motion(d, -projector_.counterpart().motion(d));
   }
 
 
@@ -223,8 +209,7 @@ namespace deltaform
   {
     bool other = false;
     in_place_ = true;
-    const Tensor1 end =
-      projector_.tool().force_driven() ? shift + d[travel_dof_] * projector_.tool().direction() : shift;
+    const Tensor1 end = shift + projector_.counterpart().motion(d);
     const unsigned int n = projector_.group();
     for (unsigned int e = 0; e * n < trial.size(); ++e)
     {

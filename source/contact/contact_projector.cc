@@ -6,19 +6,22 @@
 
 namespace deltaform
 {
-  ContactProjector::ContactProjector(const ContactSurface &surface, const Tool &tool, Section &tool_section)
-    : surface_(surface), tool_(tool)
+  ContactProjector::ContactProjector(const ContactSurface &surface,
+                                     const Side side,
+                                     const Counterpart &counterpart,
+                                     Section &section)
+    : surface_(surface), side_(side), counterpart_(counterpart)
   {
     const std::string thickness =
-      tool_section.choice("Contact thickness",
-                          "current",
-                          {"current", "initial", "none"},
-                          "Thickness of a shell in contact. current: of the last accepted increment. initial: for a "
-                          "tool at a fixed gap to another. none: contact at the mid-surface.");
+      section.choice("Contact thickness",
+                     "current",
+                     {"current", "initial", "none"},
+                     "Thickness of a shell in contact. current: of the last accepted increment. initial: for a "
+                     "tool at a fixed gap to another. none: contact at the mid-surface.");
     thickness_ = thickness == "current"   ? ContactThickness::current
                  : thickness == "initial" ? ContactThickness::initial
                                           : ContactThickness::none;
-    const std::string compliance = tool_section.choice(
+    const std::string compliance = section.choice(
       "Thickness compliance",
       "on",
       {"on", "off"},
@@ -31,8 +34,8 @@ namespace deltaform
 
   void ContactProjector::describe(const Vector &q, const unsigned int i, ContactPoint &point) const
   {
-    surface_.contact_point(q, tool_.side(), i, thickness_, point);
-    flat_.describe(surface_, tool_.side(), i, point);
+    surface_.contact_point(q, side_, i, thickness_, point);
+    flat_.describe(surface_, side_, i, point);
     release_face(point);
   }
 
@@ -49,7 +52,7 @@ namespace deltaform
   ContactPoint ContactProjector::place(const Vector &q, const unsigned int edge, const double xi) const
   {
     ContactPoint result;
-    surface_.contact_place(q, tool_.side(), edge, xi, thickness_, result);
+    surface_.contact_place(q, side_, edge, xi, thickness_, result);
     release_face(result);
     return result;
   }
@@ -58,7 +61,7 @@ namespace deltaform
   Projection ContactProjector::project(const unsigned int i, const Point2 &x)
   {
     Last &last = last_[i];
-    const Projection projection = tool_.project(x, 0., last.segment);
+    const Projection projection = counterpart_.project(x, last.segment);
     last.segment = projection.segment;
     last.place = x;
     last.distance = std::isfinite(projection.distance) ? projection.distance : -1.;
@@ -66,7 +69,7 @@ namespace deltaform
   }
 
 
-  std::pair<unsigned int, double> ContactProjector::closest(const Vector &q, const double travel) const
+  std::pair<unsigned int, double> ContactProjector::closest(const Vector &q, const Tensor1 &way) const
   {
     std::pair<unsigned int, double> result(invalid_index, std::numeric_limits<double>::infinity());
     for (unsigned int i = 0; i < last_.size(); ++i)
@@ -74,7 +77,7 @@ namespace deltaform
       const ContactPoint description = point(q, i);
       if (!(description.area > 0))
         continue;
-      const double gap = tool_.project(description.x, travel).distance - description.offset;
+      const double gap = counterpart_.project(description.x - way).distance - description.offset;
       if (gap < result.second)
         result = {i, gap};
     }

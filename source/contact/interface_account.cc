@@ -1,3 +1,4 @@
+#include <deltaform/contact/contact_measures.h>
 #include <deltaform/contact/interface_account.h>
 
 #include <cmath>
@@ -51,6 +52,27 @@ namespace deltaform
     // middle. Where it was is as good as random: the error is evenly spread between half the growth and its negative.
     accepted.energy.friction_variance += growth_ * growth_ / 12.;
     accepted.energy.stored = stored(accepted.points);
+  }
+
+
+  void InterfaceAccount::refresh(const ContactProjector &projector,
+                                 const Vector &q,
+                                 const Tensor1 &way,
+                                 InterfaceState &accepted) const
+  {
+    if (!counts_)
+      return;
+    for (unsigned int i = 0; i < accepted.points.size(); ++i)
+    {
+      ContactPointState &state = accepted.points[i];
+      if (!state.touching)
+        continue;
+      const ContactPoint point = projector.point(q, i);
+      state.offset = point.offset;
+      const double gap = projector.look(i, point.x - way).distance - face(point, state);
+      // The force works on the face that moves towards the counterpart.
+      accepted.energy.thickness += state.force * (state.gap - gap);
+    }
   }
 
 

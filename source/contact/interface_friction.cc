@@ -10,7 +10,7 @@ namespace deltaform
   void InterfaceFriction::begin_increment()
   {
     if (law_->needs_flow_stress())
-      flow_stress_ = projector_.surface().flow_stress(projector_.tool().side());
+      flow_stress_ = projector_.surface().flow_stress(projector_.side());
   }
 
 
@@ -48,7 +48,8 @@ namespace deltaform
   {
     // The limit belongs to the estimate of lambda; what the iterate's force differs from it enters linearly.
     FrictionInput what = input(i, before, now, std::max(now.multiplier, 0.));
-    what.slip_increment = offset_slip(projector_.tool().shape(), start(before, now), closest.arc_length, offset);
+    const Curve &profile = projector_.counterpart().profile();
+    what.slip_increment = offset_slip(profile, start(before, now), closest.arc_length, offset);
     FrictionResponse result = law_->update(what);
     result.force += result.force_rate * (normal_force - what.normal_force);
     return result;
@@ -57,7 +58,7 @@ namespace deltaform
 
   SlipTransfer InterfaceFriction::transfer(const Projection &closest, const double offset) const
   {
-    return slip_transfer(projector_.tool().shape(), offset, closest);
+    return slip_transfer(projector_.counterpart().profile(), offset, closest);
   }
 
 
@@ -67,7 +68,7 @@ namespace deltaform
                                               const double offset) const
   {
     if (now.touching)
-      return offset_slip(projector_.tool().shape(), start(before, now), now.arc_length, offset);
+      return offset_slip(projector_.counterpart().profile(), start(before, now), now.arc_length, offset);
     // What has let go may be anywhere, also beyond the end of the tool: along the tangent where it was held last.
     const Projection last = projector_.look(i, before.position);
     return transfer(last, offset).share * ((now.position - before.position) * last.tangent);

@@ -12,9 +12,9 @@ namespace deltaform
   }
 
 
-  void PointRows::add_travel(const DofIndex travel, const Tensor1 &direction)
+  void PointRows::add_column(const DofIndex unknown, const Tensor1 &direction)
   {
-    dofs_[n_] = travel;
+    dofs_[n_] = unknown;
     jacobian_[n_++] = -direction;
     n_motion_ = n_;
   }

@@ -126,8 +126,9 @@ namespace deltaform
       Section own = section.sub(name);
       actors.tools.push_back(
         std::make_unique<Tool>(name, own, constants, contact_constants, actors.blank->axisymmetric()));
-      actors.interfaces.push_back(
-        std::make_unique<ContactInterface>(actors.blank->surface(), *actors.tools.back(), *actors.contact, own));
+      const Tool &tool = *actors.tools.back();
+      actors.interfaces.push_back(std::make_unique<ContactInterface>(
+        actors.blank->surface(), tool, make_counterpart(tool), *actors.contact, own));
     }
   }
 } // namespace deltaform

@@ -24,7 +24,7 @@ namespace deltaform
       const double reach = 1e3 * (1. + extent);
       for (unsigned int step = 0; step < most_steps; ++step)
       {
-        const double gap = interface.projector().closest(q, travel).second;
+        const double gap = interface.projector().closest(q, travel * interface.tool().direction()).second;
         if (!(gap < reach))
           return false;
         if (gap <= 1e-12 * extent)

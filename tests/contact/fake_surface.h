@@ -7,6 +7,9 @@
 #include <deltaform/contact/contact_interface.h>
 #include <deltaform/parameters/section.h>
 
+#include <functional>
+#include <memory>
+
 namespace deltaform
 {
   namespace testing
@@ -95,17 +98,23 @@ namespace deltaform
     /// One interface of a fake surface with a tool: entries of the sections Contact and Tools/tool.
     struct InterfaceFixture
     {
-      InterfaceFixture(const ContactSurface &surface, const Entries &contact_entries, const Entries &tool_entries)
+      using MakeCounterpart = std::function<std::unique_ptr<Counterpart>(const Tool &)>;
+
+      InterfaceFixture(const ContactSurface &surface,
+                       const Entries &contact_entries,
+                       const Entries &tool_entries,
+                       const MakeCounterpart &make = make_counterpart)
         : tree(ParameterTree::parse("", "test", all(contact_entries, tool_entries))),
           contact_section(tree.root().sub("Contact")), settings(contact_section, {{"thickness", 1.}}),
           tool("tool", tree.root().sub("Tools").sub("tool"), {{"thickness", 1.}}, {{"thickness", 1.}}),
-          contact(surface, tool, settings, tree.root().sub("Tools").sub("tool")), n_blank(surface.n_contact_dofs()),
+          contact(surface, tool, make(tool), settings, tree.root().sub("Tools").sub("tool")),
+          n_blank(surface.n_contact_dofs()),
           n(n_blank)
       {
         const bool own_unknowns = settings.normal_law->has_multiplier();
         n += own_unknowns ? contact.n_points() : 0;
         contact.set_dofs(n, n_blank);
-        n += tool.force_driven();
+        n += contact.counterpart().n_unknowns();
       }
 
       static Entries all(const Entries &contact_entries, const Entries &tool_entries)

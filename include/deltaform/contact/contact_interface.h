@@ -2,8 +2,10 @@
 
 #include <deltaform/contact/contact_iteration.h>
 #include <deltaform/contact/contact_settings.h>
+#include <deltaform/contact/counterpart.h>
 #include <deltaform/contact/interface_account.h>
 #include <deltaform/contact/interface_state.h>
+#include <deltaform/tools/tool.h>
 
 #include <array>
 #include <memory>
@@ -23,6 +25,7 @@ namespace deltaform
 
     ContactInterface(const ContactSurface &surface,
                      const Tool &tool,
+                     std::unique_ptr<Counterpart> counterpart,
                      const ContactSettings &settings,
                      Section tool_section);
 
@@ -32,7 +35,7 @@ namespace deltaform
 
     const Tool &tool() const
     {
-      return projector_.tool();
+      return tool_;
     }
 
     const ContactProjector &projector() const
@@ -71,16 +74,23 @@ namespace deltaform
       return committed_.points;
     }
 
-    /// @name Unknowns: the travel of a force-driven tool, and those of the normal law, one per point if it has any
-    ///@{
-    void set_dofs(const DofIndex travel, const DofIndex first_multiplier)
+    const Counterpart &counterpart() const
     {
-      iteration_.set_dofs(travel, first_multiplier);
+      return *counterpart_;
     }
 
+    /// @name Unknowns: those of the counterpart, and those of the normal law, one per point if it has any
+    ///@{
+    void set_dofs(const DofIndex of_counterpart, const DofIndex first_multiplier)
+    {
+      counterpart_->set_first_unknown(of_counterpart);
+      iteration_.set_first_multiplier(first_multiplier);
+    }
+
+    /// Of a force-driven tool.
     DofIndex travel_dof() const
     {
-      return iteration_.travel_dof();
+      return counterpart_->first_unknown();
     }
 
     DofIndex multiplier_dof(const unsigned int i) const
@@ -193,9 +203,11 @@ namespace deltaform
 
     void commit(const Vector &q);
 
-    /// After the blank's thickness was updated: count the work that this does at the same positions. Gaps and forces
-    /// stay those of the accepted equilibrium.
-    void refresh(const Vector &q);
+    /// After the blank's thickness was updated: count the work that this does.
+    void refresh(const Vector &q)
+    {
+      account_.refresh(projector_, q, shift(q), committed_);
+    }
 
     /// The blank has other nodes than before: points of all of them, without contact.
     void resize();
@@ -254,13 +266,15 @@ namespace deltaform
     }
 
   private:
-    /// Way of the tool at the trial state.
+    /// Way of the counterpart at the trial state.
     Tensor1 shift(const Vector &q) const
     {
-      return travel(q) * tool().direction();
+      return counterpart_->way(q, trial_.time);
     }
 
     const ContactSettings &settings_;
+    const Tool &tool_;
+    std::unique_ptr<Counterpart> counterpart_;
     ContactProjector projector_;
     std::unique_ptr<InterfaceFriction> friction_; ///< null: none
     FactorControl factors_;

@@ -41,12 +41,10 @@ namespace deltaform
       work_.assign(n_points, Work());
     }
 
-    /// Numbers of the unknowns: the travel of a force-driven tool, and the first of the law, one per point.
-    void set_dofs(DofIndex travel, DofIndex first_multiplier);
-
-    DofIndex travel_dof() const
+    /// Number of the first unknown of the law, one per point.
+    void set_first_multiplier(const DofIndex first)
     {
-      return travel_dof_;
+      first_multiplier_ = first;
     }
 
     DofIndex multiplier_dof(const unsigned int i) const
@@ -64,10 +62,10 @@ namespace deltaform
       status_tolerance_ = 0.;
     }
 
-    /// Residual and tangent of all points at @p q. @p shift: way of the tool. @p tool_load: force of a force-driven one
+    /// Residual and tangent of all points at @p q. @p shift: way of the counterpart. @p time: end of the increment
     void assemble(const Vector &q,
                   const Tensor1 &shift,
-                  double tool_load,
+                  double time,
                   const Points &committed,
                   Points &trial,
                   AssemblyTarget &target);
@@ -116,7 +114,7 @@ namespace deltaform
       double base_multiplier = 0, step_multiplier = 0; ///< estimates of lambda along a Newton step
     };
 
-    /// Of a point relative to the tool in the step @p d.
+    /// Of a point relative to the counterpart in the step @p d.
     Tensor1 motion(unsigned int i, const Vector &d) const;
 
     /// Residual and tangent of a point.
@@ -157,7 +155,6 @@ namespace deltaform
     ContactProjector &projector_;
     const FactorControl &factors_;
     const InterfaceFriction *friction_;
-    DofIndex travel_dof_ = dealii::numbers::invalid_dof_index;
     DofIndex first_multiplier_ = dealii::numbers::invalid_dof_index;
 
     std::vector<Work> work_;

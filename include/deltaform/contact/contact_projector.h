@@ -1,10 +1,10 @@
 #pragma once
 
 #include <deltaform/assembly/contact_surface.h>
+#include <deltaform/contact/counterpart.h>
 #include <deltaform/contact/flat_edges.h>
 #include <deltaform/io/archive.h>
 #include <deltaform/parameters/scene_error.h>
-#include <deltaform/tools/tool.h>
 
 #include <algorithm>
 #include <array>
@@ -16,29 +16,35 @@ namespace deltaform
   class Section;
 
   /**
-   * Where the contact points of one side of the blank are over a tool: the points as this tool meets them, and their
-   * projections on its profile. The last projection of every point is remembered: it starts the next search, and tells
-   * which are certainly clear of the tool, as a distance changes at most as fast as the point moves.
+   * Where the contact points of one side of the blank are over their counterpart: the points as it meets them, and
+   * their projections on its profile. The last projection of every point is remembered: it starts the next search, and
+   * tells which are certainly clear, as a distance changes at most as fast as the point moves.
    */
   class ContactProjector
   {
   public:
-    /// @param tool_section entries on the thickness that keeps the tool from the mid-surface
-    ContactProjector(const ContactSurface &surface, const Tool &tool, Section &tool_section);
+    /// @param section entries on the thickness that keeps the counterpart from the mid-surface
+    ContactProjector(const ContactSurface &surface, Side side, const Counterpart &counterpart, Section &section);
 
     const ContactSurface &surface() const
     {
       return surface_;
     }
 
-    const Tool &tool() const
+    /// Of the blank.
+    Side side() const
     {
-      return tool_;
+      return side_;
+    }
+
+    const Counterpart &counterpart() const
+    {
+      return counterpart_;
     }
 
     unsigned int n_points() const
     {
-      return surface_.n_contact_points(tool_.side());
+      return surface_.n_contact_points(side_);
     }
 
     /// Points that share their unknowns, one after the other: those of an edge; 1 where the nodes are the points.
@@ -49,10 +55,10 @@ namespace deltaform
 
     const std::vector<std::array<unsigned int, 3>> &edges() const
     {
-      return surface_.contact_edges(tool_.side());
+      return surface_.contact_edges(side_);
     }
 
-    /// Point @p i as this tool meets it, with its thickness before compression.
+    /// Point @p i as the counterpart meets it, with its thickness before compression.
     void describe(const Vector &q, unsigned int i, ContactPoint &point) const;
 
     /// A place of an edge, where contact points lie inside the edges, in the same way.
@@ -65,13 +71,13 @@ namespace deltaform
       return result;
     }
 
-    /// Project point @p i at @p x relative to the tool, and remember it.
+    /// Project point @p i at @p x relative to the counterpart, and remember it.
     Projection project(unsigned int i, const Point2 &x);
 
     /// Project a place near point @p i, and remember nothing.
     Projection look(const unsigned int i, const Point2 &x) const
     {
-      return tool_.project(x, 0., last_[i].segment);
+      return counterpart_.project(x, last_[i].segment);
     }
 
     /// Is point @p i at @p x certainly more than @p offset away?
@@ -106,10 +112,10 @@ namespace deltaform
     }
     ///@}
 
-    /// Point with the smallest gap at @p q when the tool has travelled @p travel, and that gap.
-    std::pair<unsigned int, double> closest(const Vector &q, double travel) const;
+    /// Point with the smallest gap at @p q when the counterpart has gone by @p way, and that gap.
+    std::pair<unsigned int, double> closest(const Vector &q, const Tensor1 &way) const;
 
-    /// Distances are no longer known: the tool has moved otherwise, or the points have.
+    /// Distances are no longer known: the counterpart has moved otherwise, or the points have.
     void discard_distances();
 
     /// The points are others: each starts from the segment of the old one that @p parents names; none: from nothing.
@@ -126,19 +132,20 @@ namespace deltaform
     }
 
   private:
-    /// The half thickness on the tool's side as it is without contact, and whether it gives way.
+    /// The half thickness on this side as it is without contact, and whether it gives way.
     void release_face(ContactPoint &point) const;
 
     struct Last
     {
-      Point2 place; ///< relative to the tool
+      Point2 place; ///< relative to the counterpart
       double distance = -1;
       unsigned int segment = invalid_index;
       unsigned int filler = 0; ///< saved as bytes: each one is set
     };
 
     const ContactSurface &surface_;
-    const Tool &tool_;
+    Side side_;
+    const Counterpart &counterpart_;
     ContactThickness thickness_;
     bool gives_way_; ///< the sheet's half thickness on this side is a spring in series with the contact
     std::vector<Last> last_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/contact/contact_projector.h>
 #include <deltaform/contact/interface_state.h>
 
 #include <vector>
@@ -43,6 +44,11 @@ namespace deltaform
              double open_gap, ContactEnergy &energy);
 
     void finish(InterfaceState &accepted);
+
+    /// The thickness has become another than was foreseen, at fixed positions @p q and way of the counterpart: what the
+    /// forces do on the faces that move. They stay those of the accepted equilibrium.
+    void
+    refresh(const ContactProjector &projector, const Vector &q, const Tensor1 &way, InterfaceState &accepted) const;
     ///@}
 
     /// The points are others, under the same forces: what that adds to the stored energy counts as work of changing

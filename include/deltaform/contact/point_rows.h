@@ -2,24 +2,25 @@
 
 #include <deltaform/assembly/assembly_target.h>
 #include <deltaform/assembly/contact_point.h>
+#include <deltaform/contact/counterpart.h>
 
 #include <array>
 
 namespace deltaform
 {
   /**
-   * What a contact point adds to residual and tangent: rows of the unknowns that move it relative to the tool, then the
-   * row of the unknown of its normal law, if there is one.
+   * What a contact point adds to residual and tangent: rows of the unknowns that move it relative to its counterpart,
+   * then the row of the unknown of its normal law, if there is one.
    */
   class PointRows
   {
   public:
     explicit PointRows(const ContactPoint &point);
 
-    /// The tool moves under the point: an unknown travel along @p direction.
-    void add_travel(DofIndex travel, const Tensor1 &direction);
+    /// An unknown that moves the counterpart along @p direction under the point.
+    void add_column(DofIndex unknown, const Tensor1 &direction);
 
-    /// An unknown that does not move the point; after the travel.
+    /// An unknown that does not move the point; after those columns.
     void append(DofIndex own);
 
     /// Residual -J^T F of the force @p force on the blank.
@@ -42,7 +43,7 @@ namespace deltaform
     void add_to(AssemblyTarget &target, bool tangent) const;
 
   private:
-    static constexpr unsigned int most = ContactPoint::max_dofs + 2;
+    static constexpr unsigned int most = ContactPoint::max_dofs + Counterpart::max_unknowns + 1;
 
     const ContactPoint &point_;
     unsigned int n_ = 0, n_motion_ = 0;
