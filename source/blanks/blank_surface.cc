@@ -75,7 +75,7 @@ namespace deltaform
 
   std::vector<double> BlankSurface::flow_stress(const Side side) const
   {
-    const std::vector<double> values = nodal_flow_stress(side);
+    std::vector<double> values = nodal_flow_stress(side);
     if (at_nodes())
       return values;
     std::vector<double> result;

@@ -92,7 +92,7 @@ namespace deltaform
        "(Enforcement = penalty, Penalty rule = adaptive) for a delta of at least 1e-4 thickness, the sheet bends and "
        "'Contact point' is the normal offset; else the nodes.",
        "Contact points inside an element, between two neighbouring nodes. With 2 the force of each is determinate; "
-       "with 10 hardly any of the face enters a tool."},
+       "with 10 the face between them is little deeper than they are."},
       3);
     const bool possible = !space_.membrane() && contact_point_ == NodalContact::normal_offset;
     left_open_ = choice == "automatic" && possible;

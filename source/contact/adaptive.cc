@@ -23,7 +23,7 @@ namespace deltaform
                            Range::not_negative(),
                            "1",
                            "Lower bound of the penalty factor over the nodal stiffness K_nn; keeps lightly loaded "
-                           "nodes from flipping in and out of contact.")),
+                           "contact points from flipping in and out of contact.")),
           aim_(section.number("Aim",
                               .8,
                               Range::inside(0., 1.),

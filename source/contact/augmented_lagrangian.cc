@@ -8,7 +8,7 @@ namespace deltaform
   namespace
   {
     const Registry<NormalLaw>::Entry entry("augmented Lagrangian",
-                                           "lambda = s + eps p, s := lambda until the gaps vanish (Uzawa)",
+                                           "lambda = s + eps penetration, s := lambda until the gaps vanish (Uzawa)",
                                            &make_as<AugmentedLagrangian, NormalLaw>);
   } // namespace
 } // namespace deltaform

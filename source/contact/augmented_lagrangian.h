@@ -16,7 +16,7 @@ namespace deltaform
                                   1e-7,
                                   Range::above_to(0, 1),
                                   "1",
-                                  "Augmentation ends when no loaded node has a larger |gap|, in units of the allowed "
+                                  "Augmentation ends when no loaded point has a larger |gap|, in units of the allowed "
                                   "penetration; ten times as much is allowed after every twelve rounds."))
     {
     }

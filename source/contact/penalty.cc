@@ -1,4 +1,4 @@
-// Penalty: lambda = eps p, p = max(0, -gap)                                      (Bednarek, Kowalczyk, eqn (3))
+// Penalty: lambda = eps penetration, penetration = max(0, -gap)                  (Bednarek, Kowalczyk, eqn (3))
 #include "spring_law.h"
 
 #include <deltaform/parameters/registry.h>
@@ -25,6 +25,6 @@ namespace deltaform
     };
 
     const Registry<NormalLaw>::Entry
-      entry("penalty", "lambda = eps p with eps from the penalty rule", &make_as<Penalty, NormalLaw>);
+      entry("penalty", "lambda = eps penetration, with eps from the penalty rule", &make_as<Penalty, NormalLaw>);
   } // namespace
 } // namespace deltaform

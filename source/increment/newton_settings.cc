@@ -21,7 +21,7 @@ namespace deltaform
                        1e-5,
                        Range::inside(0, 1),
                        "1",
-                       "Accepted instead after the maximal number of iterations, where lightly loaded nodes keep "
+                       "Accepted instead after the maximal number of iterations, where lightly loaded points keep "
                        "changing between contact and no contact.")),
       displacement_tolerance(
         section.number("Displacement tolerance",

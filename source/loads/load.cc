@@ -38,7 +38,7 @@ namespace deltaform
     const std::string control = read_control(section, words.way);
     follows_way_ = control != "load";
     stages_ =
-      section.names("Stages", "", "Stages in which the load acts (empty: all). It is released gradually in the next.");
+      section.names("Stages", "", "Stages in which the load acts (empty: all). Release of the next says how it ends.");
     if (control != "arc length")
       return;
     if (blank.adaptive() != nullptr)

@@ -25,7 +25,7 @@ namespace deltaform
       hold(section.flag("Hold", false, "Instead of Value: keep what the unknown has reached when the stage begins.")),
       stages(section.names("Stages",
                            "",
-                           "Stages in which the support acts (empty: all). It is released gradually in the next."))
+                           "Stages in which the support acts (empty: all). Release of the next says how it ends."))
   {
     renumber(blank);
     check_dofs(section, boundary, dofs);

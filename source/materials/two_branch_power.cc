@@ -54,7 +54,7 @@ namespace deltaform
         section.flag("As printed",
                      false,
                      "Switch from K1 to K2 at the switch strain, both with the first exponent, although the flow "
-                     "stress jumps there. For material points only: no scene must converge with it.");
+                     "stress jumps there. For single material points: a scene with it may not converge.");
       double switch_strain = 0.;
       if (as_printed || section.documentation())
         switch_strain = section.number(

@@ -94,8 +94,8 @@ namespace deltaform
   void ConditionReport::describe(Columns &columns, const ConditionReport *const report)
   {
     columns.add({{"condition_raw", "1",
-                  "condition number of the tangent as it is; these are empty where an increment was not measured, or "
-                  "has none that is finite"},
+                  "condition number of the tangent as it is; empty, as all these, where it was not measured or is not "
+                  "finite"},
                  {"condition_scaled", "1", "after diagonal scaling in the frames of contact"},
                  {"condition_without_contact", "1", "of the blank alone, apart from its rigid modes"},
                  {"rigid_modes", "1", "of the blank without contact"},

@@ -95,17 +95,18 @@ namespace deltaform
   void describe_contact(Columns &columns)
   {
     columns.add({{"max_penetration", "length",
-                  "largest penetration of a touching node into a tool. Of a shell, that of its face, which the contact "
+                  "largest penetration of a contact point into a tool. Of a shell, that of its face, which the contact "
                   "force has compressed by (t/2) pressure/E (`Thickness compliance`, "
                   "[theory](theory/contact.md#thickness-compliance))"},
                  {"max_penetration_over_delta", "1",
                   "largest penetration/delta: with rule `adaptive` never above 1 (but for 1e-6 of it, or round-off)"},
                  {"max_penetration_between_nodes", "length",
-                  "largest penetration between nodes, where delta says nothing: an error of the mesh"},
+                  "deepest place of the face in a tool, also between contact points; what it is deeper than these "
+                  "is an error of the mesh"},
                  {"min_epsilon", "force/length", "smallest penalty factor of what touches"},
                  {"max_epsilon", "force/length", "largest penalty factor of what touches"},
                  {"floor_share", "1",
-                  "share of what touches whose factor is its lower bound rather than lambda/delta"},
+                  "share of the touching points whose penalty factor is at its lower bound, not lambda/delta"},
                  {"contact_pairs", "1", "touching contact points; one between two tools counts twice"}},
                 [](const Increment &increment, Row &row) {
                   const ContactAccount &contact = increment.contact();
@@ -188,7 +189,7 @@ namespace deltaform
                   "stored in the blank now: material, and the shell's transverse shear"},
                  {"plastic_energy", "force*length", "dissipated in the blank so far"},
                  {"friction_energy", "force*length",
-                  "dissipated by slip so far; a node that touches or lets go within an increment counts with half "
+                  "dissipated by slip so far; a point that touches or lets go within an increment counts with half "
                   "its force over the increment's slip ([how exact](theory/friction.md#friction-work))"},
                  {"contact_energy", "force*length",
                   "stored in the penalty springs now: eps penetration²/2, and t²/(2 eps_t) of sticking friction"},

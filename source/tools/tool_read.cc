@@ -101,8 +101,8 @@ namespace deltaform
     motion_ = section.function("Motion", std::string("0"), "length", "Travel along the direction.", constants);
     force_ = read_optional(section,
                            "Force",
-                           "Force along the direction against the blank (function of t) instead of a motion; the "
-                           "travel follows from equilibrium. Full circumference, or per unit width.",
+                           "Force along the direction against the blank (force, function of t) instead of a motion; "
+                           "the travel follows from equilibrium. Full circumference, or per unit width.",
                            constants);
     if (force_driven() && section.given("Motion"))
       section.fail("Force", "A tool has either a motion or a force, not both.");

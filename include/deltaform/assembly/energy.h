@@ -15,7 +15,7 @@ namespace deltaform
   /// Energies of contact since the start of the run, summed over the contact points.
   struct ContactEnergy
   {
-    double stored = 0; ///< now in the penalty springs: eps p^2 / 2, and t^2 / (2 eps_t) of sticking friction
+    double stored = 0; ///< now in the penalty springs: eps penetration^2 / 2, and t^2 / (2 eps_t) of sticking friction
     double friction = 0; ///< dissipated so far
     /// Expected square of its error by long increments, see friction_error()
     double friction_variance = 0;

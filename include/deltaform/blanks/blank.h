@@ -22,7 +22,7 @@
 
 namespace deltaform
 {
-  /// What a blank begins with that an earlier operation has formed.
+  /// What a run takes over from an earlier operation.
   struct Inherited
   {
     Vector unknowns;

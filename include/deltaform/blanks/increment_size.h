@@ -2,7 +2,7 @@
 
 namespace deltaform
 {
-  /// How far an increment leads.
+  /// The largest changes in an increment, by which its length is judged.
   struct IncrementSize
   {
     double strain = 0; ///< largest change of logarithmic strain of any point

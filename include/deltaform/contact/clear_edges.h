@@ -9,8 +9,8 @@
 namespace deltaform
 {
   /**
-   * Edges whose contact points, inside them, are all certainly clear of the tool: an edge moves at most as far as its
-   * surface says, and a distance changes at most by that. Nothing has to be computed for them: results are the same.
+   * Edges that are too far from the tool for any of their points to touch. Points inside them are not projected until
+   * the edge may have moved by its clearance (ContactSurface::largest_motion()). Results are the same.
    */
   class ClearEdges
   {

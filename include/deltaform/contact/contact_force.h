@@ -7,8 +7,8 @@
 
 namespace deltaform
 {
-  /// Share of the friction force that a contact point receives, with its gradient, and d(slip)/d(displacement along the
-  /// tangent): the same but for the penetration.
+  /// How friction at the closest point acts on the contact point: the share s of the tangential force, its derivatives
+  /// along normal and tangent, and d(slip)/d(displacement along the tangent), which is s but for the penetration.
   struct SlipTransfer
   {
     double share = 0., along_normal = 0., along_tangent = 0., slip_rate = 0.;

@@ -23,7 +23,8 @@ namespace deltaform
   public:
     using Points = std::vector<ContactPointState>;
 
-    /// Displacement unknowns of the node next to a touching point and the tool's normal there.
+    /// Of a touching point: the displacement unknowns of the node nearest to it, and the tool's normal there. In these
+    /// frames the matrix is scaled for its condition number.
     struct Frame
     {
       DofIndex r, z;

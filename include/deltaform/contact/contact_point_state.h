@@ -7,7 +7,7 @@
 
 namespace deltaform
 {
-  /// State of one contact point: one node of the blank and one tool.
+  /// State of one contact point, accepted or on trial: a node of the blank, or a place inside an edge, over one tool.
   struct ContactPointState
   {
     bool touching = false; ///< lambda may be positive
@@ -19,7 +19,7 @@ namespace deltaform
     double multiplier = 0; ///< estimate of lambda by the last linear solve: decides about the status
     double penalty_factor = 0; ///< eps (force/length); 0: not set yet
     double shift = 0; ///< force at zero gap: lambda = shift - eps gap (augmented forms)
-    double last_penetration = 0; ///< p when the rule was asked the last time
+    double last_penetration = 0; ///< when the rule was asked the last time
     double delta = 0; ///< allowed penetration
     double stiffness = 0; ///< K_nn of the blank when the penalty factor was set
     double compliance = 0; ///< through the thickness, of a touching point (ContactPoint::compliance)
@@ -32,7 +32,7 @@ namespace deltaform
     double offset = 0; ///< of a touching point, with the thickness as it was accepted
     double noise = 0; ///< round-off of the gap, which is a difference of large numbers
     Point2 position; ///< of the contact point relative to the tool
-    std::array<double, ContactPoint::max_dofs> residual{}; ///< what the point adds to the rows of its node's unknowns
+    std::array<double, ContactPoint::max_dofs> residual{}; ///< added to the rows of its unknowns
 
     double penetration() const
     {

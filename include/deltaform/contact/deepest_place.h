@@ -4,7 +4,7 @@
 
 namespace deltaform
 {
-  /// A place of the face of the blank, and how deep in the tool it is (length; nothing outside counts).
+  /// A place of the face of the blank, and how deep in the tool it is (length; 0 where it is not).
   struct DeepestPlace
   {
     double depth = 0.;

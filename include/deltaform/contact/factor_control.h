@@ -35,10 +35,11 @@ namespace deltaform
     /// stiffness.
     void read_stiffness(const Vector &q, const StiffnessView &stiffness, Points &trial);
 
-    /// Add C (p - delta) of the touching points, for the rule's coupling. @p shift: way of the tool
+    /// Add C (penetration - delta) of the touching points, for the rule's coupling. @p shift: way of the tool
     void add_mismatch(const Vector &q, const Tensor1 &shift, const Points &trial, Vector &direction) const;
 
-    /// Give every touching point its factor and shift. @param coupling K C (p - delta), or null if no rule needs it
+    /// Give every touching point its factor and shift. @param coupling K C (penetration - delta), or null if no rule
+    /// needs it
     void predict(const Vector &q,
                  const Tensor1 &shift,
                  const Vector *coupling,
@@ -84,7 +85,7 @@ namespace deltaform
     static std::pair<unsigned int, double> broken_promise(const Points &points);
 
   private:
-    /// Of one touching point. @param coupling [C^T K C (p - delta)]_i, or 0
+    /// Of one touching point. @param coupling [C^T K C (penetration - delta)]_i, or 0
     void predict(unsigned int i,
                  const ContactPoint &point,
                  const Projection &projection,

@@ -7,8 +7,8 @@
 
 namespace deltaform
 {
-  /// The energies of an interface, unless they are switched off: from its accepted states alone, increment by
-  /// increment. The sums lie in the state.
+  /// Adds up the energies of an interface from one accepted state to the next; the sums are in InterfaceState::energy.
+  /// After stop() it counts nothing.
   class InterfaceAccount
   {
   public:

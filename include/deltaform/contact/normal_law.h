@@ -11,7 +11,7 @@ namespace deltaform
   class ContactForce;
   class PointRows;
 
-  /// Normal force of a contact point and what it depends on.
+  /// Answer of a normal law: whether a point touches, its force, and the derivative by the gap.
   struct NormalResponse
   {
     bool touching = false;

@@ -6,11 +6,11 @@ namespace deltaform
   struct PenaltyInput
   {
     double force = 0; ///< lambda: reaction of the point (last increment, or converged iterate)
-    double penetration = 0; ///< p
-    double previous_penetration = 0; ///< p when the rule was asked before; 0 at a first touch
+    double penetration = 0;
+    double previous_penetration = 0; ///< when the rule was asked before; 0 at a first touch
     double previous_factor = 0; ///< 0 if the point had none
     double stiffness = 0; ///< K_nn = n^T K n of the blank without contact
-    double coupling = 0; ///< [C^T K C (p - delta)]_i, if the rule needs it
+    double coupling = 0; ///< [C^T K C (penetration - delta)]_i, if the rule needs it
     double area = 0; ///< tributary area
     double thickness = 0; ///< of the blank at the node
     double modulus = 0; ///< Young's modulus of the blank

@@ -8,7 +8,8 @@
 
 namespace deltaform
 {
-  /// The equations of one increment after the other, as whoever looks for their solutions sees them.
+  /// What strategies and Increment see of a model: the equations of the next state, how an increment begins, and what
+  /// it is judged by.
   class IncrementProblem : public Equations
   {
   public:

@@ -11,8 +11,8 @@
 
 namespace deltaform
 {
-  /// A run begins with a blank that an earlier operation has formed: what held it fades out; what it misses to
-  /// equilibrium on another mesh is sought anew.
+  /// Begins a run with a blank that an earlier operation has formed. Forces that held it fade out. On another mesh the
+  /// error of the transfer is dropped, and equilibrium is found before the first increment.
   class FormedStart
   {
   public:

@@ -5,6 +5,6 @@
 
 namespace deltaform
 {
-  /// What is said of the saved state of a folder that cannot be read back, with what was met while it was read.
+  /// Message where the saved state in @p folder cannot be read: the folder, the cause @p error, what to do.
   std::string damaged_state(const std::string &folder, const std::exception &error);
 } // namespace deltaform

@@ -13,7 +13,7 @@ namespace deltaform
   /// The name of a tool, support or load as columns carry it: underscores in place of blanks.
   std::string column_name(const std::string &name);
 
-  /// What columns are named after.
+  /// Tools, supports, loads and probes that columns carry in their names.
   struct ReportedNames
   {
     std::vector<std::string> tools, supports, loads;

@@ -4,10 +4,10 @@
 
 namespace deltaform
 {
-  /// Contact of a state, all tools together.
+  /// What is reported of contact in an accepted state, over all tools.
   struct ContactAccount
   {
-    unsigned int n_touching = 0; ///< a node between two tools counts twice
+    unsigned int n_touching = 0; ///< a point between two tools counts twice
     double max_penetration = 0, max_penetration_over_delta = 0, max_penetration_between_nodes = 0;
     double min_epsilon = 0, max_epsilon = 0; ///< penalty factors of what touches
     double floor_share = 0; ///< of what touches: penalty factor at its lower bound
