@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the cup of prm/cup.prm on 25 to 400 elements to a travel of 1.2 in: convergence with the mesh.
+"""Runs the cup of prm/cup.prm on 16 to 400 elements to a travel of 1.2 in: convergence with the mesh.
 
     scripts/studies/cup_table.py [--write] [--program build/release/deltaform]
 
@@ -16,6 +16,7 @@ from measured import ROOT, MeasuredTable, arguments_of
 from csv_file import rows_of
 
 ELEMENTS = [25, 50, 100, 200, 400]
+COARSE = [16, 20, 25, 30, 35, 40, 50]
 TRAVELS = [.2, .4, .6, .8, 1., 1.2]
 COMPARED = ["cup_constant_1e7", "cup_delta_1e-3", "cup_delta_1e-7"]
 
@@ -50,6 +51,11 @@ class Run:
     def draw_in(self, travel):
         rim = self.profiles[travel][-1]
         return float(rim["R0"]) - float(rim["r"])
+
+    def sharpest_bend(self):
+        """Largest angle by which an element bends [degree], in the profiles."""
+        return max(math.degrees(abs(float(b["rotation"]) - float(a["rotation"])))
+                   for rows in self.profiles.values() for a, b in zip(rows, rows[1:]))
 
     def strain(self, travel, position):
         """Thickness strain at an initial radius, linear between the nodes."""
@@ -123,6 +129,16 @@ def cost(runs):
     return table
 
 
+def bends(coarse, finest):
+    """Meshes that are too coarse: how far elements bend, and what comes out."""
+    table = MeasuredTable(["elements", "largest bend of one [degree]", "punch force [%]", "draw-in [%]", "smallest thickness [%]"])
+    for n, run in zip(COARSE, coarse):
+        worst = [max(abs(100 * (of(run, t) / of(finest, t) - 1)) for t in TRAVELS)
+                 for of in (Run.force, Run.draw_in, Run.thickness)]
+        table.add(n, f"{run.sharpest_bend():.1f}", *(f"{w:.2f}" for w in worst))
+    return table
+
+
 def rules(program):
     """The paper's three choices, on its 50 elements."""
     table = MeasuredTable(["scene", *(f"force at {t:g} in" for t in (.6, 1., 1.2)), "largest penetration [in]", "between nodes [in]",
@@ -140,12 +156,14 @@ def main():
 
     program = os.path.abspath(options.program)
     runs = [Run(program, "cup", f"Blank/Elements={n}") for n in ELEMENTS]
+    coarse = [Run(program, "cup", f"Blank/Elements={n}") for n in COARSE]
     values, errors = convergence(runs)
     tables = {
         "cup_convergence": (values, "cup, 25 to 400 elements of degree 1: values, extrapolated value (order 2) and observed order"),
         "cup_differences": (errors, "cup: difference to 400 elements / to the extrapolated value [%]"),
         "cup_strain": (profiles(runs), "cup: largest / root-mean-square difference of ln(h/h0) to 400 elements, at 401 initial radii"),
         "cup_cost": (cost(runs), "cup to a travel of 1.2 in: cost, energy error, largest penetration over delta"),
+        "cup_bend": (bends(coarse, runs[-1]), "cup on coarse meshes: largest bend of an element; worst difference of six travels to 400 elements"),
         "cup_choices": (rules(program), "cup, 50 elements: the paper's three choices of contact")}
     for name, (table, title) in tables.items():
         print(f"{title}\n{table}\n")

@@ -28,6 +28,7 @@ namespace deltaform
     double smallest_thickness() const override;
     bool is_sheet() const override;
     std::vector<SheetSection> sections() const override;
+    SharpestBend sharpest_bend(const Vector &q) const override;
     std::vector<LargestCriterion> largest_criteria() const override;
 
   private:

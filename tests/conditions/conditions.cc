@@ -25,6 +25,7 @@ namespace
       balance_error_ = 0.;
       smallest_thickness_ = 3.;
       sections_.emplace();
+      sharpest_bend_.emplace();
     }
 
     EnergyAccount &account()
@@ -35,6 +36,7 @@ namespace
     using AcceptedIncrement::balance_error_;
     using AcceptedIncrement::contact_;
     using AcceptedIncrement::sections_;
+    using AcceptedIncrement::sharpest_bend_;
     using AcceptedIncrement::smallest_thickness_;
   };
 
@@ -95,6 +97,17 @@ BOOST_AUTO_TEST_CASE(a_sound_increment_says_nothing)
   BOOST_TEST(fixture.warnings().empty());
   BOOST_TEST(fixture.conditions.failure(fixture.scene.actors.stages.front()).empty());
   BOOST_TEST(fixture.conditions.likely_cause().empty());
+}
+
+BOOST_AUTO_TEST_CASE(an_element_that_bends_too_much_is_told)
+{
+  Fixture fixture;
+  fixture.increment.sharpest_bend_ = SharpestBend{.26, 7.};
+  BOOST_TEST(fixture.warnings().empty());
+  fixture.increment.sharpest_bend_ = SharpestBend{.27, 7.};
+  BOOST_TEST(one_has(fixture.warnings(), "the element at R0 = 7 bends by 15.47 degrees, at time 1"));
+  fixture.increment.sharpest_bend_ = SharpestBend{.1, 8.};
+  BOOST_TEST(one_has(fixture.warnings(), "R0 = 7"));
 }
 
 BOOST_AUTO_TEST_CASE(energies_count_at_the_end_only)

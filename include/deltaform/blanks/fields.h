@@ -20,6 +20,13 @@ namespace deltaform
     Point2 place; ///< in the undeformed blank (length)
   };
 
+  /// Where a sheet bends most within one element.
+  struct SharpestBend
+  {
+    double angle = 0; ///< rad
+    double place = 0; ///< R0 of the middle of the element (length)
+  };
+
   /// What can be seen of the accepted state of a blank: tables, pictures, measures.
   class Fields
   {
@@ -46,6 +53,13 @@ namespace deltaform
 
     /// Cross-sections at the nodes; empty if the blank is no sheet (a solid carries its necks itself).
     virtual std::vector<SheetSection> sections() const
+    {
+      return {};
+    }
+
+    /// Between the nodes of an element of degree 1; of degree 2, between its middle and an end. No angle of solids and
+    /// membranes.
+    virtual SharpestBend sharpest_bend(const Vector & /*q*/) const
     {
       return {};
     }

@@ -48,6 +48,14 @@ namespace deltaform
       return *sections_;
     }
 
+    /// See Fields::sharpest_bend().
+    const SharpestBend &sharpest_bend() const
+    {
+      if (!sharpest_bend_)
+        sharpest_bend_ = model.blank().fields().sharpest_bend(model.committed());
+      return *sharpest_bend_;
+    }
+
     /// Values along the blank, see Fields::profile().
     const Table &profile() const
     {
@@ -100,6 +108,7 @@ namespace deltaform
     mutable std::optional<ContactAccount> contact_;
     mutable std::optional<FlangeWrinkling::Result> wrinkling_;
     mutable std::optional<std::vector<SheetSection>> sections_;
+    mutable std::optional<SharpestBend> sharpest_bend_;
     mutable std::optional<Table> profile_;
     mutable std::optional<std::vector<LargestCriterion>> largest_criteria_;
     mutable std::optional<double> smallest_thickness_, balance_error_;
