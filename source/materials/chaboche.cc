@@ -34,13 +34,14 @@ namespace deltaform
   }
 
 
-  BackStressEnd Chaboche::update(const double *start,
+  BackStressEnd Chaboche::update(const BackStressStart &from,
                                  const Mandel &relative_stress,
                                  const YieldPoint &at,
                                  const double x,
                                  double *end) const
   {
     const Direction n(relative_stress, at);
+    const double *start = from.values;
     BackStressEnd result{};
     double stiffness = 0.; // of d alpha/d n
     for (const auto [C, gamma] : terms_)

@@ -33,7 +33,7 @@ namespace deltaform
 
     Mandel value(const double *history) const override;
 
-    BackStressEnd update(const double *start,
+    BackStressEnd update(const BackStressStart &from,
                          const Mandel &relative_stress,
                          const YieldPoint &at,
                          double x,

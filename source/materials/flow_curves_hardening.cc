@@ -52,22 +52,23 @@ namespace deltaform
       FlowStress
       evaluate(const FlowStress &, const PointFlow &flow, const double *start, double *end) const override
       {
-        const double per_growth = curves_.knows_rate() ? 1. / flow.duration : 0.;
+        const double rate = curves_.knows_rate() ? flow.rate : 0.;
+        const double rate_by_growth = curves_.knows_rate() ? flow.rate_by_growth : 0.;
         FlowCurves::Stress at{};
         const auto stress = [&](const double rise) -> FlowStress {
-          at = curves_(flow.strain, per_growth * flow.growth, initial_temperature_ + rise);
+          at = curves_(flow.strain, rate, initial_temperature_ + rise);
           return {at.value, at.by_temperature};
         };
         if (!(heating_ > 0.))
         {
           stress(0.);
-          return {at.value, at.by_strain + per_growth * at.by_rate};
+          return {at.value, at.by_strain + rate_by_growth * at.by_rate};
         }
         const double k = heating_ * flow.growth;
         const HeatedStress hot = balance_heat(stress, *start, k);
         *end = hot.rise;
         // ds = s_e dx + s_rate dx/dt + s_T (heating s dx + k ds)
-        const double cold = at.by_strain + per_growth * at.by_rate;
+        const double cold = at.by_strain + rate_by_growth * at.by_rate;
         return {hot.value, (cold + hot.slope * heating_ * hot.value) / (1. - hot.slope * k)};
       }
 

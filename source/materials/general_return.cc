@@ -113,11 +113,12 @@ namespace deltaform
     state.back_stress_by_flow = Vector4::Zero();
     if (laws_.back_stress)
     {
-      const BackStressEnd end = laws_.back_stress->update(state.point.start + back_stress_first_,
-                                                          xi,
-                                                          state.at,
-                                                          state.flow,
-                                                          state.point.trial + back_stress_first_);
+      const PointUpdate &point = state.point;
+      const BackStressStart from{point.start + back_stress_first_,
+                                 point.committed + back_stress_first_,
+                                 point.start[FlowHistory::equivalent] - point.committed[FlowHistory::equivalent]};
+      const BackStressEnd end =
+        laws_.back_stress->update(from, xi, state.at, state.flow, point.trial + back_stress_first_);
       state.back_stress = vector(end.value);
       state.stress_by_relative += matrix(end.by_relative_stress);
       state.back_stress_by_flow = vector(end.by_flow);

@@ -29,7 +29,8 @@ namespace deltaform
         return {};
       }
 
-      BackStressEnd update(const double *, const Mandel &, const YieldPoint &, double, double *) const override
+      BackStressEnd
+      update(const BackStressStart &, const Mandel &, const YieldPoint &, double, double *) const override
       {
         return {};
       }

@@ -134,7 +134,7 @@ namespace deltaform
                                       const Elasticity &elastic,
                                       const Size n) const
   {
-    FlowLaw law{elastic, *laws_.hardening, initial_flow_stress_, batch.duration};
+    FlowLaw law{elastic, *laws_.hardening, initial_flow_stress_, batch.duration, 1.};
     const bool third_stress = batch.third_direction == ThirdDirection::stress_given;
     for (unsigned int p = 0; p < batch.n_points; ++p)
     {
@@ -143,7 +143,8 @@ namespace deltaform
       double *tangent = batch.tangent != nullptr ? batch.tangent + p * std::size_t(16) : nullptr;
       const auto return_from = [&](const double *start) {
         return map.update(
-          law, {batch.strain[p], third_stress ? batch.third_stress[p] : 0., start, trial, batch.stress[p], tangent});
+          law,
+          {batch.strain[p], third_stress ? batch.third_stress[p] : 0., start, committed, trial, batch.stress[p], tangent});
       };
       double *carried = batch.carried != nullptr ? batch.carried + p * n : nullptr;
       PointOutcome outcome = PointOutcome::good;
@@ -153,9 +154,9 @@ namespace deltaform
         std::array<double, most_values> start;
         for (std::size_t i = 0; i < n; ++i)
           start[i] = committed[i] + carried[i];
-        law.duration = batch.carried_share * batch.duration;
+        law.share = batch.carried_share;
         outcome = return_from(start.data());
-        law.duration = batch.duration;
+        law.share = 1.;
         double along = 0.;
         for (unsigned int i = 0; i < 4; ++i)
           along += carried[i] * (trial[i] - start[i]);

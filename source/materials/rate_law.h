@@ -18,8 +18,7 @@ namespace deltaform
   };
 
 
-  /// The rate factor of a value @p Law with `RateStress operator()(double slow_flow_stress, double rate) const`, whose
-  /// rate is the mean of the increment.
+  /// The rate factor of a value @p Law with `RateStress operator()(double slow_flow_stress, double rate) const`.
   template <typename Law>
   class RateFactorOf final : public RateFactor
   {
@@ -36,8 +35,8 @@ namespace deltaform
 
     FlowStress evaluate(const FlowStress &slow, const PointFlow &flow, const double *, double *) const override
     {
-      const RateStress at = law_(slow.value, flow.growth / flow.duration);
-      return {at.value, at.by_slow * slow.slope + at.by_rate / flow.duration};
+      const RateStress at = law_(slow.value, flow.rate);
+      return {at.value, at.by_slow * slow.slope + at.by_rate * flow.rate_by_growth};
     }
 
   private:

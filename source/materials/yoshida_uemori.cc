@@ -1,3 +1,5 @@
+#include "bounded_motion.h"
+
 #include <deltaform/materials/back_stress.h>
 #include <deltaform/materials/hardening.h>
 #include <deltaform/materials/read_law.h>
@@ -66,8 +68,12 @@ namespace deltaform
      * All start at zero. F. Yoshida, T. Uemori, A model of large-strain cyclic plasticity describing the Bauschinger
      * effect and workhardening stagnation, Int. J. Plasticity 18 (2002) 661. Their modulus: FallingModulus.
      *
-     * Backward Euler. The share of the increment in which the surface of stagnation moves is that beyond the last point
-     * of the straight path of beta inside of it, so that R does not jump from one iteration to the next.
+     * All of it follows from the growth of the strain by one-step rules of second order from the begin of the increment:
+     * after a reversal theta relaxes within few increments, and R starts and stops to grow within one, where BDF2 would
+     * be of first order. n is that of the end, or, where BDF2 goes on with the flow, the mean of begin and end. Theta:
+     * BoundedMotion, beta: exact. R, g and r follow the straight path of beta, of which the part beyond its last point
+     * inside the surface of stagnation moves them, R by the exact solution, g and r by the midpoint rule: so R does
+     * not jump from one iteration to the next.
      */
     class YoshidaUemori final : public BackStress
     {
@@ -83,7 +89,8 @@ namespace deltaform
                 {"backstress_of_bounds", HistoryKind::tensor, "stress"},
                 {"centre_of_stagnation", HistoryKind::tensor, "stress"},
                 {"radius_of_stagnation", HistoryKind::positive, "stress"},
-                {"hardening_of_bounds", HistoryKind::positive, "stress"}};
+                {"hardening_of_bounds", HistoryKind::positive, "stress"},
+                {"direction_of_flow", HistoryKind::tensor, "1"}};
       }
 
       std::string objection(const YieldSurface &, const Hardening &hardening) const override
@@ -99,7 +106,7 @@ namespace deltaform
         return sum(tensor(history), 1., tensor(history + beta));
       }
 
-      BackStressEnd update(const double *start,
+      BackStressEnd update(const BackStressStart &from,
                            const Mandel &relative_stress,
                            const YieldPoint &at,
                            double x,
@@ -107,7 +114,7 @@ namespace deltaform
 
     private:
       /// Places in the history.
-      static constexpr unsigned int beta = 4, centre = 8, radius = 12, growth = 13;
+      static constexpr unsigned int beta = 4, centre = 8, radius = 12, growth = 13, direction = 14;
 
       /// A vector with its derivatives: columns 0 to 3 by the relative stress, 4 by the flow.
       struct Moved
@@ -116,127 +123,153 @@ namespace deltaform
         std::array<Mandel, 5> by;
       };
 
-      /// R at the end, with its derivatives, and the surface of stagnation.
+      /// R at the end, with its derivatives.
       struct Bounds
       {
         double R;
         std::array<double, 5> by;
       };
 
-      Moved move_bounds(const double *start, const Direction &n, double x) const;
-      Bounds grow_bounds(const double *start, const Moved &moved, double x, double *end) const;
-      Moved move_yield_surface(const double *start, const Direction &n, const Bounds &bounds, double x) const;
+      /// The part of the straight path of beta that is left to go when it leaves the surface of stagnation for good.
+      struct Way
+      {
+        Mandel from, path; ///< from the centre to its begin; to its end
+        double share; ///< of the whole path
+        Mandel share_by_beta; ///< by the end of the path
+      };
+
+      Moved move_bounds(const double *committed, const Moved &n, double x) const;
+      static Way way_outside(const double *committed, const Mandel &end);
+      Bounds grow_bounds(const double *committed, const Moved &moved, double x, double *end) const;
+      Moved move_yield_surface(const double *committed, const Moved &n, const Bounds &bounds, double x) const;
 
       Constants law_;
     };
 
 
-    YoshidaUemori::Moved YoshidaUemori::move_bounds(const double *start, const Direction &n, const double x) const
+    YoshidaUemori::Moved
+    YoshidaUemori::move_bounds(const double *committed, const Moved &n, const double x) const
     {
-      const double scale = 1. / (1. + law_.m * x), rate = law_.m * law_.b;
+      const double left = std::exp(-law_.m * x), follows = -std::expm1(-law_.m * x) * law_.b;
       Moved moved{};
       for (unsigned int i = 0; i < 4; ++i)
       {
-        moved.value[i] = scale * (start[beta + i] + rate * x * n.value[i]);
+        moved.value[i] = left * committed[beta + i] + follows * n.value[i];
         for (unsigned int j = 0; j < 4; ++j)
-          moved.by[j][i] = scale * rate * x * n.by_relative_stress[4 * i + j];
-        moved.by[4][i] = scale * (rate * n.value[i] - law_.m * moved.value[i]);
+          moved.by[j][i] = follows * n.by[j][i];
+        moved.by[4][i] = law_.m * (law_.b * n.value[i] - moved.value[i]);
       }
       return moved;
     }
 
 
-    YoshidaUemori::Bounds YoshidaUemori::grow_bounds(const double *start,
+    YoshidaUemori::Way YoshidaUemori::way_outside(const double *committed, const Mandel &end)
+    {
+      const Mandel g = tensor(committed + centre), before = sum(tensor(committed + beta), -1., g);
+      const Mandel now = sum(end, -1., g), path = sum(now, -1., before);
+      const double r = std::max(committed[radius], 0.);
+      // |before + s path| = r
+      const double A = product(path, path), B = product(before, path);
+      const double C = std::min(product(before, before) - r * r, 0.);
+      if (!(product(now, now) > r * r && A > 0.))
+        return {};
+      const double s = std::clamp((std::sqrt(B * B - A * C) - B) / A, 0., 1.);
+      Way way{sum(before, s, path), sum(path, -s, path), 1. - s, {}};
+      const double outwards = product(way.from, path);
+      if (s > 0. && outwards > 0.)
+        for (unsigned int i = 0; i < 4; ++i)
+          way.share_by_beta[i] = 1.5 * s * way.from[i] / outwards;
+      return way;
+    }
+
+
+    YoshidaUemori::Bounds YoshidaUemori::grow_bounds(const double *committed,
                                                      const Moved &moved,
                                                      const double x,
                                                      double *end) const
     {
-      const Mandel before = sum(tensor(start + beta), -1., tensor(start + centre));
-      const Mandel now = sum(moved.value, -1., tensor(start + centre)), path = sum(now, -1., before);
-      const double r = std::max(start[radius], 0.), distance = std::sqrt(product(now, now));
-
-      // Share s of the path at which beta leaves the surface of stagnation for good: |before + s path| = r
-      const double A = product(path, path), B = product(before, path);
-      const double C = std::min(product(before, before) - r * r, 0.);
-      double share = 1.;
-      Mandel share_by_beta{};
-      if (distance > r && A > 0.)
-      {
-        share = std::clamp((std::sqrt(B * B - A * C) - B) / A, 0., 1.);
-        const Mandel there = sum(before, share, path);
-        const double outwards = product(there, path);
-        if (share > 0. && outwards > 0.)
-          for (unsigned int i = 0; i < 4; ++i)
-            share_by_beta[i] = -1.5 * share * there[i] / outwards;
-      }
-
-      const double y = (1. - share) * x, R_before = std::max(start[growth], 0.);
-      Bounds bounds{(R_before + law_.m * law_.Rsat * y) / (1. + law_.m * y), {}};
-      const double rate = law_.m * (law_.Rsat - bounds.R) / (1. + law_.m * y);
+      const Way way = way_outside(committed, moved.value);
+      const double R_before = std::max(committed[growth], 0.);
+      const double left = (law_.Rsat - R_before) * std::exp(-law_.m * way.share * x);
+      Bounds bounds{law_.Rsat - left, {}};
       for (unsigned int j = 0; j < 5; ++j)
       {
         double share_slope = 0.;
         for (unsigned int i = 0; i < 4; ++i)
-          share_slope += share_by_beta[i] * moved.by[j][i];
-        bounds.by[j] = rate * (-share_slope * x + (j == 4 ? 1. - share : 0.));
+          share_slope += way.share_by_beta[i] * moved.by[j][i];
+        bounds.by[j] = law_.m * left * (share_slope * x + (j == 4 ? way.share : 0.));
       }
 
-      const double beyond = std::max(distance - r, 0.);
-      end[radius] = r + law_.h * beyond;
+      // Midpoint rule: the direction u of the sum of beta - g at both ends, which is along 2 from + path. It keeps
+      // |beta - g| for h = 0 and g for h = 1.
+      const Mandel both = sum(way.path, 2., way.from);
+      const double squared = product(both, both);
+      const double moves = squared > 0. ? (1. - law_.h) * product(both, way.path) / squared : 0.;
+      const Mandel g = sum(tensor(committed + centre), moves, both);
+      const Mandel distance = sum(moved.value, -1., g);
+      end[radius] = way.share > 0. ? std::sqrt(product(distance, distance)) : committed[radius];
       end[growth] = bounds.R;
-      for (unsigned int i = 0; i < 4; ++i)
-        end[centre + i] = start[centre + i] + (beyond > 0. ? (1. - law_.h) * beyond / distance * now[i] : 0.);
+      std::copy(g.begin(), g.end(), end + centre);
       return bounds;
     }
 
 
-    YoshidaUemori::Moved YoshidaUemori::move_yield_surface(const double *start,
-                                                           const Direction &n,
+    YoshidaUemori::Moved YoshidaUemori::move_yield_surface(const double *committed,
+                                                           const Moved &n,
                                                            const Bounds &bounds,
                                                            const double x) const
     {
-      // theta (1 + k/sqrt|theta|) = theta_n + x C a n = V with k = x C sqrt(a): |theta| = w^2, w^2 + k w = |V|
-      const double a = law_.B + bounds.R - law_.Y, root = std::sqrt(a), k = x * law_.C * root;
-      const Mandel V = sum(tensor(start), x * law_.C * a, n.value);
-      const double v = std::sqrt(product(V, V));
+      const Mandel start = tensor(committed);
+      const double a = law_.B - law_.Y;
+      const BoundedMotion motion(product(start, start), product(start, n.value), product(n.value, n.value),
+                                 law_.C * x, a + std::max(committed[growth], 0.), a + bounds.R);
+      const auto &p = motion.p(), &q = motion.q();
       Moved moved{};
-      if (!(v > 0.))
-        return moved;
-      const double w = 2. * v / (k + std::sqrt(k * k + 4. * v)), ratio = w / (w + k);
-      for (unsigned int i = 0; i < 4; ++i)
-        moved.value[i] = ratio * V[i];
+      moved.value = sum(sum({}, p.value, start), q.value, n.value);
       for (unsigned int j = 0; j < 5; ++j)
       {
-        Mandel V_slope;
-        for (unsigned int i = 0; i < 4; ++i)
-          V_slope[i] = law_.C * (x * bounds.by[j] * n.value[i] +
-                                 (j < 4 ? x * a * n.by_relative_stress[4 * i + j] : a * n.value[i]));
-        const double v_slope = product(V, V_slope) / v;
-        const double k_slope = law_.C * (x * bounds.by[j] / (2. * root) + (j < 4 ? 0. : root));
-        const double w_slope = (v_slope - w * k_slope) / (2. * w + k);
-        const double ratio_slope = (k * w_slope - w * k_slope) / ((w + k) * (w + k));
-        for (unsigned int i = 0; i < 4; ++i)
-          moved.by[j][i] = ratio * V_slope[i] + ratio_slope * V[i];
+        std::array<double, BoundedMotion::n_parameters> by{};
+        by[BoundedMotion::along] = product(start, n.by[j]);
+        by[BoundedMotion::square] = 2. * product(n.value, n.by[j]);
+        by[BoundedMotion::length] = j < 4 ? 0. : law_.C;
+        by[BoundedMotion::bound] = bounds.by[j];
+        double p_slope = 0., q_slope = 0.;
+        for (unsigned int z = 0; z < by.size(); ++z)
+        {
+          p_slope += p.by[z] * by[z];
+          q_slope += q.by[z] * by[z];
+        }
+        moved.by[j] = sum(sum(sum({}, p_slope, start), q_slope, n.value), q.value, n.by[j]);
       }
       return moved;
     }
 
 
-    BackStressEnd YoshidaUemori::update(const double *start,
+    BackStressEnd YoshidaUemori::update(const BackStressStart &from,
                                         const Mandel &relative_stress,
                                         const YieldPoint &at,
-                                        const double x,
+                                        const double flow,
                                         double *end) const
     {
-      const Direction n(relative_stress, at);
-      const Moved bounds_moved = move_bounds(start, n, x);
-      const Bounds bounds = grow_bounds(start, bounds_moved, x, end);
-      const Moved surface_moved = move_yield_surface(start, n, bounds, x);
+      const Direction at_end(relative_stress, at);
+      const double *committed = from.committed, x = from.carried_flow + flow;
+      const double share = from.carried_flow > 0. ? .5 : 1.;
+      Moved n{};
+      for (unsigned int i = 0; i < 4; ++i)
+      {
+        n.value[i] = share * at_end.value[i] + (1. - share) * committed[direction + i];
+        for (unsigned int j = 0; j < 4; ++j)
+          n.by[j][i] = share * at_end.by_relative_stress[4 * i + j];
+      }
+      const Moved bounds_moved = move_bounds(committed, n, x);
+      const Bounds bounds = grow_bounds(committed, bounds_moved, x, end);
+      const Moved surface_moved = move_yield_surface(committed, n, bounds, x);
       BackStressEnd result{};
       for (unsigned int i = 0; i < 4; ++i)
       {
         end[i] = surface_moved.value[i];
         end[beta + i] = bounds_moved.value[i];
+        end[direction + i] = at_end.value[i];
         result.value[i] = end[i] + end[beta + i];
         for (unsigned int j = 0; j < 4; ++j)
           result.by_relative_stress[4 * i + j] = surface_moved.by[j][i] + bounds_moved.by[j][i];

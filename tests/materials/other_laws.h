@@ -191,12 +191,13 @@ namespace deltaform
         return sum;
       }
 
-      BackStressEnd update(const double *start,
+      BackStressEnd update(const BackStressStart &from,
                            const Mandel &xi,
                            const YieldPoint &at,
                            const double x,
                            double *end) const override
       {
+        const double *start = from.values;
         BackStressEnd result{};
         const double q = at.value;
         for (unsigned int part = 0; part < parts_.size(); ++part)
@@ -244,10 +245,8 @@ namespace deltaform
                           const double *start,
                           double *end) const override
       {
-        const auto [strain, x, duration] = flow;
-        (void) strain;
-        const double relative = x / duration / D_, power = std::pow(relative, 1. / p_), rate = 1. + power;
-        const double rate_slope = x > 0. ? power / (p_ * x) : std::numeric_limits<double>::infinity();
+        const double x = flow.growth, relative = flow.rate / D_, power = std::pow(relative, 1. / p_), rate = 1. + power;
+        const double rate_slope = x > 0. ? flow.rate_by_growth * power / (p_ * flow.rate) : std::numeric_limits<double>::infinity();
         // s = slow rate (1 - c (T_n + b s x)), linear in s
         const double top = slow.value * rate * (1. - c_ * *start), bottom = 1. + slow.value * rate * c_ * b_ * x;
         const double s = top / bottom;

@@ -21,7 +21,7 @@ namespace
 
   double factor(const RateFactor &law, const double rate)
   {
-    return law.evaluate({100., 0.}, {.01, .01, .01 / rate}, nullptr, nullptr).value / 100.;
+    return law.evaluate({100., 0.}, {.01, .01, rate, 1.}, nullptr, nullptr).value / 100.;
   }
 } // namespace
 
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(slopes)
     const std::vector<double> start(layout.size() + 1, 0.);
     std::vector<double> end(start);
     const auto at = [&](const double x) {
-      return law->evaluate({100. + 300. * x, 300.}, {x, x, .01}, start.data(), end.data());
+      return law->evaluate({100. + 300. * x, 300.}, {x, x, x / .01, 1. / .01}, start.data(), end.data());
     };
     for (const double x : {1e-6, 1e-3, .004, .1})
     {

@@ -59,8 +59,8 @@ namespace
     const auto material = Registry<Material>::make("elastoplastic", section);
     const double first = order(*material, false, 160), second = order(*material, true, 160);
     BOOST_TEST_MESSAGE(name << ": backward Euler " << first << ", two steps " << second);
-    BOOST_TEST(std::abs(first - 1.) < .1, name << ": backward Euler is of order " << first);
-    BOOST_TEST(std::abs(second - 2.) < .25, name << ": two steps are of order " << second);
+    BOOST_TEST(std::abs(first - 1.) < .02, name << ": backward Euler is of order " << first);
+    BOOST_TEST(std::abs(second - 2.) < .05, name << ": two steps are of order " << second);
   }
 
   const Entries heat = {"Material/Heat/Adiabatic=true", "Material/Heat/Heat capacity=.3"};

@@ -45,10 +45,20 @@ namespace deltaform
   };
 
 
+  /// What a backstress goes from: its own fields of the history.
+  struct BackStressStart
+  {
+    const double *values; ///< of which backward Euler makes the end: h* of BDF2 (CarriedFlow), or the committed ones
+    const double *committed; ///< at the begin of the increment
+    double carried_flow; ///< growth of the equivalent plastic strain from there to values (1); 0: they are the same
+  };
+
+
   /**
    * Kinematic hardening: q(stress - alpha) = flow stress, with alpha a function of history. With xi = stress - alpha at
    * the end of the increment and x the growth of the equivalent plastic strain, the law integrates its own evolution by
-   * backward Euler: alpha(xi, x). Laws of several parts (Chaboche) and with scalars of their own (a stagnation surface)
+   * backward Euler: alpha(xi, x). What does not go on smoothly may be integrated by a one-step rule from the committed
+   * values instead, over the whole growth, x + carried_flow. Laws of several parts (Chaboche) and with scalars of their own (a stagnation surface)
    * keep them in their own fields of the history.
    */
   class BackStress
@@ -56,7 +66,7 @@ namespace deltaform
   public:
     virtual ~BackStress() = default;
 
-    /// Fields of its own, behind those of FlowHistory; @p start and @p end below point to them. They start at zero.
+    /// Fields of its own, behind those of FlowHistory, to which the pointers below point. They start at zero.
     virtual HistoryLayout history_layout() const = 0;
 
     /// false: there is no backstress at all.
@@ -86,7 +96,7 @@ namespace deltaform
     virtual Mandel value(const double *history) const = 0;
 
     /// @p at is the yield surface at @p relative_stress (xi); writes the history at the end.
-    virtual BackStressEnd update(const double *start,
+    virtual BackStressEnd update(const BackStressStart &start,
                                  const Mandel &relative_stress,
                                  const YieldPoint &at,
                                  double flow,

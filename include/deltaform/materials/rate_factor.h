@@ -13,7 +13,8 @@ namespace deltaform
   {
     double strain; ///< equivalent plastic strain at the end
     double growth; ///< x: by how much it grows
-    double duration; ///< time that the increment takes (time)
+    double rate; ///< at the end (1/time); not a number for an increment without duration
+    double rate_by_growth; ///< d rate/dx (1/time)
   };
 
   /**

@@ -39,6 +39,7 @@ namespace deltaform
     const Hardening &hardening;
     double initial_flow_stress; ///< hardening at no plastic strain
     double duration; ///< of the increment (time)
+    double share; ///< of it, that flow from PointUpdate::start takes (CarriedFlow::duration_share()); 1: backward Euler
   };
 
 
@@ -76,6 +77,7 @@ namespace deltaform
     Mandel &strain; ///< total logarithmic strain; [2] is output where the third stress is given
     double third_stress; ///< Kirchhoff stress, where it is given
     const double *start; ///< history that backward Euler starts from
+    const double *committed; ///< history at the begin of the increment
     double *trial; ///< in: a starting guess; out: history at this strain
     Mandel &stress; ///< out: Kirchhoff stress
     double *tangent; ///< out if not null: 4 x 4, row-major; at given third stress row and column [2] are zero
