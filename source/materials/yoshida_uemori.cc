@@ -68,7 +68,7 @@ namespace deltaform
      * All start at zero. F. Yoshida, T. Uemori, A model of large-strain cyclic plasticity describing the Bauschinger
      * effect and workhardening stagnation, Int. J. Plasticity 18 (2002) 661. Their modulus: FallingModulus.
      *
-     * All of it follows from the growth of the strain by one-step rules of second order from the begin of the increment:
+     * All of it follows the growth of the strain by one-step rules of second order from the begin of the increment:
      * after a reversal theta relaxes within few increments, and R starts and stops to grow within one, where BDF2 would
      * be of first order. n is that of the end, or, where BDF2 goes on with the flow, the mean of begin and end. Theta:
      * BoundedMotion, beta: exact. R, g and r follow the straight path of beta, of which the part beyond its last point

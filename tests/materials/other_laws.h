@@ -246,7 +246,8 @@ namespace deltaform
                           double *end) const override
       {
         const double x = flow.growth, relative = flow.rate / D_, power = std::pow(relative, 1. / p_), rate = 1. + power;
-        const double rate_slope = x > 0. ? flow.rate_by_growth * power / (p_ * flow.rate) : std::numeric_limits<double>::infinity();
+        const double infinite = std::numeric_limits<double>::infinity();
+        const double rate_slope = x > 0. ? flow.rate_by_growth * power / (p_ * flow.rate) : infinite;
         // s = slow rate (1 - c (T_n + b s x)), linear in s
         const double top = slow.value * rate * (1. - c_ * *start), bottom = 1. + slow.value * rate * c_ * b_ * x;
         const double s = top / bottom;
