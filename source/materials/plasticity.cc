@@ -141,10 +141,11 @@ namespace deltaform
       const double *committed = batch.committed + p * n;
       double *trial = batch.trial + p * n;
       double *tangent = batch.tangent != nullptr ? batch.tangent + p * std::size_t(16) : nullptr;
+      const double given_stress = third_stress ? batch.third_stress[p] : 0.;
       const auto return_from = [&](const double *start) {
         return map.update(
           law,
-          {batch.strain[p], third_stress ? batch.third_stress[p] : 0., start, committed, trial, batch.stress[p], tangent});
+          {batch.strain[p], given_stress, start, committed, trial, batch.stress[p], tangent});
       };
       double *carried = batch.carried != nullptr ? batch.carried + p * n : nullptr;
       PointOutcome outcome = PointOutcome::good;

@@ -16,8 +16,8 @@ namespace deltaform
   /**
    * The rate after the growth x from the start of the return map: x over its share of the duration. With BDF2 this
    * is linear in the mean rates m_0 of the last and m_1 of this increment, r = m_1 + (m_1 - m_0) w/(1 + w), w the
-   * ratio of their lengths. Where the rate falls, r = m_1 (m_1/m_0)^(w/(1 + w)) takes its place: with the same value and
-   * slope at m_1 = m_0, of second order as well, and never below zero. The flow of metal that relaxes decays like a
+   * ratio of their lengths. Where the rate falls, r = m_1 (m_1/m_0)^(w/(1 + w)) takes its place: with the same value
+   * and slope at m_1 = m_0, of second order as well, and never below zero. The flow of metal that relaxes decays like a
    * power of time: its error is a tenth.
    */
   inline FlowRate flow_rate(const FlowLaw &law, const PointUpdate &point, const double x)
