@@ -3,7 +3,7 @@
 
     scripts/studies/deepest_place.py [--program PROGRAM] [--output output/deepest_place] [--only cup|scenes] [--write]
 
-Every shipped scene with tools, as it is, touched at the nodes and at the points of degree or two inside an element; the cup
+Every shipped scene with tools, as it is, touched at the nodes and at one or two points inside an element; the cup
 with more points, elements and a tighter delta. --write writes doc/measured/deepest_scenes.csv and deepest_cup.csv. Ten minutes; runs that are there are
 not done again.
 """
@@ -65,8 +65,11 @@ def has_promise(path):
     return "subsection Tools" in text and not re.search(r"Enforcement *= *active set|Penalty rule *= *constant", text)
 
 
-def is_solid(path):
-    return bool(re.search(r"^ *set Kind *= *solid", text_of(path), re.MULTILINE))
+def degree_of_solid(path):
+    """Of its cells; None: the scene has a shell."""
+    text = text_of(path)
+    degree = re.search(r"^ *set Degree *= *(\d)", text, re.MULTILINE)
+    return (int(degree[1]) if degree else 1) if re.search(r"^ *set Kind *= *solid", text, re.MULTILINE) else None
 
 
 def cells(summary):
@@ -85,11 +88,8 @@ def scenes(run):
         if name in SKIPPED or not has_promise(path):
             continue
         found = []
-        two = (GAUSS,) if is_solid(path) else (GAUSS, "Blank/Gauss points=2")
+        two = (GAUSS, f"Blank/Gauss points={degree_of_solid(path) or 2}")
         for kind, entries in (("default", ()), ("nodes", (NODES,)), ("gauss", two)):
-            if kind == "nodes" and is_solid(path):  # its default
-                found += cells(None)
-                continue
             if name == "redraw_2":
                 entries += ("Start from=" + os.path.join(run.folder, "redraw_1_" + kind),)
             found += cells(run(path, f"{name}_{kind}", *entries))
@@ -120,7 +120,8 @@ def main():
     run = Runs(options.program, os.path.abspath(options.output))
     for name, title, study in (("cup", "cup to 1 in: deepest place of the face over delta", cup),
                                ("scenes", "shipped scenes: deepest place of the face over delta, by default (shells: ten "
-                                          "points in an element, solids: nodes), at the nodes, and with Gauss points (shells: 2)",
+                                          "points in an element, solids: twenty in an edge, or nodes), at the nodes, and with "
+                                          "few Gauss points (shells: 2, solids: the degree)",
                                 scenes)):
         if options.only in (None, name):
             table = study(run)

@@ -51,6 +51,13 @@ namespace deltaform
   }
 
 
+  void Solid::touch_inside()
+  {
+    if (ranks::count() == 1 && !refinement_settings_.active && motion_.finite())
+      surface_.touch_inside();
+  }
+
+
   const ContactSurface &Solid::surface() const
   {
     return surface_;

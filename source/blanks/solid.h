@@ -37,7 +37,8 @@ namespace deltaform
     dealii::IndexSet locally_owned_dofs() const override;
     bool may_be_distributed() const override
     {
-      return true;
+      // Points inside the edges want all of it in one process.
+      return surface_.at_nodes();
     }
     void add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
     std::vector<DofIndex> fixed_dofs() const override;
@@ -54,6 +55,7 @@ namespace deltaform
     double stiffness_scale() const override;
     double initial_flow_stress() const override;
     bool constant_stiffness() const override;
+    void touch_inside() override;
     Status assemble(const Vector &q, AssemblyTarget &target) override;
     double admissible_step(const Vector &q, const Vector &dq) const override;
     void begin_increment(double duration, double ratio) override;

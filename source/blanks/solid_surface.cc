@@ -21,15 +21,30 @@ namespace deltaform
               section.names("Contact top", "top", "Parts of the boundary that tools with Side = top touch.")}},
       faces_{{SolidFace(body.space()), SolidFace(body.space())}}
   {
-    read_points(section,
-                {static_cast<int>(body_.space().degree()),
-                 5,
-                 "nodes",
-                 {"nodes", "gauss"},
-                 "What touches: the nodes, or Gauss points of the edges of the cells.",
-                 "Contact points of an edge ('Contact points = gauss'); as many as the degree of the cells give a "
-                 "uniform pressure."},
-                body_.space().degree());
+    left_open_ =
+      read_points(
+        section,
+        {20,
+         20,
+         "automatic",
+         {"automatic", "nodes", "gauss"},
+         "Which points touch: the nodes, or Gauss points of the edges of the cells. automatic: Gauss points, where the "
+         "penalty factor of each is found (Enforcement = penalty, Penalty rule = adaptive) for a delta of at least "
+         "1e-4 edge, with finite strain, in one process and without Refinement; else the nodes.",
+         "Contact points of an edge. With as many as the degree of the cells the force of each is determinate; with 20 "
+         "hardly any of the face enters a tool."},
+        body_.space().degree()) == "automatic";
+  }
+
+
+  void SolidSurface::touch_inside()
+  {
+    if (!left_open_)
+      return;
+    set_inside();
+    for (const Side side : {Side::bottom, Side::top})
+      find_ends(side);
+    update(Vector(n_contact_dofs()));
   }
 
 
@@ -108,6 +123,18 @@ namespace deltaform
   unsigned int SolidSurface::n_nodes() const
   {
     return body_.space().nodes().size();
+  }
+
+
+  double SolidSurface::largest_motion(Side,
+                                      unsigned int,
+                                      const std::array<double, ContactPoint::max_dofs> &change) const
+  {
+    double square = 0.;
+    for (unsigned int k = 0; k <= 2 * body_.space().degree(); k += 2)
+      square = std::max(square, change[k] * change[k] + change[k + 1] * change[k + 1]);
+    // The sum of the absolute shape functions of a parabola is 5/4 at most, at its quarters.
+    return (body_.space().degree() == 1 ? 1. : 1.25) * std::sqrt(square);
   }
 
 

@@ -25,11 +25,17 @@ namespace deltaform
     /// The same on a refined mesh.
     void set_up();
 
+    /// See Blank::touch_inside().
+    void touch_inside();
+
     /// Areas and thickness of the accepted state.
     void update(const Vector &q);
 
     unsigned int n_contact_dofs() const override;
     unsigned int n_nodes() const override;
+    double largest_motion(Side side,
+                          unsigned int edge,
+                          const std::array<double, ContactPoint::max_dofs> &change) const override;
     const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const override;
     void contact_place(const Vector &q,
                        Side side,
@@ -87,6 +93,7 @@ namespace deltaform
 
     const SolidDiscretization &body_;
     bool moves_;
+    bool left_open_ = false; ///< does the scene not say where the contact points are?
     std::array<std::vector<std::string>, 2> parts_; ///< of the boundary: bottom, top
     std::array<SolidFace, 2> faces_;
     std::array<std::vector<double>, 2> point_areas_; ///< of the contact points inside edges, accepted

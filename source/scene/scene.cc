@@ -55,8 +55,8 @@ namespace deltaform
 
     Section solver = root.sub("Solver");
     newton = std::make_unique<NewtonSettings>(solver);
-    // The touching points of a solid are not iterated (doc/decisions/README.md): short increments save nothing.
-    steps = std::make_unique<StepSettings>(solver, actors.blank->may_be_distributed() ? 8 : 5);
+    // Of a solid short increments save nothing (doc/decisions/README.md).
+    steps = std::make_unique<StepSettings>(solver, actors.blank->fields().is_sheet() ? 5 : 8);
     linear_solver = std::make_unique<LinearSolverSettings>(solver);
 
     Section output_section = root.sub("Output");
@@ -119,7 +119,7 @@ namespace deltaform
     Section contact = root.sub("Contact");
     actors.contact = std::make_unique<ContactSettings>(contact, contact_constants, natural_length);
     if (actors.contact->finds_factors() &&
-        actors.contact->allowed_penetration(0.) >= ContactSettings::coarse_delta * actors.blank->initial_thickness())
+        actors.contact->allowed_penetration(0.) >= ContactSettings::coarse_delta * contact_constants[natural_length])
       actors.blank->touch_inside();
     for (const auto &name : names)
     {

@@ -29,7 +29,7 @@ def fixed(stage, size, end):
 SCENES = {
     "shell_cup": ("cup.prm", ["Blank/Elements=50", "Blank/Contact points=nodes", *fixed("form", .01, .1)]),
     "shell_cup_points": ("cup.prm", ["Blank/Elements=50", *fixed("form", .01, .1)]),
-    "solid_stretching": ("osu_stretching_solid.prm", ["Blank/Elements=30", *fixed("form", .25, 1)]),
+    "solid_stretching": ("osu_stretching_solid.prm", ["Blank/Elements=30", "Blank/Contact points=nodes", *fixed("form", .25, 1)]),
     "strip_with_friction": ("bent_strip.prm", ["Blank/Elements=60", "Blank/Contact points=nodes", *fixed("form", .25, 2)]),
 }
 

@@ -131,6 +131,66 @@ BOOST_AUTO_TEST_CASE(how_many_points_are_stable)
   BOOST_TEST(singular_values(2, 40, 3).size() == 81u);
 }
 
+BOOST_AUTO_TEST_CASE(points_that_are_left_open_lie_inside_where_that_is_asked_for)
+{
+  const auto count_of = [](const unsigned int degree, const Entries &more) {
+    Entries entries{"Blank/Points=0 0; 1 0",
+                    "Blank/Thickness=.1",
+                    "Blank/Degree=" + std::to_string(degree),
+                    "Blank/Elements=4",
+                    "Material/Young's modulus=2e3"};
+    entries.insert(entries.end(), more.begin(), more.end());
+    const auto blank = make_blank("solid", entries);
+    const unsigned int before = count(*blank);
+    BOOST_TEST(blank->may_be_distributed());
+    blank->touch_inside();
+    BOOST_TEST(blank->may_be_distributed() == (blank->surface().points_per_edge() == 0u));
+    return std::pair(before, count(*blank));
+  };
+  for (const unsigned int degree : {1u, 2u})
+  {
+    const unsigned int n_nodes = 4 * degree + 1;
+    BOOST_TEST((count_of(degree, {}) == std::pair(n_nodes, 4u * 20u)));
+    BOOST_TEST((count_of(degree, {"Blank/Gauss points=7"}) == std::pair(n_nodes, 4u * 7u)));
+    for (const std::string stays :
+         {"Blank/Contact points=nodes", "Blank/Kinematics=small", "Blank/Refinement/Criterion=contact"})
+      BOOST_TEST((count_of(degree, {stays}) == std::pair(n_nodes, n_nodes)), stays);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_place_of_an_edge_moves_further_than_is_said)
+{
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> any(-1., 1.);
+  for (const unsigned int degree : {1u, 2u})
+  {
+    const auto blank = strip(degree, 1, 1);
+    ContactPoint first, here;
+    const Vector zero(blank->n_dofs());
+    blank->surface().contact_point(zero, Side::top, 0, ContactThickness::current, first);
+    double nearest = 0.;
+    for (unsigned int repetition = 0; repetition < 500; ++repetition)
+    {
+      std::array<double, ContactPoint::max_dofs> change{};
+      Vector q(blank->n_dofs());
+      for (unsigned int k = 0; k < first.n_dofs; ++k)
+        q[first.dofs[k]] = change[k] = any(generator);
+      const double bound = blank->surface().largest_motion(Side::top, 0, change);
+      double largest = 0.;
+      for (double xi = 0.; xi <= 1.; xi += .05)
+      {
+        blank->surface().contact_place(zero, Side::top, 0, xi, ContactThickness::current, first);
+        blank->surface().contact_place(q, Side::top, 0, xi, ContactThickness::current, here);
+        largest = std::max(largest, (here.x - first.x).norm());
+      }
+      BOOST_TEST(largest <= bound * (1. + 1e-12));
+      nearest = std::max(nearest, largest / bound);
+      blank->surface().contact_point(zero, Side::top, 0, ContactThickness::current, first);
+    }
+    BOOST_TEST(nearest > .75);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_refined_solid_keeps_its_nodes)
 {
   BOOST_CHECK_THROW(strip(1, 4, 2, {"Blank/Refinement/Criterion=contact"}), SceneError);
