@@ -150,6 +150,8 @@ namespace deltaform
         {
           if (model_.formed_start().drop_transfer_error())
             regain_equilibrium();
+          else if (const std::string left = model_.formed_start().left_over(); !left.empty())
+            journal_.note(left);
           const Timers::Scope timer(timers_, timer_output_);
           observers_.tell([&](Observer &observer) { observer.begin(model_, stage()); });
         }

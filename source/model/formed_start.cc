@@ -53,30 +53,42 @@ namespace deltaform
   bool FormedStart::drop_transfer_error()
   {
     ReleasedForces &released = state_.released;
-    if (!held_ || !released.any)
+    if (!released.any)
       return false;
     Magnitude inside(state_.unknowns.size());
     body_.assemble(state_.unknowns, state_.time, inside);
     ranks::sum(inside.residual.begin(), inside.residual.size());
     missing_ = released.on_blank;
-    double dropped = 0., in_cells = 0.;
-    for (DofIndex i = 0; i < held_->size(); ++i)
+    double outside = 0., in_cells = 0.;
+    for (DofIndex i = 0; i < numbering_.n_blank; ++i)
     {
       in_cells += std::pow(inside.residual[i] / numbering_.scale[i], 2);
       if (supports_.is_prescribed()[i])
         continue; // a support of this stage holds it
-      dropped += std::pow((missing_[i] - (*held_)[i]) / numbering_.scale[i], 2);
-      released.on_blank[i] = (*held_)[i];
+      outside += std::pow((missing_[i] - (held_ ? (*held_)[i] : 0.)) / numbering_.scale[i], 2);
+      if (held_)
+        released.on_blank[i] = (*held_)[i];
     }
-    dropped_share_ = in_cells > 0. ? std::sqrt(dropped / in_cells) : 0.;
-    return dropped > 0.;
+    share_ = in_cells > 0. ? std::sqrt(outside / in_cells) : 0.;
+    return held_ && outside > 0.;
+  }
+
+
+  std::string FormedStart::left_over() const
+  {
+    if (held_ || share_ == 0.)
+      return "";
+    return "the blank begins with " + text::rounded(100. * share_) +
+           " % of the forces in its cells out of balance: what held it in the earlier operation and, if that was on "
+           "another mesh, the error of the transfer; they " +
+           (state_.releases_at_once ? "are gone at once" : "fade out over the stage");
   }
 
 
   std::string FormedStart::end(const std::string &why)
   {
     const std::string error = "the blank begins on another mesh than that on which it was formed, where " +
-                              text::rounded(100. * dropped_share_) + " % of the forces in its cells do not balance";
+                              text::rounded(100. * share_) + " % of the forces in its cells do not balance";
     if (!why.empty())
     {
       state_.released.on_blank = missing_;

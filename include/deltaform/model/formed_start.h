@@ -38,6 +38,9 @@ namespace deltaform
      */
     bool drop_transfer_error();
 
+    /// What is out of balance where these forces are not known: a sentence; empty if there is nothing to tell.
+    std::string left_over() const;
+
     /// There is equilibrium without what was dropped, and it is accepted; if not, @p why, and all of it fades out.
     /// @return what has happened, a sentence
     std::string end(const std::string &why);
@@ -54,6 +57,6 @@ namespace deltaform
     bool due_ = false;
     std::optional<Vector> held_; ///< see Inherited
     Vector missing_; ///< to equilibrium, at the begin of the first stage
-    double dropped_share_ = 0.; ///< of the forces in the cells; norms over the unknowns
+    double share_ = 0.; ///< of the forces in the cells that was dropped, or is out of balance; norms over the unknowns
   };
 } // namespace deltaform
