@@ -14,6 +14,9 @@ namespace deltaform
     names_ = limits.names("Criteria", "", "What is measured at every point: " + text::join(known, ", ") + ".");
     if (limits.documentation())
       names_ = known;
+    else if (const std::string own = "temperature rise";
+             keeps_its_heat(host.law) && std::find(names_.begin(), names_.end(), own) == names_.end())
+      names_.push_back(own);
     for (const auto &name : names_)
     {
       if (std::find(known.begin(), known.end(), name) == known.end())

@@ -68,8 +68,18 @@ namespace deltaform
     double flow; ///< x
     Vector4 back_stress, back_stress_by_flow; ///< alpha, d alpha/dx
     Matrix4 stress_by_relative; ///< 1 + d alpha/d xi
-    Vector4 residual, by_mu; ///< of the first equation, its derivative at fixed xi
+    Vector4 residual, by_mu; ///< of the first equation, its derivative by mu at fixed xi
     Matrix4 jacobian; ///< d residual/d xi at fixed mu
+  };
+
+
+  /// Both equations about a point, solved for d xi and dx.
+  struct GeneralReturn::Linearized
+  {
+    Matrix4 inverse; ///< d xi/d residual of the first one, at fixed x
+    Vector4 stress_by_flow; ///< minus d xi/dx of the first one
+    Vector4 normal; ///< d/d xi of the second one
+    double pivot; ///< d/dx of the second one along the first one
   };
 
 
@@ -102,13 +112,10 @@ namespace deltaform
   }
 
 
-  void GeneralReturn::set_residual(const FlowLaw &law, State &state, const double mu) const
+  void GeneralReturn::set_residual(const FlowLaw &law, State &state, const double x) const
   {
     const Mandel xi = mandel(state.relative_stress);
-    state.at = evaluate(*laws_.yield_surface, state.relative_stress);
-    const double q = state.at.value;
-    const auto N = vector(state.at.gradient);
-    state.flow = mu * q;
+    state.flow = x;
     state.stress_by_relative = Matrix4::Identity();
     state.back_stress_by_flow = Vector4::Zero();
     if (laws_.back_stress)
@@ -123,16 +130,24 @@ namespace deltaform
       state.stress_by_relative += matrix(end.by_relative_stress);
       state.back_stress_by_flow = vector(end.by_flow);
     }
-    const Matrix4 &S = state.compliance;
     const Vector4 stress = state.relative_stress + state.back_stress;
+    state.residual = state.compliance * stress + x * vector(state.at.gradient) - state.strain;
+    if (third_stress_given_)
+      state.residual[normal] = (stress[normal] - state.point.third_stress) / law.elastic.young;
+  }
+
+
+  void GeneralReturn::set_jacobian(const FlowLaw &law, State &state, const double mu) const
+  {
+    const Matrix4 &S = state.compliance;
+    const double q = state.at.value;
+    const auto N = vector(state.at.gradient);
     const Matrix4 stress_by_xi = state.stress_by_relative + mu * state.back_stress_by_flow * N.transpose();
-    state.residual = S * stress + state.flow * N - state.strain;
     state.jacobian = S * stress_by_xi + mu * (N * N.transpose() + q * matrix(state.at.hessian));
     state.by_mu = q * (S * state.back_stress_by_flow + N);
     if (third_stress_given_)
     {
       const double scale = 1. / law.elastic.young;
-      state.residual[normal] = scale * (stress[normal] - state.point.third_stress);
       state.jacobian.row(normal) = scale * stress_by_xi.row(normal);
       state.by_mu[normal] = scale * q * state.back_stress_by_flow[normal];
     }
@@ -143,7 +158,12 @@ namespace deltaform
   {
     constexpr unsigned int max_iter = 100;
     constexpr double close = 1e-8; // after one more step of second order: round-off
-    set_residual(law, state, mu);
+    const auto set = [&]() {
+      state.at = evaluate(*laws_.yield_surface, state.relative_stress);
+      set_residual(law, state, mu * state.at.value);
+      set_jacobian(law, state, mu);
+    };
+    set();
     for (unsigned int iteration = 0; iteration < max_iter; ++iteration)
     {
       const Vector4 from = state.relative_stress, step = -state.jacobian.partialPivLu().solve(state.residual);
@@ -154,7 +174,7 @@ namespace deltaform
       while (true)
       {
         state.relative_stress = from + share * step;
-        set_residual(law, state, mu);
+        set();
         if (size <= close * from.norm())
           return true;
         if (state.residual.squaredNorm() <= (1. - 1e-4 * share) * before)
@@ -206,6 +226,15 @@ namespace deltaform
     const double stiffness = 3. * law.elastic.shear;
     const double start = std::fmin(q / flow.value - 1., 1.) / stiffness;
     const double expected = guess / (q - stiffness * guess);
+    if (find_at_once(law, state, flow, guess))
+    {
+      set_flow(law, point, state);
+      if (point.tangent != nullptr)
+        set_tangent(law, state, flow, point.tangent);
+      return PointOutcome::good;
+    }
+    set_elastic(law, point, state);
+    flow = rate_dependent_flow_stress(laws_, law, point, rate_first_, 0.);
     const PlasticFlow solved = solve_consistency(
       excess, expected > 1e-8 * start ? expected : 0., start, largest_multiplier(law, state), tolerance);
     if (!solved.found)
@@ -252,27 +281,76 @@ namespace deltaform
   }
 
 
-  void GeneralReturn::set_tangent(const FlowLaw &law, const State &state, const FlowStress &flow, double *tangent) const
+  GeneralReturn::Linearized
+  GeneralReturn::linearize(const FlowLaw &law, const State &state, const FlowStress &flow) const
   {
-    // Both equations at fixed e_p, for d xi and dx; the second one, N . d xi = H dx, is scaled: H may be infinite.
-    using Matrix5 = Eigen::Matrix<double, 5, 5>;
-    const auto N = vector(state.at.gradient);
-    const double young = law.elastic.young;
-    Matrix5 J;
-    J.topLeftCorner<4, 4>() = state.compliance * state.stress_by_relative + state.flow * matrix(state.at.hessian);
-    J.topRightCorner<4, 1>() = state.compliance * state.back_stress_by_flow + N;
-    J.bottomLeftCorner<1, 4>() = N.transpose() / (young + flow.slope);
-    J(4, 4) = std::isinf(flow.slope) ? -1. : -flow.slope / (young + flow.slope);
-    Eigen::Matrix<double, 5, 4> rates = Eigen::Matrix<double, 5, 4>::Identity();
+    // The second equation, N . d xi = H dx, is scaled: H may be infinite.
+    const double young = law.elastic.young, scale = 1. / (young + flow.slope);
+    Matrix4 by_stress = state.compliance * state.stress_by_relative + state.flow * matrix(state.at.hessian);
+    Vector4 by_flow = state.compliance * state.back_stress_by_flow + vector(state.at.gradient);
     if (third_stress_given_)
     {
-      J.row(normal).head<4>() = state.stress_by_relative.row(normal) / young;
-      J(normal, 4) = state.back_stress_by_flow[normal] / young;
-      rates(normal, normal) = 0.;
+      by_stress.row(normal) = state.stress_by_relative.row(normal) / young;
+      by_flow[normal] = state.back_stress_by_flow[normal] / young;
     }
-    const Eigen::Matrix<double, 5, 4> solution = J.partialPivLu().solve(rates);
+    Linearized result;
+    result.inverse = by_stress.inverse();
+    // By minors it has lost digits where the pressure is much stiffer than the flow: one step of Newton's method.
+    result.inverse += result.inverse * (Matrix4::Identity() - by_stress * result.inverse);
+    result.stress_by_flow = result.inverse * by_flow;
+    result.normal = scale * vector(state.at.gradient);
+    result.pivot = (std::isinf(flow.slope) ? -1. : -flow.slope * scale) - result.normal.dot(result.stress_by_flow);
+    return result;
+  }
+
+
+  bool GeneralReturn::find_at_once(const FlowLaw &law, State &state, FlowStress &flow, const double guess) const
+  {
+    constexpr unsigned int most_iterations = 12;
+    constexpr double close = 1e-8; // after one more step of second order: round-off
+    const double young = law.elastic.young;
+    const double q = laws_.yield_surface->equivalent_stress(mandel(state.relative_stress));
+    const double base = third_stress_given_ ? state.relative_stress[normal] : state.relative_stress.head<3>().mean();
+    const double scale = flow.value / q; // the trial stress in its direction
+    state.relative_stress *= scale;
+    state.relative_stress.head<3>().array() += (1. - scale) * base;
+    double x = guess > 0. ? guess : (q - flow.value) / (3. * law.elastic.shear + std::fmin(flow.slope, young));
+    bool last = false;
+    for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
+    {
+      state.at = evaluate(*laws_.yield_surface, state.relative_stress);
+      set_residual(law, state, x);
+      flow = rate_dependent_flow_stress(laws_, law, state.point, rate_first_, x);
+      const double excess = state.at.value - flow.value;
+      if (last && std::abs(excess) <= tolerance * state.at.value)
+        return true;
+      const Linearized all = linearize(law, state, flow);
+      const Vector4 at_fixed_flow = all.inverse * state.residual;
+      const double second = std::isinf(flow.slope) ? 0. : excess / (young + flow.slope);
+      const double growth = (second - all.normal.dot(at_fixed_flow)) / all.pivot;
+      const Vector4 step = at_fixed_flow - growth * all.stress_by_flow;
+      const double size = step.norm(), length = state.relative_stress.norm();
+      x -= growth;
+      // Not where it may be lost: what turns far, or flows back, is left to the one that is sure.
+      if (!(size <= length && x > 0.))
+        return false;
+      state.relative_stress -= step;
+      last = size <= close * length && std::abs(growth) <= close * x;
+    }
+    return false;
+  }
+
+
+  void GeneralReturn::set_tangent(const FlowLaw &law, const State &state, const FlowStress &flow, double *tangent) const
+  {
+    const Linearized all = linearize(law, state, flow);
+    Matrix4 stress = all.inverse; // d xi/d strain, first at fixed flow
+    if (third_stress_given_)
+      stress.col(normal).setZero();
+    const Eigen::RowVector4d growth = (-1. / all.pivot) * (all.normal.transpose() * stress);
+    stress -= all.stress_by_flow * growth;
     Eigen::Map<RowMajor> result(tangent);
-    result = state.stress_by_relative * solution.topRows<4>() + state.back_stress_by_flow * solution.row(4);
+    result = state.stress_by_relative * stress + state.back_stress_by_flow * growth;
     if (third_stress_given_)
     {
       result.row(normal).setZero();

@@ -5,6 +5,14 @@
 
 namespace deltaform
 {
+  bool keeps_its_heat(const Material &law)
+  {
+    const auto &fields = law.history_layout().fields();
+    return !law.heat() && std::any_of(fields.begin(), fields.end(),
+                                      [](const HistoryField &field) { return field.name == "temperature_rise"; });
+  }
+
+
   double largest_principal(const Mandel &stress)
   {
     const double middle = .5 * (stress[0] + stress[1]), half = .5 * (stress[0] - stress[1]);

@@ -78,8 +78,20 @@ namespace deltaform
                      z3 = std::abs(3. * v.mean + v.radius), largest = std::max({z1, z2, z3});
         if (!(largest > 0.))
           return largest; // zero, or not a number
-        const auto power = [&](const double z) { return std::pow(z / largest, a_); };
+        const auto power = [&](const double z) { return to_power(z / largest, a_); };
         return largest * std::pow((power(z1) + power(z2) + power(z3)) / 2., 1. / a_);
+      }
+
+      /// z^n, z >= 0; the exponents of metals are whole numbers, whose powers are a few products.
+      static double to_power(double z, const double n)
+      {
+        if (n != std::floor(n))
+          return std::pow(z, n);
+        double result = 1.;
+        for (auto left = static_cast<unsigned int>(n); left != 0; left /= 2, z *= z)
+          if (left % 2 == 1)
+            result *= z;
+        return result;
       }
 
       /// A linear function of the stress, as its gradient.
@@ -101,7 +113,7 @@ namespace deltaform
       const double q = at.value, curvature = (a_ - 1.) / q;
       const double z1 = 2. * v.first_radius / q, z2 = (3. * v.mean - v.radius) / q, z3 = (3. * v.mean + v.radius) / q;
       // Halves of |z|^(a-2): times z the gradient, times a - 1 the curvature
-      const auto power = [&](const double z) { return .5 * std::pow(std::abs(z), a_ - 2.); };
+      const auto power = [&](const double z) { return .5 * to_power(std::abs(z), a_ - 2.); };
       const double p1 = power(z1), p2 = power(z2), p3 = power(z3);
 
       // Unit vectors along and across X' and X'', of half difference and shear

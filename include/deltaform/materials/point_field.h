@@ -13,6 +13,7 @@ namespace deltaform
     Mandel stress_before, stress; ///< Kirchhoff stress at its begin and end (stress)
     Mandel flow; ///< growth of the plastic strain (1)
     double equivalent; ///< growth of the equivalent plastic strain (1)
+    double warming = 0.; ///< growth of the temperature, of a metal that counts it (temperature)
   };
 
   /**
@@ -56,6 +57,9 @@ namespace deltaform
 
   /// Point fields by name; a name is also that of the field's section in Limits, and, with underscores, of its columns.
   using PointFields = Registry<PointField, const PointFieldHost &>;
+
+  /// Does the metal count its temperature, and does the heat of its flow stay where it is made?
+  bool keeps_its_heat(const Material &law);
 
   /// Largest principal stress (stress).
   double largest_principal(const Mandel &stress);
