@@ -58,8 +58,8 @@ namespace deltaform
    * Kinematic hardening: q(stress - alpha) = flow stress, with alpha a function of history. With xi = stress - alpha at
    * the end of the increment and x the growth of the equivalent plastic strain, the law integrates its own evolution by
    * backward Euler: alpha(xi, x). What does not go on smoothly may be integrated by a one-step rule from the committed
-   * values instead, over the whole growth, x + carried_flow. Laws of several parts (Chaboche) and with scalars of their own (a stagnation surface)
-   * keep them in their own fields of the history.
+   * values instead, over the whole growth, x + carried_flow. Laws of several parts (Chaboche) and with scalars of
+   * their own (a stagnation surface) keep them in their own fields of the history.
    */
   class BackStress
   {
