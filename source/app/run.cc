@@ -152,9 +152,12 @@ namespace deltaform
     {
       auto tree = ParameterTree::read(command.scene, command.sets);
       const Scene scene(tree);
+      const auto warnings = input_warnings(scene);
+      if (ranks::mine() > 0)
+        return exit_status::done;
       for (const auto &note : scene.notes)
         std::cerr << "note: " << note << '\n';
-      for (const auto &warning : input_warnings(scene))
+      for (const auto &warning : warnings)
         std::cerr << "warning: " << text::printable(warning) << '\n';
       if (!command.svg.empty())
         write_file_atomically(command.svg, [&scene](std::ostream &out) { draw_svg(scene, out); });

@@ -53,8 +53,12 @@ namespace deltaform
 
   void Solid::touch_inside()
   {
-    if (ranks::count() == 1 && !refinement_settings_.active && motion_.finite())
+    if (refinement_settings_.active || !motion_.finite())
+      return;
+    if (ranks::count() == 1)
       surface_.touch_inside();
+    else
+      shared_at_nodes_ = surface_.left_open();
   }
 
 

@@ -56,6 +56,10 @@ namespace deltaform
     double initial_flow_stress() const override;
     bool constant_stiffness() const override;
     void touch_inside() override;
+    bool shared_at_nodes() const override
+    {
+      return shared_at_nodes_;
+    }
     Status assemble(const Vector &q, AssemblyTarget &target) override;
     double admissible_step(const Vector &q, const Vector &dq) const override;
     void begin_increment(double duration, double ratio) override;
@@ -81,6 +85,7 @@ namespace deltaform
     bool axisymmetric_;
     SolidMotion motion_;
     RefinementSettings refinement_settings_;
+    bool shared_at_nodes_ = false;
 
     // Its parts, in the order in which the scene is read
     SolidDiscretization body_;

@@ -28,6 +28,12 @@ namespace deltaform
     /// See Blank::touch_inside().
     void touch_inside();
 
+    /// Does the scene not say where the contact points are?
+    bool left_open() const
+    {
+      return left_open_;
+    }
+
     /// Areas and thickness of the accepted state.
     void update(const Vector &q);
 
@@ -93,7 +99,7 @@ namespace deltaform
 
     const SolidDiscretization &body_;
     bool moves_;
-    bool left_open_ = false; ///< does the scene not say where the contact points are?
+    bool left_open_ = false;
     std::array<std::vector<std::string>, 2> parts_; ///< of the boundary: bottom, top
     std::array<SolidFace, 2> faces_;
     std::array<std::vector<double>, 2> point_areas_; ///< of the contact points inside edges, accepted

@@ -125,6 +125,16 @@ namespace deltaform
     }
 
 
+    /// The number of processes must not decide on a result without a word.
+    void shared_at_nodes(const Blank &blank, Texts &result)
+    {
+      if (blank.shared_at_nodes())
+        result.emplace_back("Blank/Contact points: several processes share the solid, and it touches at its nodes; in "
+                            "one process it touches inside its edges, with other forces. State Contact points = nodes "
+                            "to have the same history on any number of processes.");
+    }
+
+
     void gripped_solid(const Actors &actors, Texts &result)
     {
       if (actors.blank->fields().is_sheet())
@@ -156,6 +166,7 @@ namespace deltaform
     doubtful_units(scene, result);
     doubtful_friction(scene.actors, result);
     loose_delta(scene.actors, result);
+    shared_at_nodes(*scene.actors.blank, result);
     gripped_solid(scene.actors, result);
     for (auto &text : overlapping_tools(scene.actors))
       result.push_back(std::move(text));

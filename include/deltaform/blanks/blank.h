@@ -139,6 +139,12 @@ namespace deltaform
     {
     }
 
+    /// Has touch_inside() been refused only because several processes share the blank?
+    virtual bool shared_at_nodes() const
+    {
+      return false;
+    }
+
     /// @name In every iteration
     ///@{
     /// Add internal forces and, if wanted, their tangent at @p q. The trial history starts from the committed one.
