@@ -29,7 +29,7 @@ namespace deltaform
   }
 
 
-  Inherited Blank::take_formed(const KeyedArrays &formed)
+  TakenOver Blank::take_formed(const KeyedArrays &formed)
   {
     if (!has_nodes_of(formed))
       throw SceneError("the earlier operation had another mesh, and a blank of this kind keeps its mesh from one "

@@ -30,7 +30,7 @@ namespace deltaform
   {
     history_ = PointHistory(n, law_->history_layout());
     if (law_->two_steps())
-      carried_ = CarriedFlow(n, law_->history_size());
+      predictor_ = Bdf2Predictor(n, law_->history_size());
     strain_.assign(n, Mandel{});
     stress_ = strain_;
     committed_stress_ = strain_;
@@ -59,8 +59,8 @@ namespace deltaform
     batch.third_stress = third_stress;
     batch.committed = history_.committed(first);
     batch.duration = duration();
-    batch.carried_share = carried_.duration_share();
-    batch.carried = carried_.at(first);
+    batch.duration_share = predictor_.duration_share();
+    batch.predictor = predictor_.at(first);
     batch.trial = history_.trial(first);
     batch.stress = &stress_[first];
     batch.tangent = tangent;
@@ -127,7 +127,7 @@ namespace deltaform
   {
     if (criteria_->n_fields() > 0)
       grow_criteria();
-    carried_.keep(history_);
+    predictor_.keep(history_);
     history_.commit();
     // What becomes trial is overwritten before it is read, as in the history.
     committed_stress_.swap(stress_);
@@ -161,7 +161,7 @@ namespace deltaform
     std::copy(values.begin(), values.end(), history_.trial(0));
     history_.commit();
     history_.rollback();
-    carried_.discard();
+    predictor_.discard();
   }
 
 
@@ -175,7 +175,7 @@ namespace deltaform
   void MaterialPoints::take(const KeyedArrays &state)
   {
     each_array(*this, TakeFrom(state));
-    carried_.pause();
+    predictor_.pause();
     stress_ = committed_stress_;
     account_.take(state);
   }

@@ -5,7 +5,7 @@
 #include "point_criteria.h"
 
 #include <deltaform/io/keyed_arrays.h>
-#include <deltaform/materials/carried_flow.h>
+#include <deltaform/materials/bdf2_predictor.h>
 #include <deltaform/materials/material.h>
 #include <deltaform/materials/point_history.h>
 
@@ -170,13 +170,13 @@ namespace deltaform
       if (duration > 0.)
         duration_ = duration;
       share_of_duration_ = duration > 0. ? 1. : at_the_same_time;
-      return carried_.carry(ratio);
+      return predictor_.predict(ratio);
     }
 
     /// Does the law go on from the flow of the last increment?
-    bool carries() const
+    bool has_predictor() const
     {
-      return carried_.used();
+      return predictor_.used();
     }
 
     /// What is measured at the points beside the history, committed.
@@ -190,9 +190,9 @@ namespace deltaform
     }
 
     /// What is carried on of the last flow, by Material::history_layout(); null if nothing is.
-    double *carried(const std::size_t point)
+    double *predictor(const std::size_t point)
     {
-      return carried_.at(point);
+      return predictor_.at(point);
     }
 
     /// Accept the trial state.
@@ -247,7 +247,7 @@ namespace deltaform
     static void each_array(Points &points, const Action &action)
     {
       PointHistory::each_array(points.history_, action);
-      CarriedFlow::each_array(points.carried_, action);
+      Bdf2Predictor::each_array(points.predictor_, action);
       action("stress", points.committed_stress_);
       PointCriteria::each_array(*points.criteria_, action);
       if (points.law_->traits().needs_duration)
@@ -265,7 +265,7 @@ namespace deltaform
     static constexpr double at_the_same_time = 1e-6;
     double duration_ = 1.; ///< of the last increment that took time (time)
     double share_of_duration_ = 1.; ///< of it, that the present one takes
-    CarriedFlow carried_; ///< of no points if the law does not want it
+    Bdf2Predictor predictor_; ///< of no points if the law does not want it
     std::vector<Mandel> strain_, stress_, committed_stress_;
     BlankAccount account_;
   };

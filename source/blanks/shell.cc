@@ -326,7 +326,7 @@ namespace deltaform
   }
 
 
-  Inherited Shell::take_formed(const KeyedArrays &formed)
+  TakenOver Shell::take_formed(const KeyedArrays &formed)
   {
     if (formed.has("elastic core") != core_.follows())
       throw SceneError("the earlier operation had another Blank/Layer rule: it must stay");
@@ -335,9 +335,9 @@ namespace deltaform
     {
       KeyedArrays whole = formed;
       ShellSurface::each_array(surface_, PutInto(whole));
-      Inherited inherited = Blank::take_formed(whole);
-      surface_.update(inherited.unknowns);
-      return inherited;
+      TakenOver taken = Blank::take_formed(whole);
+      surface_.update(taken.unknowns);
+      return taken;
     }
     const ShellTransfer transfer(space_, points_, material_);
     KeyedArrays own;

@@ -57,7 +57,7 @@ namespace deltaform
     KeyedArrays state() const override;
     void set_state(const KeyedArrays &state) override;
     KeyedArrays formed(const Vector &q) override;
-    Inherited take_formed(const KeyedArrays &formed) override;
+    TakenOver take_formed(const KeyedArrays &formed) override;
 
   private:
     /// Thickness of a quadrature point in the trial state (length).

@@ -327,7 +327,7 @@ namespace deltaform
   }
 
 
-  Inherited Solid::take_formed(const KeyedArrays &formed)
+  TakenOver Solid::take_formed(const KeyedArrays &formed)
   {
     if (goes_on_like(formed))
     {
@@ -335,9 +335,9 @@ namespace deltaform
         return Blank::take_formed(formed);
       KeyedArrays open = formed;
       SolidSurface::leave_points_open(open);
-      Inherited inherited = Blank::take_formed(open);
-      surface_.update(inherited.unknowns);
-      return inherited;
+      TakenOver taken = Blank::take_formed(open);
+      surface_.update(taken.unknowns);
+      return taken;
     }
     transfer_.cut_cells(formed);
     std::vector<Vector> fields(1);

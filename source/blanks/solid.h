@@ -71,7 +71,7 @@ namespace deltaform
     KeyedArrays state() const override;
     void set_state(const KeyedArrays &state) override;
     KeyedArrays formed(const Vector &q) override;
-    Inherited take_formed(const KeyedArrays &formed) override;
+    TakenOver take_formed(const KeyedArrays &formed) override;
 
   private:
     /// Is the mesh as read that of a formed solid, and does what has happened to that one since happen to this one?

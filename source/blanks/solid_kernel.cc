@@ -39,7 +39,7 @@ namespace deltaform
     const unsigned int n = body_.points().size();
     constant_matrices_.clear();
     material_.reset(n);
-    motion_.reset(n, material_.carries());
+    motion_.reset(n, material_.has_predictor());
     linear_ = has_linear_law();
     turn_axes();
   }

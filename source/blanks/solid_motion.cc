@@ -193,7 +193,7 @@ namespace deltaform
       for (const HistoryField &field : material.law().history_layout().fields())
         if (field.kind == HistoryKind::tensor)
         {
-          double *const flow = material.carried(i) + field.first;
+          double *const flow = material.predictor(i) + field.first;
           const Mandel now = by({{flow[0], flow[1], flow[2], flow[3]}});
           std::copy(now.begin(), now.end(), flow);
         }

@@ -147,24 +147,24 @@ namespace deltaform
           law,
           {batch.strain[p], given_stress, start, committed, trial, batch.stress[p], tangent});
       };
-      double *carried = batch.carried != nullptr ? batch.carried + p * n : nullptr;
+      double *predictor = batch.predictor != nullptr ? batch.predictor + p * n : nullptr;
       PointOutcome outcome = PointOutcome::good;
       bool goes_on = false;
-      if (carried != nullptr && carried[FlowHistory::equivalent] > 0.)
+      if (predictor != nullptr && predictor[FlowHistory::equivalent] > 0.)
       {
         std::array<double, most_values> start;
         for (std::size_t i = 0; i < n; ++i)
-          start[i] = committed[i] + carried[i];
-        law.share = batch.carried_share;
+          start[i] = committed[i] + predictor[i];
+        law.share = batch.duration_share;
         outcome = return_from(start.data());
         law.share = 1.;
         double along = 0.;
         for (unsigned int i = 0; i < 4; ++i)
-          along += carried[i] * (trial[i] - start[i]);
+          along += predictor[i] * (trial[i] - start[i]);
         goes_on = outcome == PointOutcome::good && along > 0.;
         // Decided once: points that change their minds from iteration to iteration keep Newton from converging.
         if (!goes_on)
-          std::fill_n(carried, std::size_t(n), 0.);
+          std::fill_n(predictor, std::size_t(n), 0.);
       }
       // Where there is much less flow now, or none, or it has turned back, the last flow has nothing to go on with.
       if (!goes_on)
@@ -213,7 +213,7 @@ namespace deltaform
       one.strain += p;
       one.third_stress += p;
       one.committed += p * n;
-      one.carried += batch.carried != nullptr ? p * n : 0;
+      one.predictor += batch.predictor != nullptr ? p * n : 0;
       one.trial += p * n;
       one.stress += p;
       one.tangent += batch.tangent != nullptr ? p * std::size_t(16) : 0;

@@ -23,9 +23,9 @@ namespace deltaform
   inline FlowRate flow_rate(const FlowLaw &law, const PointUpdate &point, const double x)
   {
     const double by_growth = 1. / (law.share * law.duration);
-    const double carried = point.start[FlowHistory::equivalent] - point.committed[FlowHistory::equivalent];
-    const double mean = (carried + x) / law.duration, last = carried / ((1. - law.share) * law.duration);
-    if (!(law.share < 1. && carried > 0. && mean < last))
+    const double before = point.start[FlowHistory::equivalent] - point.committed[FlowHistory::equivalent];
+    const double mean = (before + x) / law.duration, last = before / ((1. - law.share) * law.duration);
+    if (!(law.share < 1. && before > 0. && mean < last))
       return {x * by_growth, by_growth};
     const double falls = std::pow(mean / last, (1. - law.share) / law.share);
     return {mean * falls, by_growth * falls};

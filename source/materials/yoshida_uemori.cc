@@ -252,8 +252,8 @@ namespace deltaform
                                         double *end) const
     {
       const Direction at_end(relative_stress, at);
-      const double *committed = from.committed, x = from.carried_flow + flow;
-      const double share = from.carried_flow > 0. ? .5 : 1.;
+      const double *committed = from.committed, x = from.predicted_flow + flow;
+      const double share = from.predicted_flow > 0. ? .5 : 1.;
       Moved n{};
       for (unsigned int i = 0; i < 4; ++i)
       {

@@ -26,10 +26,10 @@ namespace deltaform
   } // namespace
 
 
-  void FormedStart::begin(const Inherited &inherited)
+  void FormedStart::begin(const TakenOver &taken)
   {
-    std::copy(inherited.unknowns.begin(), inherited.unknowns.end(), state_.unknowns.begin());
-    held_ = inherited.held;
+    std::copy(taken.unknowns.begin(), taken.unknowns.end(), state_.unknowns.begin());
+    held_ = taken.held;
     due_ = true;
     begin_accounts();
   }

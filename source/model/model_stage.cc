@@ -21,10 +21,10 @@ namespace deltaform
 
   void Model::start_from(const KeyedArrays &formed)
   {
-    const Inherited inherited = actors_.blank->take_formed(formed);
+    const TakenOver taken = actors_.blank->take_formed(formed);
     contact_.resize();
     renumber();
-    formed_start_.begin(inherited);
+    formed_start_.begin(taken);
   }
 
 

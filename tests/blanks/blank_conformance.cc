@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(forces_turn_with_the_blank)
                    });
 }
 
-BOOST_AUTO_TEST_CASE(carried_flow_turns_with_the_blank)
+BOOST_AUTO_TEST_CASE(bdf2_predictor_turns_with_the_blank)
 {
   // The same plastic history once at rest and once on a turntable: two-step flow knows the axes of its last increment.
   std::mt19937 generator(7);

@@ -369,18 +369,18 @@ BOOST_AUTO_TEST_CASE(another_mesh_begins_with_a_formed_body)
         const auto forces = residual(*old, q);
 
         const auto other = block(to, symmetry, fine);
-        const Inherited inherited = other->take_formed(formed);
+        const TakenOver taken = other->take_formed(formed);
         const Vector expected = field(*other, stretch);
         for (unsigned int i = 0; i < expected.size(); ++i)
-          BOOST_TEST(std::abs(inherited.unknowns[i] - expected[i]) < 1e-13);
+          BOOST_TEST(std::abs(taken.unknowns[i] - expected[i]) < 1e-13);
         for (const double value : drawn(*other, expected, "equivalent_plastic_strain"))
           BOOST_TEST(value == strain, boost::test_tools::tolerance(1e-11));
         BOOST_TEST(other->energy().elastic == old->energy().elastic, boost::test_tools::tolerance(1e-10));
         BOOST_TEST(largest_inside(*other, expected) < 1e-11);
-        BOOST_TEST_REQUIRE(inherited.held.has_value());
+        BOOST_TEST_REQUIRE(taken.held.has_value());
         double work = 0., old_work = 0.;
         for (unsigned int i = 0; i < expected.size(); ++i)
-          work += (*inherited.held)[i] * expected[i];
+          work += (*taken.held)[i] * expected[i];
         for (unsigned int i = 0; i < q.size(); ++i)
           old_work += forces[i] * q[i];
         BOOST_TEST(work == old_work, boost::test_tools::tolerance(1e-12));

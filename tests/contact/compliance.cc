@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(two_springs_in_series)
   {
     const std::string entry = share > 0. ? "Thickness compliance=on" : "Thickness compliance=off";
     CompliantContact fixture(surface, constant + Entries{"Enforcement=penalty"}, entry);
-    const DenseTarget target = fixture.settle(sunk(fixture, .1));
+    const DenseTarget target = fixture.converge(sunk(fixture, .1));
     const double stiff = 1. / (1. / factor + share * give);
     const ContactPointState &state = fixture.contact.trial()[0];
     BOOST_TEST(std::abs(state.force - .1 * stiff) < 1e-13);
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(an_estimate_along_a_step_is_the_force_at_its_end)
 {
   const FakeSurface surface = compliant_node();
   CompliantContact fixture(surface, constant + Entries{"Enforcement=penalty"});
-  fixture.settle(sunk(fixture, .1));
+  fixture.converge(sunk(fixture, .1));
   Vector d(fixture.n);
   d[1] = -.05;
   fixture.contact.prepare_step(d);
@@ -93,10 +93,10 @@ BOOST_AUTO_TEST_CASE(augmentation_leaves_the_compression)
   // A shift that is the force of the compressed sheet: no penetration is left.
   const FakeSurface surface = compliant_node();
   CompliantContact fixture(surface, constant + Entries{"Enforcement=augmented Lagrangian"});
-  fixture.settle(sunk(fixture, .1));
+  fixture.converge(sunk(fixture, .1));
   const double force = .1 / give;
   fixture.contact.set_shifts(&force);
-  fixture.settle(sunk(fixture, .1));
+  fixture.converge(sunk(fixture, .1));
   BOOST_TEST(std::abs(fixture.contact.trial()[0].force - force) < 1e-13);
   BOOST_TEST(std::abs(fixture.contact.trial()[0].gap) < 1e-15);
 }

@@ -34,7 +34,7 @@ namespace
       q[i] = u[i];
     fixture.contact.begin_stage(q, 0.);
     fixture.begin_increment(q, 1., 1e3);
-    fixture.settle(q);
+    fixture.converge(q);
     fixture.contact.commit(q);
     std::vector<double> result;
     shorten_edges(fixture.contact, .1, false, result);

@@ -45,9 +45,9 @@ namespace
   void go(InterfaceFixture &fixture, Vector &q, const Vector &next, const double time)
   {
     fixture.begin_increment(q, time, stiffness);
-    fixture.settle(next);
+    fixture.converge(next);
     for (unsigned int round = 0; round < 9 && fixture.contact.correct_factors() > 0; ++round)
-      fixture.settle(next);
+      fixture.converge(next);
     fixture.contact.commit(q = next);
   }
 
@@ -63,16 +63,16 @@ BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
   fixture.contact.begin_stage(place(fixture, 0., .1), 0.);
   fixture.begin_increment(place(fixture, 0., .1), 1., stiffness);
   const Vector q = place(fixture, .01, -.01);
-  fixture.settle(q);
+  fixture.converge(q);
   fixture.contact.commit(q);
   const auto committed = fixture.contact.committed();
   const auto energy = fixture.contact.energy();
   BOOST_TEST(fixture.contact.n_touching() == 3u);
 
   fixture.begin_increment(q, 2., stiffness);
-  fixture.settle(place(fixture, .3, -.5));
+  fixture.converge(place(fixture, .3, -.5));
   fixture.contact.correct_factors();
-  fixture.settle(place(fixture, .3, .5));
+  fixture.converge(place(fixture, .3, .5));
   for (unsigned int i = 0; i < 3; ++i)
     BOOST_TEST(same(fixture.contact.committed()[i], committed[i]));
   fixture.contact.begin_increment(1.5);
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(the_promise)
     q[1] = -p0;
     q[3] = -p1;
     q[5] = -p2;
-    fixture.settle(q);
+    fixture.converge(q);
   };
   push(.5 * delta, 2. * delta, 100. * delta);
   std::vector<double> before;
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(early_corrections_are_those_after_convergence)
     q[1] = -.5e-3;
     q[3] = -2e-3;
     q[5] = -.1;
-    fixture.settle(q);
+    fixture.converge(q);
     std::vector<double> result;
     result.push_back(early ? fixture.contact.correct_factors_early() : fixture.contact.correct_factors());
     for (const auto &state : fixture.contact.trial())
@@ -244,10 +244,10 @@ BOOST_AUTO_TEST_CASE(free_travel_is_the_gap_of_the_closest_node)
   q[5] = .07;
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  fixture.settle(q);
+  fixture.converge(q);
   BOOST_TEST(std::abs(fixture.contact.free_travel() - .0705) < 1e-14);
   q[5] = -1e-4;
-  fixture.settle(q);
+  fixture.converge(q);
   BOOST_TEST(fixture.contact.free_travel() == 0.);
 }
 
@@ -259,9 +259,9 @@ BOOST_AUTO_TEST_CASE(round_off_breaks_no_promise)
   Vector q = place(fixture, 1., 0.);
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  fixture.settle(place(fixture, 1., -1.1e-14));
+  fixture.converge(place(fixture, 1., -1.1e-14));
   BOOST_TEST(FactorControl::broken_promise(fixture.contact.trial()).first == invalid_index);
-  fixture.settle(place(fixture, 1., -1.4e-14));
+  fixture.converge(place(fixture, 1., -1.4e-14));
   BOOST_TEST(FactorControl::broken_promise(fixture.contact.trial()).first == 0u);
 }
 
@@ -273,7 +273,7 @@ BOOST_AUTO_TEST_CASE(the_next_factor_comes_from_the_reaction)
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
   q = place(fixture, 0., -5e-4);
-  fixture.settle(q);
+  fixture.converge(q);
   BOOST_TEST(std::abs(fixture.contact.trial()[0].penalty_factor - .01 * stiffness) < 1e-12); // the floor
   fixture.contact.commit(q);
   BOOST_TEST(fixture.contact.governed_by_floor(0));
@@ -281,14 +281,14 @@ BOOST_AUTO_TEST_CASE(the_next_factor_comes_from_the_reaction)
   fixture.begin_increment(q, 2., 10.); // a softer blank: the floor is far below
   // From nothing to this force in the last increment: in one as long it is expected to grow as much again.
   BOOST_TEST(std::abs(fixture.contact.trial()[0].penalty_factor - 2 * force / .8e-3) < 1e-12);
-  fixture.settle(q);
+  fixture.converge(q);
   fixture.contact.commit(q);
   BOOST_TEST(!fixture.contact.governed_by_floor(0));
   // A node that lets go loses its factor; one that comes takes the larger of its
   // neighbour's and the tool's median.
   fixture.begin_increment(q, 3., 10.);
   q[1] = .1;
-  fixture.settle(q);
+  fixture.converge(q);
   fixture.contact.commit(q);
   BOOST_TEST(fixture.contact.committed()[0].penalty_factor == 0.);
   fixture.begin_increment(q, 4., 10.);
@@ -314,7 +314,7 @@ BOOST_AUTO_TEST_CASE(who_touched_is_held_at_the_start)
         q[fixture.n_blank + i] = .1;
     fixture.contact.begin_stage(q, 0.);
     fixture.begin_increment(q, 1., stiffness);
-    fixture.settle(q);
+    fixture.converge(q);
     fixture.contact.commit(q);
     BOOST_TEST(fixture.contact.committed()[0].force > 0.);
     fixture.contact.begin_increment(2.);
@@ -337,7 +337,7 @@ BOOST_AUTO_TEST_CASE(the_estimate_of_the_force)
   Vector q = place(fixture, 0., -.02), d(fixture.n);
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  fixture.settle(q);
+  fixture.converge(q);
   BOOST_TEST(std::abs(fixture.contact.trial()[0].multiplier - 1.) < 1e-13);
   d[1] = -.03;
   d[3] = .05;
@@ -362,7 +362,7 @@ BOOST_AUTO_TEST_CASE(tension_is_no_solution)
   Vector q = place(fixture, 0., -.02);
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  fixture.settle(q);
+  fixture.converge(q);
   fixture.assemble(place(fixture, 0., .01));
   BOOST_TEST(fixture.contact.trial()[0].touching);
   BOOST_TEST(fixture.contact.trial()[0].force < 0.);
@@ -381,7 +381,7 @@ BOOST_AUTO_TEST_CASE(continuation_of_a_first_touch)
   double last = 0.;
   do
   {
-    fixture.settle(q);
+    fixture.converge(q);
     BOOST_TEST(fixture.contact.trial()[0].force > 5. * last);
     last = fixture.contact.trial()[0].force;
   } while (fixture.contact.correct_factors() > 0 && ++rounds < 20);
@@ -407,14 +407,14 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
   const auto go = [&](const double x, const double z) {
     const Vector next = place(fixture, x, z);
     fixture.begin_increment(q, ++k, stiffness);
-    fixture.settle(q);
-    fixture.settle(next);
+    fixture.converge(q);
+    fixture.converge(next);
     for (unsigned int round = 0; round < 3 && fixture.contact.correct_factors() > 0; ++round)
     {
-      fixture.settle(next);
+      fixture.converge(next);
       ++corrected;
     }
-    const auto now = fixture.settle(next).residual;
+    const auto now = fixture.converge(next).residual;
     for (unsigned int i = 0; i < fixture.n; ++i)
       work += .5 * (now[i] + committed[i]) * (next[i] - q[i]);
     committed = now;
@@ -506,15 +506,15 @@ BOOST_AUTO_TEST_CASE(sticking_creeps_less_than_allowed)
   Vector q = place(fixture, 0., -.1); // lambda = 5, limit 1
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  fixture.settle(q);
+  fixture.converge(q);
   fixture.contact.commit(q);
   fixture.begin_increment(q, 2., stiffness);
   BOOST_TEST(std::abs(fixture.contact.trial()[0].tangential_factor - 1. / 1e-4) < 1e-8);
-  fixture.settle(place(fixture, .99e-4, -.1));
+  fixture.converge(place(fixture, .99e-4, -.1));
   BOOST_TEST(fixture.contact.trial()[0].sticking);
   BOOST_TEST(fixture.contact.correct_factors() == 0u);
   // With more normal force it would stick and creep further: the factor is raised.
-  fixture.settle(place(fixture, 3e-4, -.4));
+  fixture.converge(place(fixture, 3e-4, -.4));
   BOOST_TEST(fixture.contact.trial()[0].sticking);
   const double before = fixture.contact.trial()[0].tangential_factor;
   BOOST_TEST(fixture.contact.correct_factors() == 1u);
@@ -528,7 +528,7 @@ BOOST_AUTO_TEST_CASE(a_thicker_blank_pushes)
   const Vector q = place(fixture, 0., .04);
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  fixture.settle(q);
+  fixture.converge(q);
   fixture.contact.commit(q);
   surface.offset += 1e-4;
   fixture.contact.refresh(q);
@@ -563,7 +563,7 @@ BOOST_AUTO_TEST_CASE(the_deepest_point_of_an_edge_over_an_arc)
             const Vector q(fixture.n);
             fixture.contact.begin_stage(q, 0.);
             fixture.begin_increment(q, 1., stiffness);
-            fixture.settle(q);
+            fixture.converge(q);
             fixture.contact.commit(q);
             BOOST_TEST(fixture.contact.n_touching() == 2u);
 
@@ -596,7 +596,7 @@ BOOST_AUTO_TEST_CASE(results_of_an_interface)
   BOOST_TEST(std::abs(fixture.contact.projector().closest(q, way).second + p) < 1e-14);
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  fixture.settle(q);
+  fixture.converge(q);
   fixture.contact.commit(q);
   BOOST_TEST(std::abs(penetration_between_nodes(fixture.contact, q) - (1. - (1. - p) * std::cos(a))) < 1e-9);
   for (const double pressure : contact_pressure(fixture.contact, q, 2))
@@ -634,7 +634,7 @@ BOOST_AUTO_TEST_CASE(a_tool_leaves_with_the_forces_of_the_last_equilibrium)
         fixture.begin_increment(q, 1., stiffness);
         q[0] = .01;
         q[2] = .02;
-        const DenseTarget balanced = fixture.settle(q);
+        const DenseTarget balanced = fixture.converge(q);
         BOOST_TEST_REQUIRE(fixture.contact.n_touching() > 0u);
         fixture.contact.commit(q);
 
@@ -680,7 +680,7 @@ BOOST_AUTO_TEST_CASE(nodes_without_area_have_no_contact)
   InterfaceFixture fixture(surface, constant, flat);
   fixture.contact.begin_stage(Vector(fixture.n), 0.);
   fixture.begin_increment(Vector(fixture.n), 1., stiffness);
-  BOOST_TEST(fixture.settle(place(fixture, 0., -.1)).residual.norm() == 0.);
+  BOOST_TEST(fixture.converge(place(fixture, 0., -.1)).residual.norm() == 0.);
   BOOST_TEST(fixture.contact.n_touching() == 0u);
 }
 

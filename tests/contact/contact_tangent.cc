@@ -102,11 +102,11 @@ namespace
       if (what.second)
       {
         fixture.begin_increment(before, .5, stiffness);
-        fixture.settle(before);
+        fixture.converge(before);
         fixture.contact.commit(before);
       }
       fixture.begin_increment(before, 1., stiffness);
-      fixture.settle(q);
+      fixture.converge(q);
     }
 
     void put(const unsigned int i, const Place &place, const Variant &what)
@@ -274,7 +274,7 @@ BOOST_AUTO_TEST_CASE(first_touches_in_continuation)
       fixture.contact.begin_stage(q, 0.);
       fixture.begin_increment(q, 1., stiffness);
       fixture.contact.soften(1e-2);
-      fixture.settle(q);
+      fixture.converge(q);
       const Assembly assembly = [&](const Vector &state, AssemblyTarget &target) {
         fixture.contact.assemble(state, target);
       };
@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(frictionless_forces_have_a_potential)
   q[5] = -.5;
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  const auto target = fixture.settle(q);
+  const auto target = fixture.converge(q);
   BOOST_TEST((target.matrix - target.matrix.transpose()).norm() < 1e-13 * target.matrix.norm());
   const auto potential = [&](const Vector &state) {
     fixture.assemble(state);
@@ -325,7 +325,7 @@ BOOST_AUTO_TEST_CASE(the_tool_feels_the_opposite_force)
   before[0] = .01;
   fixture.contact.begin_stage(before, 0.);
   fixture.begin_increment(before, 1., stiffness);
-  const auto target = fixture.settle(q);
+  const auto target = fixture.converge(q);
   BOOST_TEST(fixture.contact.n_touching() == 2u);
   const Tensor1 on_nodes({-target.residual[0] - target.residual[3], -target.residual[1] - target.residual[4]});
   BOOST_TEST((fixture.contact.tool_force() + on_nodes).norm() < 1e-13);

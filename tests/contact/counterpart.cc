@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(another_counterpart_takes_its_forces)
       fixture.begin_increment(q, 1., 1e3);
       q[0] += 4e-4;
       q[block.first_unknown()] += 2e-3;
-      const auto target = fixture.settle(q);
+      const auto target = fixture.converge(q);
       BOOST_TEST(fixture.contact.n_touching() == 3u);
       for (const unsigned int k : {0, 1})
       {

@@ -82,7 +82,7 @@ namespace
     const Vector q(fixture.n);
     fixture.contact.begin_stage(q, 0.);
     fixture.begin_increment(q, 1., stiffness);
-    fixture.settle(q);
+    fixture.converge(q);
     fixture.contact.commit(q);
     BOOST_TEST(fixture.contact.n_touching() >= 2u);
     return deepest_places(fixture.contact, q);

@@ -152,7 +152,7 @@ namespace deltaform
       }
 
       /// Assemble such that the estimates of lambda are the forces, as they are at a converged state.
-      DenseTarget settle(const Vector &q)
+      DenseTarget converge(const Vector &q)
       {
         for (unsigned int k = 0; k < 2; ++k)
         {

@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(the_flow_stress_of_the_surface_bounds_the_force)
     }
     fixture.contact.begin_stage(before, 0.);
     fixture.begin_increment(before, 1., 1e3);
-    fixture.settle(q);
+    fixture.converge(q);
     BOOST_TEST(fixture.contact.n_touching() == 3u);
     const double each = .6 * 7. / std::sqrt(3.) * .4;
     BOOST_TEST(std::abs(std::abs(fixture.contact.tool_force()[0]) - 3. * each) < 1e-12);

@@ -152,10 +152,10 @@ BOOST_AUTO_TEST_CASE(tangent)
           const Vector before = pressed(fixture, slip, 0.), q = pressed(fixture, 0., .005);
           fixture.contact.begin_stage(before, 0.);
           fixture.begin_increment(before, .5, stiffness);
-          fixture.settle(before);
+          fixture.converge(before);
           fixture.contact.commit(before);
           fixture.begin_increment(before, 1., stiffness);
-          fixture.settle(q);
+          fixture.converge(q);
           BOOST_TEST(fixture.contact.n_touching() == 2u);
           for (const auto &state : fixture.contact.trial())
             BOOST_TEST(state.sticking == (slip < .1));
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(stiffness_of_a_point)
   q[1] = q[4] = .049; // flat on the plate, .001 in it
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  fixture.settle(q);
+  fixture.converge(q);
   for (unsigned int i = 0; i < 2; ++i)
   {
     const double x = beam.places[i], y = 1. - x;
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(nodes_feel_the_forces_of_their_points)
   q[1] = q[4] = .049;
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  const DenseTarget target = fixture.settle(q);
+  const DenseTarget target = fixture.converge(q);
   fixture.contact.commit(q);
   const auto &points = fixture.contact.committed();
   const double first = points[0].force, second = points[1].force;
@@ -281,14 +281,14 @@ BOOST_AUTO_TEST_CASE(the_deepest_place_is_found_between_the_points)
   q[1] = q[4] = 1. + .05 - depth;
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  fixture.settle(q);
+  fixture.converge(q);
   fixture.contact.commit(q);
   BOOST_TEST(fixture.contact.n_touching() == 0u);
   BOOST_TEST(penetration_between_nodes(fixture.contact, q) == 0.); // no point has noticed the tool
   beam.places = {.45, .7};
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);
-  fixture.settle(q);
+  fixture.converge(q);
   fixture.contact.commit(q);
   BOOST_TEST(fixture.contact.n_touching() == 1u);
   const auto &state = fixture.contact.committed()[0];

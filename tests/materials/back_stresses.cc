@@ -60,7 +60,7 @@ namespace
       const double from = e[0];
       const auto n = static_cast<unsigned int>(std::ceil(std::abs(strain - from) / step - 1e-9));
       double t = 0.;
-      std::fill(point.carried.begin(), point.carried.end(), 0.); // the steps have another length
+      std::fill(point.predictor.begin(), point.predictor.end(), 0.); // the steps have another length
       for (unsigned int i = 1; i <= n; ++i)
       {
         t = stress(from + (strain - from) * i / n);
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(tension_and_shear_that_turn)
   for (const auto &[direct, shear, e_direct, e_shear] : paths)
   {
     constexpr unsigned int n = 4000;
-    std::fill(point.carried.begin(), point.carried.end(), 0.);
+    std::fill(point.predictor.begin(), point.predictor.end(), 0.);
     for (unsigned int step = 1; step <= n; ++step)
     {
       const double part = double(step) / n;

@@ -346,7 +346,7 @@ BOOST_AUTO_TEST_CASE(strains_that_are_not_finite_shorten_the_step)
             std::array<Mandel, 3> strain{}, stress{};
             strain[1][component] = bad;
             const std::array<double, 3> third_stress{};
-            std::vector<double> committed(3 * material.history_size(), 0.), trial(committed), carried(committed);
+            std::vector<double> committed(3 * material.history_size(), 0.), trial(committed), predictor(committed);
             MaterialBatch batch;
             batch.n_points = 3;
             batch.third_direction = third;
@@ -354,7 +354,7 @@ BOOST_AUTO_TEST_CASE(strains_that_are_not_finite_shorten_the_step)
             batch.third_stress = third_stress.data();
             batch.duration = 1.;
             batch.committed = committed.data();
-            batch.carried = material.two_steps() ? carried.data() : nullptr;
+            batch.predictor = material.two_steps() ? predictor.data() : nullptr;
             batch.trial = trial.data();
             batch.stress = stress.data();
             const Status status = material.update(batch);

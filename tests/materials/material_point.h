@@ -76,7 +76,7 @@ namespace deltaform
       /// @param two_steps is the flow of the last increment carried on?
       explicit MaterialPoint(const Material &law, const bool two_steps = false)
         : material(law), committed(law.history_size(), 0.), trial(law.history_size(), 0.),
-          carried(two_steps ? law.history_size() : 0, 0.)
+          predictor(two_steps ? law.history_size() : 0, 0.)
       {
       }
 
@@ -90,9 +90,9 @@ namespace deltaform
         batch.strain = &e;
         batch.third_stress = &third_stress;
         batch.duration = duration;
-        batch.carried_share = carried.empty() ? 1. : 2. / 3.; // increments of the same length
+        batch.duration_share = predictor.empty() ? 1. : 2. / 3.; // increments of the same length
         batch.committed = committed.data();
-        batch.carried = carried.empty() ? nullptr : carried.data();
+        batch.predictor = predictor.empty() ? nullptr : predictor.data();
         batch.trial = trial.data();
         batch.stress = &stress;
         batch.tangent = C;
@@ -108,8 +108,8 @@ namespace deltaform
 
       void commit()
       {
-        for (std::size_t i = 0; i < carried.size(); ++i)
-          carried[i] = (trial[i] - committed[i]) / 3.; // increments of the same length
+        for (std::size_t i = 0; i < predictor.size(); ++i)
+          predictor[i] = (trial[i] - committed[i]) / 3.; // increments of the same length
         committed.swap(trial);
       }
 
@@ -119,7 +119,7 @@ namespace deltaform
       }
 
       const Material &material;
-      std::vector<double> committed, trial, carried;
+      std::vector<double> committed, trial, predictor;
       double duration = .5;
       Status status;
     };

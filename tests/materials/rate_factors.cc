@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(relaxation)
   point.duration = 1e-13;
   require_close(stress(), 100., 1e-6, "the stress at the start");
   point.commit();
-  std::fill(point.carried.begin(), point.carried.end(), 0.);
+  std::fill(point.predictor.begin(), point.predictor.end(), 0.);
   point.duration = 2e-6;
   const double expected[4][2] = {{1e-4, 86.33400}, {1e-3, 57.73503}, {1e-2, 33.33333}, {.1, 18.79714}};
   unsigned int step = 0;
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(copper_that_heats_itself)
       // there.
       const double end = std::sqrt(1.5) * (plastic + stress / (3. * elastic.shear));
       constexpr unsigned int n = 4000;
-      std::fill(point.carried.begin(), point.carried.end(), 0.);
+      std::fill(point.predictor.begin(), point.predictor.end(), 0.);
       for (unsigned int i = 1; i <= n; ++i)
       {
         t = point.solid({{0., 0., 0., last + (end - last) * i / n}});

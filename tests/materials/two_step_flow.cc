@@ -1,7 +1,7 @@
 // The two-step formula of flow: order, tangent, and what it does where flow ends.
 #include "material_point.h"
 
-#include <deltaform/materials/carried_flow.h>
+#include <deltaform/materials/bdf2_predictor.h>
 #include <deltaform/materials/flow_error.h>
 
 #include <boost/test/unit_test.hpp>
@@ -29,7 +29,7 @@ namespace
   {
     explicit Path(const Material &law)
       : material(law), history(1, law.history_layout()),
-        carried(law.two_steps() ? CarriedFlow(1, law.history_size()) : CarriedFlow())
+        predictor(law.two_steps() ? Bdf2Predictor(1, law.history_size()) : Bdf2Predictor())
     {
     }
 
@@ -43,7 +43,7 @@ namespace
       batch.strain = &strain;
       batch.third_stress = &third_stress;
       batch.committed = history.committed(0);
-      batch.carried = carried.at(0);
+      batch.predictor = predictor.at(0);
       batch.trial = history.trial(0);
       batch.stress = &stress;
       batch.tangent = tangent;
@@ -53,13 +53,13 @@ namespace
 
     void commit()
     {
-      carried.keep(history);
+      predictor.keep(history);
       history.commit();
     }
 
     const Material &material;
     PointHistory history;
-    CarriedFlow carried;
+    Bdf2Predictor predictor;
   };
 
   // Two directions of strain without change of volume, of length 1, at right angles.
@@ -90,7 +90,7 @@ namespace
     Mandel stress{};
     for (unsigned int i = 1; i <= n; ++i)
     {
-      path.carried.carry(i > 1 ? 1. : 0.);
+      path.predictor.predict(i > 1 ? 1. : 0.);
       stress = path.update(combined(yield, beyond * i / n));
       path.commit();
     }
@@ -111,15 +111,15 @@ namespace
     Path path(*material);
     for (unsigned int i = 1; i <= 3; ++i)
     {
-      path.carried.carry(i > 1 ? 1. : 0.);
+      path.predictor.predict(i > 1 ? 1. : 0.);
       path.update({{.004 * i, .001 * i * i, -.003 * i, .002 * i}}, third);
       path.commit();
     }
-    path.carried.carry(1.5);
+    path.predictor.predict(1.5);
     const Mandel strain{{.018, .0245, -.02, .014}};
     std::array<double, 16> tangent;
     path.update(strain, third, tangent.data());
-    BOOST_TEST(path.history.trial(0)[4] > path.history.committed(0)[4] + path.carried.at(0)[4]);
+    BOOST_TEST(path.history.trial(0)[4] > path.history.committed(0)[4] + path.predictor.at(0)[4]);
     for (unsigned int j = 0; j < 4; ++j)
     {
       if (j == 2 && third == ThirdDirection::stress_given)
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(nothing_flows_after_a_reversal)
   Path path(*material);
   path.update(combined(.01, 0.));
   path.commit();
-  path.carried.carry(1.);
+  path.predictor.predict(1.);
   path.update(combined(.0095, 0.));
   for (unsigned int i = 0; i < material->history_size(); ++i)
     BOOST_TEST(path.history.trial(0)[i] == path.history.committed(0)[i]);
@@ -178,12 +178,12 @@ BOOST_AUTO_TEST_CASE(nothing_flows_after_a_reversal)
 
 BOOST_AUTO_TEST_CASE(nothing_is_carried_without_a_last_increment_or_far_beyond_it)
 {
-  CarriedFlow flow(1, 5);
-  BOOST_TEST(flow.carry(1.));
-  BOOST_TEST(!flow.carry(0.));
+  Bdf2Predictor flow(1, 5);
+  BOOST_TEST(flow.predict(1.));
+  BOOST_TEST(!flow.predict(0.));
   BOOST_TEST(flow.at(0) == nullptr);
-  BOOST_TEST(!flow.carry(1.01 * CarriedFlow::largest_ratio));
-  BOOST_TEST(!CarriedFlow().carry(1.));
+  BOOST_TEST(!flow.predict(1.01 * Bdf2Predictor::largest_ratio));
+  BOOST_TEST(!Bdf2Predictor().predict(1.));
 }
 
 BOOST_AUTO_TEST_CASE(estimated_error_is_half_the_sine_of_the_turn)

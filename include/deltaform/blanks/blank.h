@@ -23,7 +23,7 @@
 namespace deltaform
 {
   /// What a run takes over from an earlier operation.
-  struct Inherited
+  struct TakenOver
   {
     Vector unknowns;
 
@@ -207,7 +207,7 @@ namespace deltaform
     /// Begin with what another blank of the same kind has been formed to. The number of unknowns may change: a mesh
     /// that was refined comes over as it was.
     /// @throws SceneError if this blank is no part of that one, or cannot have another mesh
-    virtual Inherited take_formed(const KeyedArrays &formed);
+    virtual TakenOver take_formed(const KeyedArrays &formed);
     ///@}
 
   protected:

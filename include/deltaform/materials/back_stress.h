@@ -48,9 +48,9 @@ namespace deltaform
   /// What a backstress goes from: its own fields of the history.
   struct BackStressStart
   {
-    const double *values; ///< of which backward Euler makes the end: h* of BDF2 (CarriedFlow), or the committed ones
+    const double *values; ///< of which backward Euler makes the end: h* of BDF2 (Bdf2Predictor), or the committed ones
     const double *committed; ///< at the begin of the increment
-    double carried_flow; ///< growth of the equivalent plastic strain from there to values (1); 0: they are the same
+    double predicted_flow; ///< growth of the equivalent plastic strain from there to values (1); 0: they are the same
   };
 
 
@@ -58,7 +58,7 @@ namespace deltaform
    * Kinematic hardening: q(stress - alpha) = flow stress, with alpha a function of history. With xi = stress - alpha at
    * the end of the increment and x the growth of the equivalent plastic strain, the law integrates its own evolution by
    * backward Euler: alpha(xi, x). What does not go on smoothly may be integrated by a one-step rule from the committed
-   * values instead, over the whole growth, x + carried_flow. Laws of several parts (Chaboche) and with scalars of
+   * values instead, over the whole growth, x + predicted_flow. Laws of several parts (Chaboche) and with scalars of
    * their own (a stagnation surface) keep them in their own fields of the history.
    */
   class BackStress

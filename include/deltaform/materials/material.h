@@ -57,9 +57,9 @@ namespace deltaform
     const double *third_stress = nullptr; ///< in for stress_given: Kirchhoff stress along direction 3
     const double *committed = nullptr; ///< in: history at the last accepted increment
     double duration = 0.; ///< in: time that the increment takes (time), for laws that need it
-    double carried_share = 1.; ///< in: share of it that counts for flow from the carried history (CarriedFlow)
-    double *carried = nullptr; ///< in, or null: what a law of two steps adds to the committed history before the flow
-      ///< of this increment (CarriedFlow); out: zero where the flow did not go on
+    double duration_share = 1.; ///< in: share of it that counts for flow from the predicted history (Bdf2Predictor)
+    double *predictor = nullptr; ///< in, or null: what a law of two steps adds to the committed history before the flow
+      ///< of this increment (Bdf2Predictor); out: zero where the flow did not go on
     double *trial = nullptr; ///< in: a starting guess from the last iteration; out: history at this strain
     Mandel *stress = nullptr; ///< out
     double *tangent = nullptr; ///< out if not null: n_points x 4 x 4 row-major, d stress / d strain. For
@@ -94,7 +94,7 @@ namespace deltaform
     {
     }
 
-    /// Does the law want MaterialBatch::carried?
+    /// Does the law want MaterialBatch::predictor?
     virtual bool two_steps() const
     {
       return false;

@@ -33,7 +33,7 @@ namespace deltaform
    *
    * C isotropic, with a yield surface q, hardening s, backstress alpha and rate factor of any laws that go together.
    * Integrated by backward Euler (first order in the increment; exact where the direction of flow is constant) or by
-   * the two-step formula of CarriedFlow (second order), with the consistent tangent. Where the yield surface has a
+   * the two-step formula of Bdf2Predictor (second order), with the consistent tangent. Where the yield surface has a
    * return map in closed form, that is used; else the general one. C. Miehe, N. Apel, M. Lambrecht, Anisotropic
    * additive plasticity in the logarithmic strain space, Comput. Methods Appl. Mech. Eng. 191 (2002) 5383.
    */

@@ -39,7 +39,7 @@ namespace deltaform
     const Hardening &hardening;
     double initial_flow_stress; ///< hardening at no plastic strain
     double duration; ///< of the increment (time)
-    double share; ///< of it, that flow from PointUpdate::start takes (CarriedFlow::duration_share()); 1: backward Euler
+    double share; ///< of it, that flow from PointUpdate::start takes (Bdf2Predictor); 1: backward Euler
   };
 
 

@@ -26,7 +26,7 @@ namespace deltaform
     }
 
     /// The blank, whose unknowns are numbered, has come over.
-    void begin(const Inherited &inherited);
+    void begin(const TakenOver &taken);
 
     /// A stage begins; if it is the first since begin(), the forces that miss equilibrium become released ones.
     void enter(const Stage &stage, const ForceBook &book);
@@ -55,7 +55,7 @@ namespace deltaform
     const Numbering &numbering_;
     ModelState &state_;
     bool due_ = false;
-    std::optional<Vector> held_; ///< see Inherited
+    std::optional<Vector> held_; ///< see TakenOver
     Vector missing_; ///< to equilibrium, at the begin of the first stage
     double share_ = 0.; ///< of the forces in the cells that was dropped, or is out of balance; norms over the unknowns
   };

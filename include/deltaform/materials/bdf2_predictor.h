@@ -21,17 +21,17 @@ namespace deltaform
    * P. Papadopoulos, R.L. Taylor, On the application of multi-step integration methods to infinitesimal
    * elastoplasticity, Int. J. Numer. Meth. Eng. 37 (1994) 3169.
    */
-  class CarriedFlow
+  class Bdf2Predictor
   {
   public:
     /// Largest ratio w; a longer increment is backward Euler. BDF2 is zero-stable for growing increments up to
     /// w = 1 + sqrt(2).
     static constexpr double largest_ratio = 2.;
 
-    CarriedFlow() = default;
+    Bdf2Predictor() = default;
 
-    CarriedFlow(const std::size_t n_points, const unsigned int values_per_point)
-      : values_per_point_(values_per_point), last_(n_points * values_per_point, 0.), carried_(last_)
+    Bdf2Predictor(const std::size_t n_points, const unsigned int values_per_point)
+      : values_per_point_(values_per_point), last_(n_points * values_per_point, 0.), predictor_(last_)
     {
     }
 
@@ -49,7 +49,7 @@ namespace deltaform
     }
 
     /// Compute the predictor for an increment @p ratio times as long as the last one. @return false: backward Euler
-    bool carry(const double ratio)
+    bool predict(const double ratio)
     {
       active_ = used() && ratio > 0. && ratio <= largest_ratio;
       if (!active_)
@@ -57,7 +57,7 @@ namespace deltaform
       const double share = ratio * ratio / (1. + 2. * ratio);
       duration_share_ = (1. + ratio) / (1. + 2. * ratio);
       for (std::size_t i = 0; i < last_.size(); ++i)
-        carried_[i] = share * last_[i];
+        predictor_[i] = share * last_[i];
       return true;
     }
 
@@ -78,14 +78,14 @@ namespace deltaform
     /// h* - h_n of @p point, followed by those of the points behind it; null for backward Euler.
     const double *at(const std::size_t point) const
     {
-      return active_ ? carried_.data() + point * values_per_point_ : nullptr;
+      return active_ ? predictor_.data() + point * values_per_point_ : nullptr;
     }
     double *at(const std::size_t point)
     {
-      return active_ ? carried_.data() + point * values_per_point_ : nullptr;
+      return active_ ? predictor_.data() + point * values_per_point_ : nullptr;
     }
 
-    /// Nothing is carried until carry() says so.
+    /// There is no predictor until predict() says so.
     void pause()
     {
       active_ = false;
@@ -102,6 +102,6 @@ namespace deltaform
     unsigned int values_per_point_ = 0;
     bool active_ = false;
     double duration_share_ = 1.;
-    std::vector<double> last_, carried_; ///< h_n - h_n-1 and h* - h_n of all points
+    std::vector<double> last_, predictor_; ///< h_n - h_n-1 and h* - h_n of all points
   };
 } // namespace deltaform
