@@ -42,6 +42,7 @@ class Laws:
         page = re.search(r"^\| Softening \|.*?one of ([^|]*)\|", pages, re.MULTILINE)
         self.names["softening"] = [name.strip() for name in page[1].split(",")]
         self.names["criterion"].remove("forming limit")
+        self.names["criterion"].remove("temperature rise")  # adiabatic metals have it by themselves
         self.names["criterion"] += ["forming limit by " + curve for curve in self.names.pop("curve")]
 
     def entries(self, kind, law, chance):
