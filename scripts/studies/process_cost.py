@@ -14,6 +14,7 @@ from measured import ROOT, MeasuredTable, arguments_of
 TIGHT = ("--set", "Contact/Allowed penetration=1e-7*thickness")
 PROCESSES = (("cup", "cup", ()), ("cup, delta 1e-7 t", "cup", TIGHT), ("stretching", "osu_stretching", ()),
              ("U-bend, 2.45 kN", "u_bend", ()), ("U-bend, 19.6 kN", "shop/u_bend_19600", ()),
+             ("cup, solid", "cup_solid", ()), ("U-bend, solid, 2.45 kN", "u_bend_solid", ()),
              ("cup, drawn through", "shop/cup_drawn_through", ()), ("cup that tears", "shop/cup_tears", ()),
              ("first draw", "shop/redraw_1", ()), ("redrawing", "shop/redraw_2", ()), ("hydraulic bulge", "shop/hydraulic_bulge", ()),
              ("tube bulge", "shop/tube_bulge", ()), ("air bending", "shop/air_bending", ()), ("bottoming", "shop/v_bottoming", ()),

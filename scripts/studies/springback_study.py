@@ -24,7 +24,7 @@ RUNS = [
     ("solid_across", "u_bend_solid", ["Blank/Elements through thickness=2"], "175 x 2 elements of degree 2"),
     ("solid_both", "u_bend_solid", ["Blank/Elements=350", "Blank/Elements through thickness=2"], "350 x 2 elements of degree 2"),
 ]
-LEFT_OUT = {"solid_both_2450N"}  # a quarter of an hour by itself
+LEFT_OUT = {"solid_both_2450N"}  # minutes by itself
 HOLDERS = [("2450N", 35, "2.45 kN"), ("19600N", 280, "19.6 kN")]
 
 

@@ -32,7 +32,7 @@ namespace deltaform
          "penalty factor of each is found (Enforcement = penalty, Penalty rule = adaptive) for a delta of at least "
          "1e-4 edge, with finite strain, in one process and without Refinement; else the nodes.",
          "Contact points of an edge. With as many as the degree of the cells the force of each is determinate; with 20 "
-         "hardly any of the face enters a tool."},
+         "the face between them is little deeper than they are."},
         body_.space().degree()) == "automatic";
   }
 
