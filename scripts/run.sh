@@ -20,7 +20,7 @@ cat <<TEXT
 Results: ${results#"$PWD"/}
   history.csv      forces, travels, penetration, energies: a row per increment
   profile_*.csv    thickness, strains, stresses along the blank
-  contact_*.csv    the touching nodes: penetration, allowed penetration, pressure, slip
+  contact_*.csv    the touching points: penetration, allowed penetration, pressure, slip
   scene.pvd        open this in ParaView
   summary.json     the outcome in a page
 Pictures of them:  scripts/pictures.sh ${results#"$PWD"/}
