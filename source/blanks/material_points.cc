@@ -136,9 +136,7 @@ namespace deltaform
 
   void MaterialPoints::grow_criteria()
   {
-    const auto &fields = law_->history_layout().fields();
-    const auto rise = std::find_if(
-      fields.begin(), fields.end(), [](const HistoryField &field) { return field.name == "temperature_rise"; });
+    const HistoryField *const rise = law_->history_layout().find("temperature_rise");
     for (std::size_t i = 0; i < size(); ++i)
     {
       // What had no stress has flown under that of the end.
@@ -149,7 +147,7 @@ namespace deltaform
       const Mandel before = plastic_strain(i);
       for (unsigned int k = 0; k < 4; ++k)
         step.flow[k] -= before[k];
-      if (rise != fields.end())
+      if (rise != nullptr)
         step.warming = history_.trial(i)[rise->first] - history_.committed(i)[rise->first];
       criteria_->grow(i, step);
     }

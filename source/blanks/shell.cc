@@ -126,6 +126,12 @@ namespace deltaform
   }
 
 
+  bool Shell::depends_on_time() const
+  {
+    return material_.law().traits().needs_duration;
+  }
+
+
   Status Shell::assemble(const Vector &q, AssemblyTarget &target)
   {
     return kernel_.assemble(q, target);

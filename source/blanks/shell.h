@@ -44,6 +44,7 @@ namespace deltaform
     double typical_length() const override;
     double stiffness_scale() const override;
     double initial_flow_stress() const override;
+    bool depends_on_time() const override;
     Status assemble(const Vector &q, AssemblyTarget &target) override;
     double admissible_step(const Vector &q, const Vector &dq) const override;
     void touch_inside() override;

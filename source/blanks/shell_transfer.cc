@@ -191,10 +191,8 @@ namespace deltaform
 
   void ShellTransfer::keep_stress(const Vector &q, KeyedArrays &own) const
   {
-    const HistoryLayout layout = material_.law().history_layout();
-    const auto &fields = layout.fields();
-    const auto plastic = std::find_if(fields.begin(), fields.end(),
-                                      [](const HistoryField &field) { return field.name == "plastic_strain"; });
+    const HistoryLayout &layout = material_.law().history_layout();
+    const HistoryField *const plastic = layout.find("plastic_strain");
     std::vector<double> strain = own.at("strain"), ratio = own.at("thickness ratio");
     const unsigned int n_layers = points_.n_layers();
     std::vector<double> change(strain.size(), 0.);
@@ -210,7 +208,7 @@ namespace deltaform
         d[0] = std::log((now.lambda - zeta * now.theta_prime) / (point.lambda - position * point.angle_prime)) - e[0];
         if (space_.axisymmetric())
           d[1] = std::log((now.r + zeta * now.d_r()) / (point.radius - position * std::sin(point.angle))) - e[1];
-        d[2] = plastic != fields.end() ? -d[0] - d[1] : 0.;
+        d[2] = plastic != nullptr ? -d[0] - d[1] : 0.;
         for (unsigned int k = 0; k < 3; ++k)
           e[k] += d[k];
         thickness += points_.layer_weight(l) / points_.thickness() * std::exp(e[2]);
@@ -219,7 +217,7 @@ namespace deltaform
     }
     own.put("strain", strain);
     own.put("thickness ratio", ratio);
-    if (plastic == fields.end())
+    if (plastic == nullptr)
       return;
     const KeyedArrays before = own;
     for (const auto &[name, values] : before.all())

@@ -181,6 +181,12 @@ namespace deltaform
   }
 
 
+  bool Solid::depends_on_time() const
+  {
+    return material_.law().traits().needs_duration;
+  }
+
+
   bool Solid::constant_stiffness() const
   {
     return kernel_.is_linear();

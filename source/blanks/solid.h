@@ -54,6 +54,7 @@ namespace deltaform
     double typical_length() const override;
     double stiffness_scale() const override;
     double initial_flow_stress() const override;
+    bool depends_on_time() const override;
     bool constant_stiffness() const override;
     void touch_inside() override;
     bool shared_at_nodes() const override

@@ -10,9 +10,9 @@ namespace deltaform
   SolidHeat::SolidHeat(const SolidDiscretization &body, MaterialPoints &material, const SolidMotion &motion)
     : body_(body), material_(material), motion_(motion), metal_(material.law().heat().value())
   {
-    const auto &fields = material.law().history_layout().fields();
-    field_ = *std::find_if(fields.begin(), fields.end(),
-                           [](const HistoryField &field) { return field.name == "temperature_rise"; });
+    const HistoryField *const rise = material.law().history_layout().find("temperature_rise");
+    AssertThrow(rise != nullptr, dealii::ExcInternalError());
+    field_ = *rise;
   }
 
 

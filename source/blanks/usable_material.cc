@@ -4,17 +4,13 @@
 #include <deltaform/parameters/text.h>
 #include <deltaform/parameters/units_label.h>
 
-#include <algorithm>
-
 namespace deltaform
 {
   namespace
   {
     bool knows_temperature(const Material &material)
     {
-      const auto &fields = material.history_layout().fields();
-      return std::any_of(
-        fields.begin(), fields.end(), [](const HistoryField &field) { return field.name == "temperature_rise"; });
+      return material.history_layout().find("temperature_rise") != nullptr;
     }
   } // namespace
 

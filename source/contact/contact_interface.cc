@@ -13,8 +13,9 @@ namespace deltaform
   {
     std::unique_ptr<InterfaceFriction> make_friction(Section &tool_section, const ContactProjector &projector)
     {
-      auto law = make_friction_law(tool_section);
-      return law ? std::make_unique<InterfaceFriction>(std::move(law), projector) : nullptr;
+      if (auto law = make_friction_law(tool_section))
+        return std::make_unique<InterfaceFriction>(std::move(law), projector);
+      return nullptr;
     }
 
     double allowed_penetration(const ContactSettings &settings, const ContactInterface &interface, const double time)

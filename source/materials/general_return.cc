@@ -213,34 +213,14 @@ namespace deltaform
     if (q - flow.value <= 2. * yield_round_off(law, point.start, q))
       return stay_elastic(law, point, state);
 
-    const auto excess = [&](const double mu) -> Excess {
-      constexpr double none = std::numeric_limits<double>::quiet_NaN();
-      if (!find_stress(law, state, mu))
-        return {none, none};
-      const double q_now = state.at.value;
-      const double q_slope = -vector(state.at.gradient).dot(state.jacobian.partialPivLu().solve(state.by_mu));
-      flow = rate_dependent_flow_stress(laws_, law, point, rate_first_, state.flow);
-      const double ratio = flow.value / q_now;
-      return {1. - ratio, (ratio * q_slope - flow.slope * (q_now + mu * q_slope)) / q_now};
-    };
-    const double stiffness = 3. * law.elastic.shear;
-    const double start = std::fmin(q / flow.value - 1., 1.) / stiffness;
-    const double expected = guess / (q - stiffness * guess);
-    if (find_at_once(law, state, flow, guess))
+    if (!find_at_once(law, state, flow, guess))
     {
-      set_flow(law, point, state);
-      if (point.tangent != nullptr)
-        set_tangent(law, state, flow, point.tangent);
-      return PointOutcome::good;
+      const PlasticFlow solved = find_nested(law, state, flow, guess);
+      if (!solved.found)
+        return PointOutcome::not_converged;
+      if (solved.amount == 0.)
+        return stay_elastic(law, point, state);
     }
-    set_elastic(law, point, state);
-    flow = rate_dependent_flow_stress(laws_, law, point, rate_first_, 0.);
-    const PlasticFlow solved = solve_consistency(
-      excess, expected > 1e-8 * start ? expected : 0., start, largest_multiplier(law, state), tolerance);
-    if (!solved.found)
-      return PointOutcome::not_converged;
-    if (solved.amount == 0.)
-      return stay_elastic(law, point, state);
 
     set_flow(law, point, state);
     if (point.tangent != nullptr)
@@ -338,6 +318,29 @@ namespace deltaform
       last = size <= close * length && std::abs(growth) <= close * x;
     }
     return false;
+  }
+
+
+  PlasticFlow GeneralReturn::find_nested(const FlowLaw &law, State &state, FlowStress &flow, const double guess) const
+  {
+    set_elastic(law, state.point, state);
+    flow = rate_dependent_flow_stress(laws_, law, state.point, rate_first_, 0.);
+    const double q = laws_.yield_surface->equivalent_stress(mandel(state.relative_stress));
+    const auto excess = [&](const double mu) -> Excess {
+      constexpr double none = std::numeric_limits<double>::quiet_NaN();
+      if (!find_stress(law, state, mu))
+        return {none, none};
+      const double q_now = state.at.value;
+      const double q_slope = -vector(state.at.gradient).dot(state.jacobian.partialPivLu().solve(state.by_mu));
+      flow = rate_dependent_flow_stress(laws_, law, state.point, rate_first_, state.flow);
+      const double ratio = flow.value / q_now;
+      return {1. - ratio, (ratio * q_slope - flow.slope * (q_now + mu * q_slope)) / q_now};
+    };
+    const double stiffness = 3. * law.elastic.shear;
+    const double start = std::fmin(q / flow.value - 1., 1.) / stiffness;
+    const double expected = guess / (q - stiffness * guess);
+    return solve_consistency(
+      excess, expected > 1e-8 * start ? expected : 0., start, largest_multiplier(law, state), tolerance);
   }
 
 

@@ -4,6 +4,8 @@
 
 namespace deltaform
 {
+  struct PlasticFlow;
+
   /**
    * Backward Euler for any yield surface, with backstress and rate factor if there are any. With mu = x/q, x the growth
    * of the equivalent plastic strain, and N = dq/dxi at the end,
@@ -37,6 +39,8 @@ namespace deltaform
     void set_jacobian(const FlowLaw &law, State &state, double mu) const;
     /// All equations at once. @return false: not found soon
     bool find_at_once(const FlowLaw &law, State &state, FlowStress &flow, double guess) const;
+    /// The multiplier by the scalar equation, the stress for each by find_stress(): from everywhere.
+    PlasticFlow find_nested(const FlowLaw &law, State &state, FlowStress &flow, double guess) const;
     bool find_stress(const FlowLaw &law, State &state, double mu) const;
     double largest_multiplier(const FlowLaw &law, const State &state) const;
     PointOutcome stay_elastic(const FlowLaw &law, const PointUpdate &point, State &state) const;

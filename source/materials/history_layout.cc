@@ -26,6 +26,14 @@ namespace deltaform
   }
 
 
+  const HistoryField *HistoryLayout::find(const std::string &name) const
+  {
+    const auto field =
+      std::find_if(fields_.begin(), fields_.end(), [&](const HistoryField &f) { return f.name == name; });
+    return field != fields_.end() ? &*field : nullptr;
+  }
+
+
   std::string HistoryLayout::to_string() const
   {
     std::string result;

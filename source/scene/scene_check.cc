@@ -224,12 +224,13 @@ namespace deltaform
       {
         root.sub("Steps").sub(stage.name).fail("Ends when", error.what());
       }
-      if (!changes_anything(stage, before))
+      if (!changes_anything(stage, before) && !actors.blank->depends_on_time())
         root.sub("Steps")
           .sub(stage.name)
           .fail("End time",
                 "nothing changes in stage '" + stage.name +
-                  "': no tool moves, no load or support varies, nothing is released");
+                  "': no tool moves, no load or support varies, nothing is released, and the material does not depend on "
+                  "the rate");
       before = &stage;
     }
   }

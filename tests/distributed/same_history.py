@@ -8,17 +8,16 @@ by the tolerance). Costs (iterations of linear solvers) are not compared. With -
 must have needed that many. The comparison must be able to say no: a change of one number by ten times the tolerance
 has to be found.
 """
-import argparse
 import copy
 import itertools
 import math
 import os
 import re
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts"))
 from csv_file import rows_of
+from launched import launch, parser_of
 
 
 def history(folder):
@@ -49,11 +48,7 @@ def difference(first, other, tolerance, ignored=()):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("program")
-    parser.add_argument("scene")
-    parser.add_argument("folder")
-    parser.add_argument("--launcher", required=True)
+    parser = parser_of(__doc__)
     parser.add_argument("--np", default="1,2")
     parser.add_argument("--solvers", default="")
     parser.add_argument("--paths", default="")
@@ -71,14 +66,9 @@ def main():
         folder = os.path.join(arguments.folder, name.replace(" ", "_"))
         sets = arguments.set + ["Solver/%s=%s" % entry for entry in (("Linear solver", solver), ("Linear path", path))
                                   if entry[1]]
-        command = [arguments.launcher, "-np", processes, "--oversubscribe", arguments.program, arguments.scene]
-        command += ["--quiet", "--output", folder]
-        for entry in sets:
-            command += ["--set", entry]
-        environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-        status = subprocess.run(command, env=environment).returncode
+        status = launch(arguments, processes, ["--quiet", "--output", folder], sets).returncode
         if status != 0:
-            sys.exit("exit status %d of %s" % (status, " ".join(command)))
+            sys.exit("exit status %d in %s" % (status, folder))
         histories.append((folder, history(folder)))
 
     name, first = histories[0]

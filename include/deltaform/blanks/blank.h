@@ -126,6 +126,12 @@ namespace deltaform
     /// Flow stress of the undeformed material (stress); infinite if it is elastic.
     virtual double initial_flow_stress() const = 0;
 
+    /// Does it go on changing while nothing moves, by flow that depends on the rate or by heat?
+    virtual bool depends_on_time() const
+    {
+      return false;
+    }
+
     /// Is the tangent the same in every state? assemble() then needs to give it once.
     virtual bool constant_stiffness() const
     {

@@ -27,9 +27,10 @@ namespace deltaform
       return normal_law->augmentation_tolerance() == 0;
     }
 
-    /// An allowed penetration from this share of the thickness on is coarse: points inside the elements keep it
-    /// wherever they are. Below, the face between them is deeper all the same, and they hold an element in more places
-    /// than it can follow: they come and go, and an increment takes many times the iterations.
+    /// An allowed penetration from this share of the natural length (thickness; solids: shortest edge) on is coarse:
+    /// points inside the elements keep it wherever they are. Below, the face between them is deeper all the same, and
+    /// they hold an element in more places than it can follow: they come and go, and an increment takes many times the
+    /// iterations.
     static constexpr double coarse_delta = 1e-4;
 
     /// Is the factor of every contact point found so that it keeps delta?

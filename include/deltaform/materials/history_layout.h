@@ -52,6 +52,9 @@ namespace deltaform
       return fields_;
     }
 
+    /// @return the field of this name; null if there is none
+    const HistoryField *find(const std::string &name) const;
+
     /// Names and kinds: "plastic_strain:tensor equivalent_plastic_strain:positive"; of no fields it is empty.
     std::string to_string() const;
 
