@@ -6,6 +6,7 @@
 #include <deltaform/process/ranks.h>
 #include <deltaform/reports/accepted_increment.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace deltaform
@@ -32,6 +33,16 @@ namespace deltaform
     {
       return std::to_string(n_increments) +
              " increments are done (Solver/Maximal increments). To go on, allow more and --resume";
+    }
+
+    std::string crawl_in_words(const double left, const bool is_sheet)
+    {
+      return "at the pace of the last " + std::to_string(Pace::window) + " increments the stage takes " +
+             text::rounded(left) +
+             " more: they are solved, but with too many iterations, or only because they are so short. Look at the "
+             "last picture. Try " +
+             (is_sheet ? "shorter elements at radii" : "shorter elements where contact begins and ends") +
+             ", a larger allowed penetration, or a larger Solver/Target iterations";
     }
 
     std::string cut_back_in_words(const Rejected &rejected, const unsigned int increment, const double end)
@@ -157,6 +168,7 @@ namespace deltaform
         }
         state_.last_length = 0.;
         state_.step.reset();
+        state_.pace = Pace(time());
       }
       control_.emplace(settings_.steps, stage().begin, stage().end, stage().first_increment,
                        stage().smallest_increment, stage().largest_increment, settings_.meet);
@@ -178,6 +190,8 @@ namespace deltaform
       return false;
     if (state_.n_increments >= settings_.steps.max_increments)
       return stop(enough_in_words(state_.n_increments), exit_status::not_converged, checkpoint());
+    if (const double left = state_.pace.left(stage().end); left > std::max(1e5, 10. * settings_.steps.max_increments))
+      return stop(crawl_in_words(left, model_.blank().fields().is_sheet()), exit_status::not_converged, checkpoint());
     observers_.announce(model_, workspace_, state_.n_increments + 1);
     for (;;)
     {
@@ -233,6 +247,7 @@ namespace deltaform
     model_.commit(result.q, workspace_);
     ++state_.n_increments;
     control_->accept(result.iterations_to_equilibrium, flow_error);
+    state_.pace.accept(next);
     ++state_.since_refinement;
     const bool refined = refinement_marked();
     AcceptedIncrement increment = accepted(std::exchange(cost_, IncrementCost()));

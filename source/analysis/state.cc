@@ -2,6 +2,7 @@
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/deque.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
@@ -13,7 +14,7 @@ namespace deltaform
     void archive_own(Archive &archive, Value &state, StepControl::State &step, bool &has_step)
     {
       archive &state.stage &state.n_increments &state.n_iterations &state.since_refinement &state.before
-        &state.last_length &has_step &step.increment &step.quiet &step.shortened &step.error;
+        &state.last_length &has_step &step.increment &step.quiet &step.shortened &step.error &state.pace;
       archive &state.conditions &state.ends &state.skipped;
     }
   } // namespace

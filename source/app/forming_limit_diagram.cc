@@ -50,14 +50,17 @@ namespace deltaform
           out << fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#cccccc\"/>\n",
                              x(minor_a), y(major_a), x(minor_b), y(major_b));
         };
-        for (double minor = least_; minor < most_ + .05; minor += .1)
+        const auto tenths = [](const double strain) { return static_cast<int>(std::lround(10. * strain)); };
+        for (int i = tenths(least_); i <= tenths(most_); ++i)
         {
+          const double minor = .1 * i;
           line(minor, 0., minor, highest_);
           out << fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{:.1f}</text>\n", x(minor),
-                             height - bottom + 20., std::abs(minor) < .05 ? 0. : minor);
+                             height - bottom + 20., minor);
         }
-        for (double major = 0.; major < highest_ + .05; major += .1)
+        for (int i = 0; i <= tenths(highest_); ++i)
         {
+          const double major = .1 * i;
           line(least_, major, most_, major);
           out << fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{:.1f}</text>\n", left - 8.,
                              y(major) + 5., major);

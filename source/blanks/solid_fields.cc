@@ -1,4 +1,5 @@
 #include "solid_fields.h"
+#include "solid_folds.h"
 #include "solid_picture.h"
 #include "solid_profile.h"
 
@@ -67,6 +68,13 @@ namespace deltaform
                         Point2(all[best + 1], all[best + 2])});
     }
     return result;
+  }
+
+
+  FoldedCells SolidFields::folded_cells(const Vector &state) const
+  {
+    Vector storage;
+    return find_folded_cells(body_.space(), body_.space().hanging().with_hanging(state, storage));
   }
 
 

@@ -96,10 +96,8 @@ namespace deltaform
   void
   FlatEdges::describe(const ContactSurface &surface, const Side side, const unsigned int i, ContactPoint &point) const
   {
-    if (flat_.empty())
-      return;
     const unsigned int n = surface.points_per_edge();
-    if (!flat_[i / n])
+    if (n == 0 || flat_.empty() || !flat_[i / n])
       return;
     if (i % n != 0 && i % n != n - 1)
     {

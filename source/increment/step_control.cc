@@ -27,7 +27,9 @@ namespace deltaform
                                      10000,
                                      1,
                                      1000000000,
-                                     "Increments of the whole run; then it stops with status 2 and can be resumed.")),
+                                     "Increments of the whole run; then it stops with status 2 and can be resumed. "
+                                     "So it does where a stage, at the pace of its last 100, takes a hundred thousand "
+                                     "more, and more than ten times as many as these.")),
       flow_error(
         section.number("Flow error",
                        0.,
@@ -72,6 +74,7 @@ namespace deltaform
   void StepControl::accept(const unsigned int iterations, const double error)
   {
     constexpr double integral = .3, proportional = .4;
+    constexpr double far_too_short = .01; // of the largest increment
     longer_tries_ = 0;
     const double last = error_ > 0. ? error_ : error;
     error_ = error;
@@ -86,7 +89,9 @@ namespace deltaform
     double ratio = std::sqrt(static_cast<double>(settings_.target_iterations) / std::max(iterations, 1u));
     // A shorter increment took as many: it is not its length that makes them, and ever shorter ones never end. Lightly
     // loaded nodes that come and go do that.
-    if (ratio >= 1)
+    if (increment_ < far_too_short * largest_)
+      ratio = settings_.growth;
+    else if (ratio >= 1)
       shortened_ = 0;
     else if (shortened_ > 0 && iterations >= shortened_)
       ratio = 1.;

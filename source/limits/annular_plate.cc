@@ -12,12 +12,12 @@ namespace deltaform
   namespace
   {
     using Form = Eigen::MatrixXd;
-    using Shape = Eigen::Vector4d;
+    using ShapeFunctions = Eigen::Vector4d;
 
     /// Cubic functions of one element: by value and slope of both ends.
     struct Cubic
     {
-      Shape value, slope, curvature;
+      ShapeFunctions value, slope, curvature;
 
       Cubic(const double x, const double h)
         : value(1. - 3. * x * x + 2. * x * x * x, h * x * (1. - x) * (1. - x), x * x * (3. - 2. * x),
@@ -62,9 +62,9 @@ namespace deltaform
         for (const auto &[element, weight, shape, ring] : points_)
         {
           const double r = ring.r, w = weight * r;
-          const Shape hoop = shape.slope / r - n * n / (r * r) * shape.value;
-          const Shape twist = n * (shape.slope / r - shape.value / (r * r));
-          const Shape &radial = shape.curvature;
+          const ShapeFunctions hoop = shape.slope / r - n * n / (r * r) * shape.value;
+          const ShapeFunctions twist = n * (shape.slope / r - shape.value / (r * r));
+          const ShapeFunctions &radial = shape.curvature;
           bending.block<4, 4>(2 * element, 2 * element) +=
             w * ring.stiffness *
             (radial * radial.transpose() + hoop * hoop.transpose() +

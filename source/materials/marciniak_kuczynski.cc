@@ -132,11 +132,12 @@ namespace deltaform
 
   std::optional<FormingLimit::Point> GroovedSheet::limit(const Material &law, const double ratio) const
   {
-    constexpr double faster = 10., step = 2.5e-4, most = 5.;
+    constexpr double faster = 10., step = 2.5e-4; // to a strain of 5
     Localization process(law, *this, ratio);
     FormingLimit::Point before{0., 0.};
     double speed_before = 1.;
-    for (double strain = 0.; strain < most; strain += step)
+    constexpr unsigned int most_steps = 20000;
+    for (unsigned int k = 0; k < most_steps; ++k)
     {
       if (!process.advance(step))
         return std::nullopt;
@@ -165,17 +166,22 @@ namespace deltaform
     if (ratio >= 0.)
       return best;
     // By thirds around the best one.
-    double best_turn = 0., begin = first_width, end = most;
-    for (double width = first_width; width > last_width; width /= 3.)
+    double best_turn = 0., begin = first_width, end = most, width = first_width;
+    while (width > last_width)
     {
-      for (double turn = begin; turn <= end; turn += width)
+      double turn = begin;
+      while (turn <= end)
+      {
         if (const auto point = at(turn); point && (!best || point->major < best->major))
         {
           best = point;
           best_turn = turn;
         }
+        turn += width;
+      }
       begin = std::max(0., best_turn - width);
       end = std::min(most, best_turn + width);
+      width /= 3.;
     }
     return best;
   }

@@ -229,8 +229,8 @@ namespace deltaform
           .sub(stage.name)
           .fail("End time",
                 "nothing changes in stage '" + stage.name +
-                  "': no tool moves, no load or support varies, nothing is released, and the material does not depend on "
-                  "the rate");
+                  "': no tool moves, no load or support varies, nothing is released, and the material does not depend "
+                  "on the rate");
       before = &stage;
     }
   }

@@ -26,6 +26,7 @@ namespace
       smallest_thickness_ = 3.;
       sections_.emplace();
       sharpest_bend_.emplace();
+      folded_cells_.emplace();
     }
 
     EnergyAccount &account()
@@ -35,6 +36,7 @@ namespace
 
     using AcceptedIncrement::balance_error_;
     using AcceptedIncrement::contact_;
+    using AcceptedIncrement::folded_cells_;
     using AcceptedIncrement::sections_;
     using AcceptedIncrement::sharpest_bend_;
     using AcceptedIncrement::smallest_thickness_;
@@ -108,6 +110,21 @@ BOOST_AUTO_TEST_CASE(an_element_that_bends_too_much_is_told)
   BOOST_TEST(one_has(fixture.warnings(), "the element at R0 = 7 bends by 15.47 degrees, at time 1"));
   fixture.increment.sharpest_bend_ = SharpestBend{.1, 8.};
   BOOST_TEST(one_has(fixture.warnings(), "R0 = 7"));
+}
+
+BOOST_AUTO_TEST_CASE(a_mesh_that_folds_over_is_told_and_then_ends_the_run)
+{
+  Fixture fixture;
+  const auto ends = [&]() { return fixture.conditions.failure(fixture.scene.actors.stages.front()); };
+  fixture.increment.folded_cells_ = FoldedCells{.009, Point2(7., 3.)};
+  BOOST_TEST(fixture.warnings().empty());
+  fixture.increment.folded_cells_ = FoldedCells{.02, Point2(7., 3.)};
+  BOOST_TEST(one_has(fixture.warnings(), "in 2 % of the section, at time 1, cells are turned inside out"));
+  BOOST_TEST(fixture.conditions.likely_cause().find("R0 = 7, Z0 = 3") != std::string::npos);
+  BOOST_TEST(ends().empty());
+  fixture.increment.folded_cells_ = FoldedCells{.06, Point2(8., 3.)};
+  fixture.observe();
+  BOOST_TEST(ends().find("the mesh has folded over: in 6 % of the section") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(energies_count_at_the_end_only)

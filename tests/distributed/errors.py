@@ -1,7 +1,7 @@
 """An error ends all processes, with one message and its exit status: errors.py PROGRAM SCENE FOLDER --launcher MPIRUN
 
-Once an error that all processes find (a misspelt entry), once one that only the first can meet while the others go on (its
-history cannot be written).
+Once an error that all processes find (a misspelt entry), once one that only the first can meet while the others go on
+(its history cannot be written).
 """
 import os
 import shutil
@@ -17,7 +17,8 @@ def main():
     os.makedirs(os.path.join(arguments.folder, "history.csv"))
 
     for sets, wanted in ((["Blank/Thicknes=1"], "Thicknes"), ([], "history.csv")):
-        result = launch(arguments, 2, ["--quiet", "--output", arguments.folder], sets, stderr=subprocess.PIPE, timeout=120)
+        result = launch(arguments, 2, ["--quiet", "--output", arguments.folder], sets, timeout=120,
+                        stderr=subprocess.PIPE)
         messages = [line for line in result.stderr.splitlines() if wanted in line]
         if result.returncode != 1:
             sys.exit("exit status %d instead of 1:\n%s" % (result.returncode, result.stderr))

@@ -125,6 +125,19 @@ BOOST_AUTO_TEST_CASE(shorter_increments_that_do_not_help_stay)
   BOOST_TEST(control.increment() > help);
 }
 
+BOOST_AUTO_TEST_CASE(far_too_short_increments_grow_whatever_they_take)
+{
+  const StepSettings what = settings();
+  StepControl control(what, 0., 10., 1e-3, 1e-6, 2., {});
+  control.accept(32);
+  BOOST_TEST(control.increment() == 1.5e-3);
+  for (unsigned int k = 0; k < 20; ++k)
+    control.accept(32 + k);
+  // Up to a hundredth of the largest one; from there on more iterations make them shorter.
+  BOOST_TEST(control.increment() < 1.5 * .02);
+  BOOST_TEST(control.increment() > .5 * .02);
+}
+
 BOOST_AUTO_TEST_CASE(the_first_increment_lies_between_the_limits)
 {
   const StepSettings what = settings();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/increment/pace.h>
 #include <deltaform/increment/step_control.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/parameters/skipped_time.h>
@@ -23,11 +24,12 @@ namespace deltaform
     unsigned int n_iterations = 0; ///< of Newton's method so far
     unsigned int since_refinement = 0; ///< increments
 
-    /// @name Memory of the last increment
+    /// @name Memory of the last increments
     ///@{
     Vector before; ///< the unknowns at its start
     double last_length = 0; ///< 0: there is none that the next one continues
     std::optional<StepControl::State> step; ///< after the last increment of the stage, if there is one
+    Pace pace; ///< of the stage
     ///@}
 
     std::string conditions; ///< what conditions remember, in bytes that only they understand

@@ -27,6 +27,13 @@ namespace deltaform
     double place = 0; ///< R0 of the middle of the element (length)
   };
 
+  /// Cells of a solid that are turned inside out at a corner.
+  struct FoldedCells
+  {
+    double share = 0; ///< of the area of the section
+    Point2 place; ///< middle of the largest of them in the undeformed blank (length)
+  };
+
   /// What can be seen of the accepted state of a blank: tables, pictures, measures.
   class Fields
   {
@@ -53,6 +60,12 @@ namespace deltaform
 
     /// Cross-sections at the nodes; empty if the blank is no sheet (a solid carries its necks itself).
     virtual std::vector<SheetSection> sections() const
+    {
+      return {};
+    }
+
+    /// None of a sheet.
+    virtual FoldedCells folded_cells(const Vector & /*q*/) const
     {
       return {};
     }

@@ -56,6 +56,14 @@ namespace deltaform
       return *sharpest_bend_;
     }
 
+    /// See Fields::folded_cells().
+    const FoldedCells &folded_cells() const
+    {
+      if (!folded_cells_)
+        folded_cells_ = model.blank().fields().folded_cells(model.committed());
+      return *folded_cells_;
+    }
+
     /// Values along the blank, see Fields::profile().
     const Table &profile() const
     {
@@ -109,6 +117,7 @@ namespace deltaform
     mutable std::optional<FlangeWrinkling::Result> wrinkling_;
     mutable std::optional<std::vector<SheetSection>> sections_;
     mutable std::optional<SharpestBend> sharpest_bend_;
+    mutable std::optional<FoldedCells> folded_cells_;
     mutable std::optional<Table> profile_;
     mutable std::optional<std::vector<LargestCriterion>> largest_criteria_;
     mutable std::optional<double> smallest_thickness_, balance_error_;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <deque>
+
+namespace deltaform
+{
+  /// How fast a stage goes forward: many increments that all succeed but are far too short never end it.
+  class Pace
+  {
+  public:
+    static constexpr unsigned int window = 100; ///< increments that tell the pace
+
+    /// @param begin of the stage
+    explicit Pace(const double begin = 0.)
+      : times_{begin}
+    {
+    }
+
+    /// An increment was accepted that ends at @p time.
+    void accept(double time);
+
+    /// Increments from the last one to @p end at the pace of the last ones; 0 as long as there were fewer.
+    double left(double end) const;
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int)
+    {
+      archive &times_;
+    }
+
+  private:
+    std::deque<double> times_; ///< ends of the last increments, and where the first of them began
+  };
+} // namespace deltaform

@@ -1,0 +1,32 @@
+#include <deltaform/increment/pace.h>
+
+#include <boost/test/unit_test.hpp>
+
+using namespace deltaform;
+
+BOOST_AUTO_TEST_SUITE(pace)
+
+BOOST_AUTO_TEST_CASE(it_is_told_by_the_last_increments_only)
+{
+  Pace pace(1.);
+  for (unsigned int i = 1; i < Pace::window; ++i)
+  {
+    pace.accept(1. + .01 * i);
+    BOOST_TEST(pace.left(3.) == 0.); // too few to tell
+  }
+  pace.accept(2.);
+  BOOST_TEST(pace.left(3.) == Pace::window, boost::test_tools::tolerance(1e-12));
+  for (unsigned int i = 1; i <= Pace::window; ++i)
+    pace.accept(2. + 1e-6 * i);
+  BOOST_TEST(pace.left(3.) == 1e6 - Pace::window, boost::test_tools::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_left_at_the_end)
+{
+  Pace pace(0.);
+  for (unsigned int i = 1; i <= Pace::window; ++i)
+    pace.accept(double(i) / Pace::window);
+  BOOST_TEST(pace.left(1.) == 0.);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
