@@ -111,7 +111,9 @@ namespace deltaform
     received_rows_.clear();
     received_columns_.clear();
     int *row_start = nullptr, *column = nullptr;
-    matrix.ExtractCrsDataPointers(row_start, column, epetra_values_);
+    const int status = matrix.ExtractCrsDataPointers(row_start, column, epetra_values_);
+    AssertThrow(status == 0 && row_start != nullptr && column != nullptr,
+                dealii::ExcMessage("the matrix is not stored row by row"));
     for (int i = 0; i < matrix.NumMyRows(); ++i)
       for (int k = row_start[i]; k < row_start[i + 1]; ++k)
         handed_over_.push_back(static_cast<std::size_t>(
