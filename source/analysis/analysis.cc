@@ -45,6 +45,16 @@ namespace deltaform
              ", a larger allowed penetration, or a larger Solver/Target iterations";
     }
 
+    /// Why there are no more increments, whether the next one can be solved or not; empty if there are.
+    std::string too_many(const State &state, const StepSettings &steps, const double end, const bool is_sheet)
+    {
+      constexpr double largest = 1e5, largest_share = 10.;
+      if (state.n_increments >= steps.max_increments)
+        return enough_in_words(state.n_increments);
+      const double left = state.pace.left(end);
+      return left > std::max(largest, largest_share * steps.max_increments) ? crawl_in_words(left, is_sheet) : "";
+    }
+
     std::string cut_back_in_words(const Rejected &rejected, const unsigned int increment, const double end)
     {
       return "increment " + std::to_string(increment) + " to time " + text::format(end) + " cut back: " +
@@ -188,10 +198,9 @@ namespace deltaform
   {
     if (outcome_.exit_status != exit_status::done || !enter_stage())
       return false;
-    if (state_.n_increments >= settings_.steps.max_increments)
-      return stop(enough_in_words(state_.n_increments), exit_status::not_converged, checkpoint());
-    if (const double left = state_.pace.left(stage().end); left > std::max(1e5, 10. * settings_.steps.max_increments))
-      return stop(crawl_in_words(left, model_.blank().fields().is_sheet()), exit_status::not_converged, checkpoint());
+    if (const std::string why = too_many(state_, settings_.steps, stage().end, model_.blank().fields().is_sheet());
+        !why.empty())
+      return stop(why, exit_status::not_converged, checkpoint());
     observers_.announce(model_, workspace_, state_.n_increments + 1);
     for (;;)
     {
@@ -228,8 +237,7 @@ namespace deltaform
   {
     const Timers::Remainder rest(timers_, timer_attempt_);
     workspace_.follow_mesh();
-    const double length = end - time();
-    const double ratio = state_.last_length > 0 ? length / state_.last_length : 0.;
+    const double length = end - time(), ratio = state_.last_length > 0 ? length / state_.last_length : 0.;
     const IncrementStart start{end, ratio, settings_.steps.extrapolate, state_.before};
     IncrementResult result = increment_.attempt(start, length, effort);
     outcome_.iterations += result.cost.iterations;

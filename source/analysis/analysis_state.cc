@@ -68,8 +68,7 @@ namespace deltaform
     outcome_.exit_status = exit_status::done;
     outcome_.message.clear();
     outcome_.state.reset();
-    const AcceptedIncrement last = accepted(IncrementCost());
-    observers_.tell([&](Observer &observer) { observer.moved(last); });
+    observers_.tell([last = accepted(IncrementCost())](Observer &observer) { observer.moved(last); });
   }
 
 
@@ -92,7 +91,6 @@ namespace deltaform
   {
     set_state(state_of(start));
     observers_.load(start.observers);
-    const AcceptedIncrement last = accepted(IncrementCost());
-    observers_.tell([&](Observer &observer) { observer.resumed(last); });
+    observers_.tell([last = accepted(IncrementCost())](Observer &observer) { observer.resumed(last); });
   }
 } // namespace deltaform
