@@ -1,5 +1,6 @@
 // Tables of the accepted state of the shell.
 #include "shell_fields.h"
+#include "shell_overlap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -156,6 +157,12 @@ namespace deltaform
                   .5 * (space_.mesh().nodes()[cell.nodes[0]][0] + space_.mesh().nodes()[cell.nodes[1]][0])};
     }
     return result;
+  }
+
+
+  Overlap ShellFields::overlap(const Vector &q) const
+  {
+    return find_overlap(space_, surface_, state_, q);
   }
 
 

@@ -29,6 +29,7 @@ namespace deltaform
     bool is_sheet() const override;
     std::vector<SheetSection> sections() const override;
     SharpestBend sharpest_bend(const Vector &q) const override;
+    Overlap overlap(const Vector &q) const override;
     std::vector<LargestCriterion> largest_criteria() const override;
 
   private:

@@ -27,6 +27,7 @@ namespace
       sections_.emplace();
       sharpest_bend_.emplace();
       folded_cells_.emplace();
+      overlap_.emplace();
     }
 
     EnergyAccount &account()
@@ -37,6 +38,7 @@ namespace
     using AcceptedIncrement::balance_error_;
     using AcceptedIncrement::contact_;
     using AcceptedIncrement::folded_cells_;
+    using AcceptedIncrement::overlap_;
     using AcceptedIncrement::sections_;
     using AcceptedIncrement::sharpest_bend_;
     using AcceptedIncrement::smallest_thickness_;
@@ -125,6 +127,18 @@ BOOST_AUTO_TEST_CASE(a_mesh_that_folds_over_is_told_and_then_ends_the_run)
   fixture.increment.folded_cells_ = FoldedCells{.06, Point2(8., 3.)};
   fixture.observe();
   BOOST_TEST(ends().find("the mesh has folded over: in 6 % of the section") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_within_itself_ends_the_run)
+{
+  Fixture fixture;
+  const auto ends = [&]() { return fixture.conditions.failure(fixture.scene.actors.stages.front()); };
+  fixture.increment.overlap_ = Overlap{.09, 7., 9.};
+  fixture.observe();
+  BOOST_TEST(ends().empty());
+  fixture.increment.overlap_ = Overlap{.11, 7., 9.};
+  fixture.observe();
+  BOOST_TEST(ends().find("its parts at R0 = 7 and 9 overlap by 11 % of the thickness") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(energies_count_at_the_end_only)

@@ -34,6 +34,13 @@ namespace deltaform
     Point2 place; ///< middle of the largest of them in the undeformed blank (length)
   };
 
+  /// Where a sheet lies within itself.
+  struct Overlap
+  {
+    double share = 0; ///< of the thickness; 0: nowhere
+    double first = 0, second = 0; ///< R0 of both parts (length)
+  };
+
   /// What can be seen of the accepted state of a blank: tables, pictures, measures.
   class Fields
   {
@@ -60,6 +67,12 @@ namespace deltaform
 
     /// Cross-sections at the nodes; empty if the blank is no sheet (a solid carries its necks itself).
     virtual std::vector<SheetSection> sections() const
+    {
+      return {};
+    }
+
+    /// None of solids.
+    virtual Overlap overlap(const Vector & /*q*/) const
     {
       return {};
     }

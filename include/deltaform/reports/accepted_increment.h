@@ -56,6 +56,14 @@ namespace deltaform
       return *sharpest_bend_;
     }
 
+    /// See Fields::overlap().
+    const Overlap &overlap() const
+    {
+      if (!overlap_)
+        overlap_ = model.blank().fields().overlap(model.committed());
+      return *overlap_;
+    }
+
     /// See Fields::folded_cells().
     const FoldedCells &folded_cells() const
     {
@@ -118,6 +126,7 @@ namespace deltaform
     mutable std::optional<std::vector<SheetSection>> sections_;
     mutable std::optional<SharpestBend> sharpest_bend_;
     mutable std::optional<FoldedCells> folded_cells_;
+    mutable std::optional<Overlap> overlap_;
     mutable std::optional<Table> profile_;
     mutable std::optional<std::vector<LargestCriterion>> largest_criteria_;
     mutable std::optional<double> smallest_thickness_, balance_error_;
