@@ -1,8 +1,8 @@
 // Shear factor: |t| <= min(m k A, lambda), k = s/sqrt(3) the shear flow stress (von Mises) of the blank's surface with
-// flow stress s, A the tributary area. The law of bulk forming, where the pressure is far above m k and does not matter.
-// At the rim of the contact zone, where it is below, friction is the pressure: a point that carried m k A from the first
-// touch on would jump when it comes, and sides that fold onto a die bring many. m = 1: the blank shears before it slides.
-// (Altan, Oh, Gegel, Metal Forming, ASM 1983.)
+// flow stress s, A the tributary area. The law of bulk forming, where the pressure is far above m k and does not
+// matter. At the rim of the contact zone, where it is below, friction is the pressure: a point that carried m k A from
+// the first touch on would jump when it comes, and sides that fold onto a die bring many. m = 1: the blank shears
+// before it slides. (Altan, Oh, Gegel, Metal Forming, ASM 1983.)
 #include <deltaform/contact/friction_law.h>
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/section.h>
@@ -47,7 +47,8 @@ namespace deltaform
       double factor_;
     };
 
-    const Registry<FrictionLaw>::Entry
-      entry("shear factor", "|t| <= min(m k A, lambda), k the shear flow stress of the surface", &make_as<ShearFactor, FrictionLaw>);
+    const Registry<FrictionLaw>::Entry entry("shear factor",
+                                             "|t| <= min(m k A, lambda), k the shear flow stress of the surface",
+                                             &make_as<ShearFactor, FrictionLaw>);
   } // namespace
 } // namespace deltaform
