@@ -6,7 +6,6 @@
 #include <deltaform/process/ranks.h>
 #include <deltaform/reports/accepted_increment.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace deltaform
@@ -35,24 +34,11 @@ namespace deltaform
              " increments are done (Solver/Maximal increments). To go on, allow more and --resume";
     }
 
-    std::string crawl_in_words(const double left, const bool is_sheet)
-    {
-      return "at the pace of the last " + std::to_string(Pace::window) + " increments the stage takes " +
-             text::rounded(left) +
-             " more: they are solved, but with too many iterations, or only because they are so short. Look at the "
-             "last picture. Try " +
-             (is_sheet ? "shorter elements at radii" : "shorter elements where contact begins and ends") +
-             ", a larger allowed penetration, or a larger Solver/Target iterations";
-    }
-
     /// Why there are no more increments, whether the next one can be solved or not; empty if there are.
-    std::string too_many(const State &state, const StepSettings &steps, const double end, const bool is_sheet)
+    std::string too_many(const State &state, const StepSettings &steps, const double end)
     {
-      constexpr double largest = 1e5, largest_share = 10.;
-      if (state.n_increments >= steps.max_increments)
-        return enough_in_words(state.n_increments);
-      const double left = state.pace.left(end);
-      return left > std::max(largest, largest_share * steps.max_increments) ? crawl_in_words(left, is_sheet) : "";
+      return state.n_increments >= steps.max_increments ? enough_in_words(state.n_increments)
+                                                        : state.pace.never_ends(end, steps.max_increments);
     }
 
     std::string cut_back_in_words(const Rejected &rejected, const unsigned int increment, const double end)
@@ -198,8 +184,7 @@ namespace deltaform
   {
     if (outcome_.exit_status != exit_status::done || !enter_stage())
       return false;
-    if (const std::string why = too_many(state_, settings_.steps, stage().end, model_.blank().fields().is_sheet());
-        !why.empty())
+    if (const std::string why = too_many(state_, settings_.steps, stage().end); !why.empty())
       return stop(why, exit_status::not_converged, checkpoint());
     observers_.announce(model_, workspace_, state_.n_increments + 1);
     for (;;)

@@ -1,4 +1,7 @@
 #include <deltaform/increment/pace.h>
+#include <deltaform/parameters/text.h>
+
+#include <algorithm>
 
 namespace deltaform
 {
@@ -15,5 +18,18 @@ namespace deltaform
     if (times_.size() <= window)
       return 0.;
     return (end - times_.back()) / (times_.back() - times_.front()) * window;
+  }
+
+
+  std::string Pace::never_ends(const double end, const unsigned int most) const
+  {
+    constexpr double far_too_many = 1e5, share = 10.;
+    const double more = left(end);
+    if (more <= std::max(far_too_many, share * most))
+      return "";
+    return "at the pace of the last " + std::to_string(window) + " increments the stage takes " + text::rounded(more) +
+           " more: they are solved, but with too many iterations, or only because they are so short. Look at the last "
+           "picture. Try shorter elements at radii and where contact begins and ends, a larger allowed penetration, or "
+           "a larger Solver/Target iterations";
   }
 } // namespace deltaform
