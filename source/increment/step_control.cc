@@ -87,8 +87,8 @@ namespace deltaform
       return;
     }
     double ratio = std::sqrt(static_cast<double>(settings_.target_iterations) / std::max(iterations, 1u));
-    // A shorter increment took as many: it is not its length that makes them, and ever shorter ones never end. Lightly
-    // loaded nodes that come and go do that.
+    // An increment that is far too short, or a shorter one that took as many: it is not its length that makes the
+    // iterations, and ever shorter ones never end. Lightly loaded nodes that come and go do that.
     if (increment_ < far_too_short * largest_)
       ratio = settings_.growth;
     else if (ratio >= 1)
