@@ -3,7 +3,7 @@
 
     scripts/studies/process_cost.py [--program PROGRAM] [--output output/process_cost] [--write]
 
-Iterations count failed attempts as well. --write writes doc/measured/process_cost.csv. Two minutes.
+Iterations count failed attempts as well; 'rejected' is their share. --write writes doc/measured/process_cost.csv. Two minutes.
 """
 import json
 import os
@@ -26,7 +26,7 @@ PROCESSES = (("cup", "cup", ()), ("cup, delta 1e-7 t", "cup", TIGHT), ("stretchi
 
 def main():
     options = arguments_of(__doc__, "process_cost").parse_args()
-    table = MeasuredTable(["process", "scene", "exit status", "increments", "cut-backs", "iterations", "energy error"])
+    table = MeasuredTable(["process", "scene", "exit status", "increments", "cut-backs", "iterations", "rejected [%]", "energy error"])
     for name, scene, settings in PROCESSES:
         folder = os.path.join(options.output, os.path.basename(scene) + ("_tight" if settings else ""))
         command = [options.program, os.path.join(ROOT, "prm", scene + ".prm"), "--quiet", "--force", "--output", folder, *settings]
@@ -36,7 +36,7 @@ def main():
         with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
             summary = json.load(file)
         table.add(name, scene + ".prm", status, summary["increments"], summary["cutbacks"], summary["newton_iterations"],
-                  f"{summary['energy_error']:.1e}")
+                  f"{100 * summary['rejected_iterations'] / summary['newton_iterations']:.0f}", f"{summary['energy_error']:.1e}")
     print(table)
     if options.write:
         table.write("process_cost", "What a process costs: Newton iterations, with those of failed attempts")

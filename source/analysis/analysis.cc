@@ -202,6 +202,7 @@ namespace deltaform
       cost_ += result.cost;
       if (!result.rejected)
         return accept(next, result);
+      cost_.rejected_iterations += result.cost.iterations;
       ++cost_.cutbacks;
       journal_.detail(cut_back_in_words(*result.rejected, state_.n_increments + 1, next));
       if (!control_->reject(next - time()))
@@ -239,7 +240,7 @@ namespace deltaform
     workspace_.before_contact({});
     model_.commit(result.q, workspace_);
     ++state_.n_increments;
-    control_->accept(result.iterations_to_equilibrium, flow_error);
+    control_->accept(result.iterations_to_equilibrium, flow_error, result.longest(state_.last_length));
     state_.pace.accept(next);
     ++state_.since_refinement;
     const bool refined = refinement_marked();

@@ -4,6 +4,7 @@
 #include <deltaform/process/interruption.h>
 #include <deltaform/process/ranks.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -129,7 +130,10 @@ namespace deltaform
     if (strain > settings_.largest_strain)
       return refused("strain", strain, settings_.largest_strain);
     if (rotation <= settings_.largest_rotation)
+    {
+      result.size = std::max(strain / settings_.largest_strain, rotation / settings_.largest_rotation);
       return std::nullopt;
+    }
     // Where the blank snaps through, a shorter increment does not make the way shorter.
     if (!may_snap)
       return refused("rotation", rotation, settings_.largest_rotation);

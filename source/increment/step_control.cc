@@ -71,7 +71,15 @@ namespace deltaform
   }
 
 
-  void StepControl::accept(const unsigned int iterations, const double error)
+  void StepControl::accept(const unsigned int iterations, const double error, const double longest)
+  {
+    constexpr double safety = .9; // the next increment may strain faster
+    resize(iterations, error);
+    increment_ = std::max(std::min(increment_, safety * longest), smallest_);
+  }
+
+
+  void StepControl::resize(const unsigned int iterations, const double error)
   {
     constexpr double integral = .3, proportional = .4;
     constexpr double far_too_short = .01; // of the largest increment

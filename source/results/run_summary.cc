@@ -87,6 +87,7 @@ namespace deltaform
     summary["unknowns"] = model.committed().size();
     summary["increments"] = outcome.increments;
     summary["newton_iterations"] = outcome.iterations;
+    summary["rejected_iterations"] = cost_.rejected_iterations;
     summary["penalty_rounds"] = cost_.rounds;
     summary["penalty_iterations"] = cost_.correction_iterations;
     summary["cutbacks"] = cost_.cutbacks;

@@ -37,13 +37,13 @@ namespace deltaform
     void save(boost::archive::binary_oarchive &archive) const
     {
       archive << cost_.rounds << cost_.correction_iterations << cost_.cutbacks << promise_ << between_ << deepest_
-              << forces_ << travels_ << formed_.names << formed_.units << formed_.rows;
+              << forces_ << travels_ << formed_.names << formed_.units << formed_.rows << cost_.rejected_iterations;
     }
 
     void load(boost::archive::binary_iarchive &archive)
     {
       archive >> cost_.rounds >> cost_.correction_iterations >> cost_.cutbacks >> promise_ >> between_ >> deepest_ >>
-        forces_ >> travels_ >> formed_.names >> formed_.units >> formed_.rows;
+        forces_ >> travels_ >> formed_.names >> formed_.units >> formed_.rows >> cost_.rejected_iterations;
     }
 
   private:

@@ -3,6 +3,7 @@
 #include <deltaform/increment/increment_cost.h>
 #include <deltaform/increment/strategy.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -32,8 +33,15 @@ namespace deltaform
     Vector q; ///< the state that was found
     IncrementCost cost; ///< of all strategies together
     unsigned int iterations_to_equilibrium = 0; ///< of these, without the corrections of the last solve
+    double size = 0; ///< largest strain or rotation over the one that is allowed; 0 of a snap
     double snap_rotation = 0; ///< rad; by how much a node has turned, if more than allowed in a snap that is accepted
     double strain_at_rest = 0; ///< of a point, if more than allowed, in a new equilibrium at the same time
+
+    /// Length of an increment that is just as large as allowed, at the rates of this one of @p length.
+    double longest(const double length) const
+    {
+      return size > 0. ? length / size : std::numeric_limits<double>::infinity();
+    }
   };
 
   /**

@@ -10,6 +10,7 @@ namespace deltaform
     unsigned int correction_iterations = 0; ///< of the iterations, those after the first convergence of a solve
     unsigned int linear_iterations = 0; ///< of an iterative linear solver
     unsigned int cutbacks = 0; ///< attempts that failed
+    unsigned int rejected_iterations = 0; ///< of the iterations, those of attempts that failed
 
     IncrementCost &operator+=(const IncrementCost &other)
     {
@@ -18,6 +19,7 @@ namespace deltaform
       correction_iterations += other.correction_iterations;
       linear_iterations += other.linear_iterations;
       cutbacks += other.cutbacks;
+      rejected_iterations += other.rejected_iterations;
       return *this;
     }
   };

@@ -2,6 +2,7 @@
 
 #include <deltaform/increment/effort.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,9 @@ namespace deltaform
     /// End of the next increment that starts at @p time.
     double next(double time) const;
 
-    /// The increment was accepted with this many iterations and an error, if it is controlled.
-    void accept(unsigned int iterations, double error = 0.);
+    /// The increment was accepted with this many iterations and an error, if it is controlled. @param longest increment
+    /// that would have been as large as allowed, in strain and rotation, if it had gone on at its rate
+    void accept(unsigned int iterations, double error = 0., double longest = std::numeric_limits<double>::infinity());
 
     /// The increment failed: a shorter one is next; at the smallest one, some longer ones. @return false if nothing is
     /// left to try
@@ -85,6 +87,9 @@ namespace deltaform
     void restore(const State &state);
 
   private:
+    /// What the iterations and the error of an accepted increment make of the next one.
+    void resize(unsigned int iterations, double error);
+
     const StepSettings &settings_;
     static constexpr unsigned int most_longer_tries = 4;
     unsigned int longer_tries_ = 0; ///< tries of longer increments since the last one was accepted
