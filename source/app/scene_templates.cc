@@ -153,7 +153,7 @@ subsection Blank
   set Points    = 0 0; {blank length} 0
   set Thickness = {thickness}
   set Elements  = {elements}
-  set Layers    = 9
+  set Layers    = 15
 end
 {material}
 subsection Tools
