@@ -21,7 +21,7 @@ PROCESSES = (("cup", "cup", ()), ("cup, delta 1e-7 t", "cup", TIGHT), ("stretchi
              ("wipe bending", "shop/wipe_bending", ()), ("hole flanging", "shop/hole_flanging", ()), ("flaring", "shop/flaring", ()),
              ("nosing", "shop/nosing", ()), ("upsetting, friction", "shop/upsetting_friction", ()),
              ("ring compression", "shop/ring_compression", ()), ("forward extrusion", "shop/forward_extrusion", ()),
-             ("coining", "shop/coining", ()))
+             ("ironing", "shop/ironing", ()), ("coining", "shop/coining", ()))
 
 
 def main():
