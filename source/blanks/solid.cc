@@ -30,8 +30,6 @@ namespace deltaform
       refinement_(refinement_settings_, body_, surface_, material_, transfer_),
       fields_(body_, surface_, material_, motion_)
   {
-    if (refinement_settings_.active && surface_.points_per_edge() > 0)
-      section.fail("Contact points", "points inside the edges stay where they are: use 'nodes' with refinement");
     if (ranks::count() > 1 && surface_.points_per_edge() > 0)
       section.fail("Contact points", "points inside the edges want all of the solid in one process: use 'nodes'");
     if (section.documentation() && body_.space().mesh().boundaries().empty())
@@ -53,7 +51,7 @@ namespace deltaform
 
   void Solid::touch_inside()
   {
-    if (refinement_settings_.active || !motion_.finite())
+    if (!motion_.finite())
       return;
     if (ranks::count() == 1)
       surface_.touch_inside();

@@ -182,31 +182,4 @@ namespace deltaform
       result.push_back(space_.nodes()[node]);
     return result;
   }
-
-
-  std::vector<std::array<unsigned int, 2>> SolidFace::parents(const std::vector<Point2> &old_places) const
-  {
-    std::vector<std::array<unsigned int, 2>> result;
-    for (const auto node : nodes_)
-    {
-      std::array<unsigned int, 2> best{{0, 0}};
-      double nearest = std::numeric_limits<double>::infinity();
-      const auto consider = [&](const unsigned int a, const unsigned int b) {
-        const double distance = space_.nodes()[node].distance(old_places[a] + .5 * (old_places[b] - old_places[a]));
-        if (distance < nearest)
-        {
-          nearest = distance;
-          best = {{a, b}};
-        }
-      };
-      for (unsigned int i = 0; i < old_places.size(); ++i)
-      {
-        consider(i, i);
-        if (i + 1 < old_places.size())
-          consider(i, i + 1);
-      }
-      result.push_back(best);
-    }
-    return result;
-  }
 } // namespace deltaform

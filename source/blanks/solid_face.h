@@ -72,10 +72,6 @@ namespace deltaform
     /// Undeformed.
     std::vector<Point2> places() const;
 
-    /// Of every contact node: the two of @p old_places (undeformed, in order) in the middle of which it lies; twice the
-    /// same: it is that one.
-    std::vector<std::array<unsigned int, 2>> parents(const std::vector<Point2> &old_places) const;
-
   private:
     /// Append a node. @return its number
     unsigned int add(unsigned int node);

@@ -163,12 +163,12 @@ namespace deltaform
       first_places_ = body_.space().nodes();
     passes_.emplace_back();
     body_.space().triangulation().save_refine_flags(passes_.back());
-    const std::array<std::vector<Point2>, 2> old_places{{surface_.face(0).places(), surface_.face(1).places()}};
+    const std::array<FacePoints, 2> old_points{{surface_.points(Side::bottom), surface_.points(Side::top)}};
     transfer_.divide_cells(fields);
     body_.set_up([&](const unsigned int cell, const unsigned int node) { return transfer_.place(cell, node); });
     surface_.set_up();
-    for (unsigned int side = 0; side < 2; ++side)
-      parent_nodes_[side] = surface_.face(side).parents(old_places[side]);
+    for (const unsigned int side : {0, 1})
+      point_origins_[side] = deltaform::point_origins(old_points[side], surface_.points(static_cast<Side>(side)));
     transfer_.take_over(fields);
     const Vector q = fields.empty() ? Vector(surface_.n_contact_dofs()) : fields.front();
     surface_.update(q);
@@ -195,9 +195,9 @@ namespace deltaform
   }
 
 
-  const std::vector<std::array<unsigned int, 2>> &SolidRefinement::parent_nodes(const Side side) const
+  const std::vector<PointOrigin> &SolidRefinement::point_origins(const Side side) const
   {
-    return parent_nodes_[static_cast<unsigned int>(side)];
+    return point_origins_[static_cast<unsigned int>(side)];
   }
 
 

@@ -35,7 +35,7 @@ namespace deltaform
     void refine(std::vector<Vector> &fields) override;
     double estimated_error() const override;
     unsigned int n_cells() const override;
-    const std::vector<std::array<unsigned int, 2>> &parent_nodes(Side side) const override;
+    const std::vector<PointOrigin> &point_origins(Side side) const override;
 
     /// An increment was accepted.
     void update(const Vector &q);
@@ -77,7 +77,7 @@ namespace deltaform
     const MaterialPoints &material_;
     SolidTransfer &transfer_;
     std::vector<std::vector<bool>> passes_; ///< which cells were refined, pass by pass
-    std::array<std::vector<std::array<unsigned int, 2>>, 2> parent_nodes_;
+    std::array<std::vector<PointOrigin>, 2> point_origins_;
     double estimated_error_ = std::numeric_limits<double>::quiet_NaN();
     std::vector<Point2> first_places_;
     std::vector<Point2> places_; ///< of the nodes, accepted; of none if nothing is refined

@@ -30,7 +30,7 @@ namespace deltaform
          {"automatic", "nodes", "gauss"},
          "Which points touch: the nodes, or Gauss points of the edges of the cells. automatic: Gauss points, where the "
          "penalty factor of each is found (Enforcement = penalty, Penalty rule = adaptive) for a delta of at least "
-         "1e-4 edge, with finite strain, in one process and without Refinement; else the nodes.",
+         "1e-4 edge, with finite strain and in one process; else the nodes.",
          "Contact points of an edge. With as many as the degree of the cells the force of each is determinate; with 20 "
          "the face between them is little deeper than they are."},
         body_.space().degree()) == "automatic";
@@ -111,6 +111,21 @@ namespace deltaform
       if (!std::isfinite(smallest_thickness_))
         smallest_thickness_ = space.mesh().thickness();
     }
+  }
+
+
+  FacePoints SolidSurface::points(const Side side) const
+  {
+    const SolidFace &own = face(static_cast<unsigned int>(side));
+    FacePoints result{own.places(), own.edges(), {}};
+    if (!at_nodes())
+      for (unsigned int e = 0; e < own.edges().size(); ++e)
+      {
+        result.inside.emplace_back();
+        for (const auto &point : points_of_edge(side, e))
+          result.inside.back().push_back(point[0]);
+      }
+    return result;
   }
 
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "blank_surface.h"
+#include "face_points.h"
 #include "solid_discretization.h"
 #include "solid_face.h"
 
@@ -49,6 +50,9 @@ namespace deltaform
                        double xi,
                        ContactThickness thickness,
                        ContactPoint &result) const override;
+
+    /// Where the contact points of a side lie on the undeformed body.
+    FacePoints points(Side side) const;
 
     const SolidFace &face(const unsigned int side) const
     {

@@ -11,83 +11,128 @@ namespace deltaform
 {
   namespace
   {
+    /// An edge of the blank over the tool in the accepted state, from end to end.
+    struct EdgeOverTool
+    {
+      EdgeOverTool(const ContactInterface &contact,
+                   const Vector &undeformed,
+                   const Vector &q,
+                   const unsigned int e)
+      {
+        const auto &points = contact.committed();
+        const ContactProjector &projector = contact.projector();
+        const unsigned int n = projector.surface().points_per_edge();
+        std::array<unsigned int, 2> outermost{{e * n, (e + 1) * n - 1}};
+        if (n == 0)
+        {
+          const auto [a, b, m] = projector.edges()[e];
+          outermost = {{a, b}};
+          any_touches = points[a].touching || points[b].touching || (m != invalid_index && points[m].touching);
+          // A node without area has no contact: on the axis contact does not end.
+          contact_ends = points[a].area > 0 && points[b].area > 0 && points[a].touching != points[b].touching;
+        }
+        else
+        {
+          bool any_is_free = false;
+          for (unsigned int i = e * n; i < (e + 1) * n; ++i)
+          {
+            any_touches |= points[i].touching;
+            any_is_free |= points[i].area > 0 && !points[i].touching;
+          }
+          contact_ends = any_touches && any_is_free;
+        }
+        const Tensor1 way = contact.point(q, outermost[0]).x - points[outermost[0]].position;
+        std::array<Point2, 2> X;
+        for (const unsigned int k : {0, 1})
+        {
+          const unsigned int i = outermost[k];
+          X[k] = n == 0 ? contact.point(undeformed, i).x : projector.place(undeformed, e, k).x;
+          ends[k] = n == 0 ? points[i].position : projector.place(q, e, k).x - way;
+          closest[k] = projector.look(i, ends[k]);
+          touching[k] = points[i].touching;
+        }
+        undeformed_length = X[0].distance(X[1]);
+        length = ends[0].distance(ends[1]);
+      }
+
+      Point2 at(const double share) const
+      {
+        return ends[0] + share * (ends[1] - ends[0]);
+      }
+
+      std::array<Point2, 2> ends; ///< relative to the tool
+      std::array<Projection, 2> closest;
+      std::array<bool, 2> touching;
+      bool any_touches = false, contact_ends = false;
+      double undeformed_length, length;
+    };
+
+
     /// Smallest radius of the tool that an edge touches or is about to touch, also between its ends; 0: a sharp corner;
     /// infinity: none.
-    double radius_along(const ContactInterface &contact, const std::array<unsigned int, 3> &edge)
+    double radius_along(const ContactInterface &contact, const EdgeOverTool &edge)
     {
-      const auto &points = contact.committed();
-      const unsigned int a = edge[0], b = edge[1];
-      const Point2 &A = points[a].position, &B = points[b].position;
-      const double length = A.distance(B);
       double radius = std::numeric_limits<double>::infinity();
-      const std::array<Projection, 2> closest_points{{contact.projector().look(a, A), contact.projector().look(b, B)}};
       for (const unsigned int k : {0, 1})
       {
-        const Projection &closest = closest_points[k];
+        const Projection &closest = edge.closest[k];
         // Twice the height of the arc over the edge: before the nodes come so near, the middle may have touched.
-        const double near = .25 * length * length * std::abs(closest.curvature);
-        if (closest.curvature != 0. && (points[edge[k]].touching || closest.distance < near))
+        const double near = .25 * edge.length * edge.length * std::abs(closest.curvature);
+        if (closest.curvature != 0. && (edge.touching[k] || closest.distance < near))
           radius = std::min(radius, 1. / std::abs(closest.curvature));
       }
       // Ends on the straights beside an arc do not see it, nor do those on large arcs beside a small one.
-      if (!std::isfinite(closest_points[0].distance) || !std::isfinite(closest_points[1].distance))
+      if (!std::isfinite(edge.closest[0].distance) || !std::isfinite(edge.closest[1].distance))
         return radius;
-      const double between = smallest_radius(
-        contact.tool().shape(), closest_points[0].arc_length, closest_points[1].arc_length);
+      const double between =
+        smallest_radius(contact.tool().shape(), edge.closest[0].arc_length, edge.closest[1].arc_length);
       if (!(between < radius))
         return radius;
-      const double nearness = .25 * length * std::min(1., length / between);
-      bool near = points[a].touching && points[b].touching;
+      const double nearness = .25 * edge.length * std::min(1., edge.length / between);
+      bool near = edge.touching[0] && edge.touching[1];
       constexpr unsigned int n_samples = 8;
       for (unsigned int k = 1; k < n_samples && !near; ++k)
       {
-        const Projection closest = contact.tool().project(A + (k / static_cast<double>(n_samples)) * (B - A), 0.);
+        const Projection closest = contact.tool().project(edge.at(k / static_cast<double>(n_samples)), 0.);
         near = closest.curvature != 0. && closest.distance < nearness;
       }
       return near ? between : radius;
     }
 
 
-    /// Does an edge of a solid overlap with the tool although none of its nodes touches?
-    bool missed(const ContactInterface &contact, const std::array<unsigned int, 3> &edge)
+    /// Does an edge of a solid overlap with the tool although none of its points touches?
+    bool missed(const ContactInterface &contact, const EdgeOverTool &edge)
     {
-      const auto &points = contact.committed();
-      for (const auto i : edge)
-        if (i != invalid_index && points[i].touching)
-          return false;
-      const Point2 &A = points[edge[0]].position, &B = points[edge[1]].position;
-      if (contact.projector().look(edge[0], A).distance > A.distance(B))
+      if (edge.any_touches || edge.closest[0].distance > edge.length)
         return false;
       constexpr unsigned int n_samples = 8;
       for (unsigned int k = 0; k <= n_samples; ++k)
-        if (contact.tool().project(A + (k / static_cast<double>(n_samples)) * (B - A), 0.).distance < 0)
+        if (contact.tool().project(edge.at(k / static_cast<double>(n_samples)), 0.).distance < 0)
           return true;
       return false;
     }
   } // namespace
 
 
-  void shorten_edges(const ContactInterface &contact, const double share, const bool rim, std::vector<double> &longest)
+  void shorten_edges(const ContactInterface &contact,
+                     const Vector &q,
+                     const double share,
+                     const bool rim,
+                     std::vector<double> &longest)
   {
-    const auto &edges = contact.projector().edges();
-    const auto &points = contact.committed();
-    longest.resize(edges.size(), std::numeric_limits<double>::infinity());
+    longest.resize(contact.projector().edges().size(), std::numeric_limits<double>::infinity());
     const Vector undeformed(contact.projector().surface().n_contact_dofs());
-    for (unsigned int e = 0; e < edges.size(); ++e)
+    for (unsigned int e = 0; e < longest.size(); ++e)
     {
-      const unsigned int a = edges[e][0], b = edges[e][1];
-      const auto touching = [&](const unsigned int i) { return points[i].touching; };
-      // A node without area has no contact: on the axis contact does not end.
-      if ((rim && points[a].area > 0 && points[b].area > 0 && touching(a) != touching(b)) || missed(contact, edges[e]))
+      const EdgeOverTool edge(contact, undeformed, q, e);
+      if ((rim && edge.contact_ends) || missed(contact, edge))
         longest[e] = 0.;
       if (share == 0. || longest[e] == 0.)
         continue;
       // The tool's radius is to be compared with the length that the edge has now; forging stretches it many times.
-      const double radius = radius_along(contact, edges[e]);
+      const double radius = radius_along(contact, edge);
       if (radius < std::numeric_limits<double>::infinity())
-        longest[e] = std::min(longest[e],
-                              share * radius * contact.point(undeformed, a).x.distance(contact.point(undeformed, b).x) /
-                                points[a].position.distance(points[b].position));
+        longest[e] = std::min(longest[e], share * radius * edge.undeformed_length / edge.length);
     }
   }
 } // namespace deltaform

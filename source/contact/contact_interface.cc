@@ -145,10 +145,10 @@ namespace deltaform
   }
 
 
-  void ContactInterface::transfer(const Vector &q, const std::vector<std::array<unsigned int, 2>> &parents)
+  void ContactInterface::transfer(const Vector &q, const std::vector<PointOrigin> &origins)
   {
     const double time = trial_.time;
-    committed_.points = transferred_points(committed_.points, parents, shift(q), q, projector_);
+    committed_.points = transferred_points(committed_.points, origins, shift(q), q, projector_);
     iteration_.resize(n_points());
     account_.renew(committed_);
     trial_ = committed_;

@@ -92,19 +92,19 @@ namespace deltaform
   }
 
 
-  void ContactProjector::renumber(const std::vector<unsigned int> &parents)
+  void ContactProjector::renumber(const std::vector<PointOrigin> &origins, const std::vector<bool> &flat)
   {
-    std::vector<Last> renumbered(parents.size());
-    for (unsigned int i = 0; i < parents.size(); ++i)
-      renumbered[i].segment = last_[parents[i]].segment;
+    std::vector<Last> renumbered(origins.size());
+    for (unsigned int i = 0; i < origins.size(); ++i)
+      renumbered[i].segment = last_[origins[i].first].segment;
     last_ = renumbered;
-    flat_.clear();
+    flat_.set(flat);
   }
 
 
   void ContactProjector::reset()
   {
     last_.assign(n_points(), Last());
-    flat_.clear();
+    flat_.set({});
   }
 } // namespace deltaform

@@ -93,6 +93,15 @@ namespace deltaform
   }
 
 
+  std::vector<bool> FlatEdges::were_flat(const Points &points, const unsigned int per_edge)
+  {
+    std::vector<bool> result(points.size() / per_edge, false);
+    for (unsigned int e = 0; e < result.size() && per_edge > 2; ++e)
+      result[e] = !(points[e * per_edge + 1].area > 0.);
+    return result;
+  }
+
+
   void
   FlatEdges::describe(const ContactSurface &surface, const Side side, const unsigned int i, ContactPoint &point) const
   {

@@ -72,15 +72,15 @@ namespace deltaform
   }
 
 
-  void HalfSpace::transfer(const std::vector<std::array<unsigned int, 2>> &parents)
+  void HalfSpace::transfer(const std::vector<PointOrigin> &origins)
   {
     const std::size_t n = modes_.size();
     std::vector<double> heat, surface;
-    for (const auto &[a, b] : parents)
+    for (const auto &[a, b, share] : origins)
     {
-      surface.push_back(.5 * (surface_[a] + surface_[b]));
+      surface.push_back((1. - share) * surface_[a] + share * surface_[b]);
       for (std::size_t k = 0; k < n; ++k)
-        heat.push_back(.5 * (heat_[a * n + k] + heat_[b * n + k]));
+        heat.push_back((1. - share) * heat_[a * n + k] + share * heat_[b * n + k]);
     }
     heat_ = std::move(heat);
     surface_ = std::move(surface);

@@ -197,7 +197,7 @@ namespace deltaform
     std::copy_n(rise.begin(), rise_.size(), rise_.begin());
     conducting_.give(rise_);
     for (auto &one : half_spaces_)
-      one.second.transfer(blank_.adaptive()->parent_nodes(one.first->side()));
+      one.second.transfer(blank_.adaptive()->point_origins(one.first->side()));
   }
 
 

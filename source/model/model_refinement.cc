@@ -31,7 +31,7 @@ namespace deltaform
     Adaptive *blank = actors_.blank->adaptive();
     if (blank == nullptr || state_.released.any)
       return false;
-    return blank->mark(contact_.longest_edges(blank->settings().edge_share, blank->settings().rim));
+    return blank->mark(contact_.longest_edges(state_.unknowns, blank->settings().edge_share, blank->settings().rim));
   }
 
 

@@ -118,7 +118,7 @@ namespace deltaform
       ContactInterface &interface = *actors_.interfaces[i];
       if (interface.tool().force_driven())
         q[interface.travel_dof()] = travels[i];
-      interface.transfer(q, actors_.blank->adaptive()->parent_nodes(interface.tool().side()));
+      interface.transfer(q, actors_.blank->adaptive()->point_origins(interface.tool().side()));
       interface.start_multipliers(q);
     }
   }
@@ -220,11 +220,12 @@ namespace deltaform
   }
 
 
-  std::array<std::vector<double>, 2> ContactSet::longest_edges(const double share, const bool rim) const
+  std::array<std::vector<double>, 2>
+  ContactSet::longest_edges(const Vector &committed, const double share, const bool rim) const
   {
     std::array<std::vector<double>, 2> longest;
     for (const auto *interface : active_)
-      shorten_edges(*interface, share, rim, longest[static_cast<unsigned int>(interface->tool().side())]);
+      shorten_edges(*interface, committed, share, rim, longest[static_cast<unsigned int>(interface->tool().side())]);
     return longest;
   }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -152,8 +153,8 @@ BOOST_AUTO_TEST_CASE(points_that_are_left_open_lie_inside_where_that_is_asked_fo
     const unsigned int n_nodes = 4 * degree + 1;
     BOOST_TEST((count_of(degree, {}) == std::pair(n_nodes, 4u * 20u)));
     BOOST_TEST((count_of(degree, {"Blank/Gauss points=7"}) == std::pair(n_nodes, 4u * 7u)));
-    for (const std::string stays :
-         {"Blank/Contact points=nodes", "Blank/Kinematics=small", "Blank/Refinement/Criterion=contact"})
+    BOOST_TEST((count_of(degree, {"Blank/Refinement/Criterion=contact"}) == std::pair(n_nodes, 4u * 20u)));
+    for (const std::string stays : {"Blank/Contact points=nodes", "Blank/Kinematics=small"})
       BOOST_TEST((count_of(degree, {stays}) == std::pair(n_nodes, n_nodes)), stays);
   }
 }
@@ -191,9 +192,39 @@ BOOST_AUTO_TEST_CASE(no_place_of_an_edge_moves_further_than_is_said)
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_refined_solid_keeps_its_nodes)
+BOOST_AUTO_TEST_CASE(points_of_a_refined_mesh_know_between_which_old_ones_they_lie)
 {
-  BOOST_CHECK_THROW(strip(1, 4, 2, {"Blank/Refinement/Criterion=contact"}), SceneError);
+  for (const unsigned int degree : {1u, 2u})
+    for (const unsigned int n_points : {1u, 2u, 7u})
+      BOOST_TEST_CONTEXT("degree " << degree << ", points " << n_points)
+      {
+        // Edges of different lengths, of which one is halved.
+        const auto blank = strip(degree, 4, n_points, {"Blank/Grading=1 + 2*t", "Blank/Refinement/Criterion=contact"});
+        const auto arcs = [&]() {
+          std::vector<double> result;
+          for (unsigned int i = 0; i < count(*blank); ++i)
+            result.push_back(point(*blank, Vector(blank->n_dofs()), i).arc_coordinate);
+          return result;
+        };
+        const std::vector<double> old = arcs();
+        const auto [first, last] = std::minmax_element(old.begin(), old.end());
+        std::array<std::vector<double>, 2> longest;
+        longest[1].assign(4, 1e300);
+        longest[1][2] = 0.;
+        std::vector<Vector> fields{Vector(blank->n_dofs())};
+        BOOST_TEST_REQUIRE(blank->adaptive()->mark(longest));
+        blank->adaptive()->refine(fields);
+        const std::vector<double> now = arcs();
+        const auto &origins = blank->adaptive()->point_origins(Side::top);
+        BOOST_TEST_REQUIRE(origins.size() == now.size());
+        BOOST_TEST(now.size() == old.size() + n_points);
+        for (unsigned int i = 0; i < now.size(); ++i)
+        {
+          const auto [a, b, share] = origins[i];
+          const double there = (1. - share) * old[a] + share * old[b];
+          BOOST_TEST(std::abs(std::clamp(now[i], *first, *last) - there) < 1e-13);
+        }
+      }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -307,22 +307,23 @@ BOOST_AUTO_TEST_CASE(new_contact_nodes_know_their_neighbours)
   const auto blank = make_blank("solid", distorted("2", "small", elastic));
   const auto old = blank->surface().n_contact_points(Side::top);
   refine_one_edge(*blank, Vector(blank->n_dofs()), 1);
-  const auto &parents = blank->adaptive()->parent_nodes(Side::top);
-  BOOST_TEST(parents.size() == old + 2);
-  BOOST_TEST(parents.size() == blank->surface().n_contact_points(Side::top));
+  const auto &origins = blank->adaptive()->point_origins(Side::top);
+  BOOST_TEST(origins.size() == old + 2);
+  BOOST_TEST(origins.size() == blank->surface().n_contact_points(Side::top));
   unsigned int n_new = 0, next = 0;
-  for (const auto &[a, b] : parents)
+  for (const auto &[a, b, share] : origins)
     if (a == b)
       BOOST_TEST(a == next++);
     else
     {
+      BOOST_TEST(share == .5);
       ++n_new;
       BOOST_TEST(a == next - 1);
       BOOST_TEST(b == next);
     }
   BOOST_TEST(n_new == 2u);
   BOOST_TEST(next == old);
-  BOOST_TEST(blank->adaptive()->parent_nodes(Side::bottom).size() == blank->surface().n_contact_points(Side::bottom));
+  BOOST_TEST(blank->adaptive()->point_origins(Side::bottom).size() == blank->surface().n_contact_points(Side::bottom));
 }
 
 BOOST_AUTO_TEST_CASE(a_refined_state_is_saved_and_loaded)

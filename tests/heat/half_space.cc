@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(refined_and_saved)
   };
   both(.1, 3., 1.);
   both(1e-3, 3., 0.);
-  tool.transfer({{{0, 0}}, {{0, 1}}, {{1, 1}}});
+  tool.transfer({{0, 0, 0.}, {0, 1, .5}, {1, 1, 0.}});
   HalfSpace other(1., 0);
   BOOST_CHECK_THROW(other.set_state(tool.state(), 4), SceneError);
   other.set_state(tool.state(), 3);

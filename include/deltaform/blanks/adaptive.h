@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/assembly/point_origin.h>
 #include <deltaform/assembly/side.h>
 #include <deltaform/assembly/types.h>
 
@@ -33,8 +34,7 @@ namespace deltaform
     /// Of all processes.
     virtual unsigned int n_cells() const = 0;
 
-    /// Of every contact node after refine(): the two old ones between which it lies in the middle; twice the same: that
-    /// node itself.
-    virtual const std::vector<std::array<unsigned int, 2>> &parent_nodes(Side side) const = 0;
+    /// Of every contact point after refine().
+    virtual const std::vector<PointOrigin> &point_origins(Side side) const = 0;
   };
 } // namespace deltaform

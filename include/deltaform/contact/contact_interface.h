@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/assembly/point_origin.h>
 #include <deltaform/contact/contact_iteration.h>
 #include <deltaform/contact/contact_settings.h>
 #include <deltaform/contact/counterpart.h>
@@ -7,7 +8,6 @@
 #include <deltaform/contact/interface_state.h>
 #include <deltaform/tools/tool.h>
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -212,9 +212,8 @@ namespace deltaform
     /// The blank has other nodes than before: points of all of them, without contact.
     void resize();
 
-    /// The blank was refined at the committed @p q: new points take over forces and factors per area, penetrations and
-    /// slip from the two old ones that @p parents names, if both touch.
-    void transfer(const Vector &q, const std::vector<std::array<unsigned int, 2>> &parents);
+    /// The blank was refined at the committed @p q: new points take over what the old ones know that @p origins names.
+    void transfer(const Vector &q, const std::vector<PointOrigin> &origins);
 
     /// The tool leaves: hand the forces of the accepted equilibrium over to @p target and discard all contact. They are
     /// those that were in balance; the law evaluated again would find others, because the thickness was updated since.

@@ -21,6 +21,7 @@ namespace deltaform
 
   /// Lower the longest allowed undeformed length of each edge of the side where it touches, or is about to touch, a
   /// round part of the tool, so that its present length is @p share of the radius at most (0: nowhere). To 0 where no
-  /// node has noticed the tool yet, and, if @p rim, where contact ends inside the edge.
-  void shorten_edges(const ContactInterface &contact, double share, bool rim, std::vector<double> &longest);
+  /// point has noticed the tool yet, and, if @p rim, where contact ends inside the edge. @p q: committed
+  void shorten_edges(
+    const ContactInterface &contact, const Vector &q, double share, bool rim, std::vector<double> &longest);
 } // namespace deltaform

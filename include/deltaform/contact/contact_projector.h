@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/assembly/contact_surface.h>
+#include <deltaform/assembly/point_origin.h>
 #include <deltaform/contact/counterpart.h>
 #include <deltaform/contact/flat_edges.h>
 #include <deltaform/io/archive.h>
@@ -118,8 +119,11 @@ namespace deltaform
     /// Distances are no longer known: the counterpart has moved otherwise, or the points have.
     void discard_distances();
 
-    /// The points are others: each starts from the segment of the old one that @p parents names; none: from nothing.
-    void renumber(const std::vector<unsigned int> &parents);
+    /// The points are others: each starts from the segment of the old one that @p origins names. @p flat: which edges
+    /// are flat; none are where it is empty.
+    void renumber(const std::vector<PointOrigin> &origins, const std::vector<bool> &flat);
+
+    /// The points are others and start from nothing.
     void reset();
 
     template <class Archive>

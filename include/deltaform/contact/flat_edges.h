@@ -28,11 +28,15 @@ namespace deltaform
     /// @return how many edges
     unsigned int wake(const ContactProjector &projector, const Points &trial);
 
-    /// None is flat.
-    void clear()
+    /// These are, until the next find(); none are where @p flat is empty.
+    void set(const std::vector<bool> &flat)
     {
-      flat_.clear();
+      flat_ = flat;
     }
+
+    /// Of every edge, where @p points were accepted: was it flat in the increment that led there? Its points between
+    /// the outermost stood for no area then.
+    static std::vector<bool> were_flat(const Points &points, unsigned int per_edge);
 
     /// What point @p i of @p surface stands for: its area and compliance.
     void describe(const ContactSurface &surface, Side side, unsigned int i, ContactPoint &point) const;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <array>
+#include <deltaform/assembly/point_origin.h>
+
 #include <utility>
 #include <vector>
 
@@ -49,7 +50,7 @@ namespace deltaform
     }
 
     /// The points are others: each is the mean of two old ones.
-    void transfer(const std::vector<std::array<unsigned int, 2>> &parents);
+    void transfer(const std::vector<PointOrigin> &origins);
 
     /// @name What the points remember
     ///@{

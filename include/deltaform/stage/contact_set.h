@@ -64,8 +64,8 @@ namespace deltaform
     /// Where penetration <= delta is broken in the trial state, in words; empty if it is kept or none was made.
     std::string broken_promise(const Vector &committed) const;
 
-    /// Longest allowed undeformed edges of both sides of the blank, edge by edge.
-    std::array<std::vector<double>, 2> longest_edges(double share, bool rim) const;
+    /// Longest allowed undeformed edges of both sides of the blank in the committed state, edge by edge.
+    std::array<std::vector<double>, 2> longest_edges(const Vector &committed, double share, bool rim) const;
 
     /// @name Term
     ///@{
