@@ -24,6 +24,28 @@ namespace deltaform
                                    std::equal(path.begin(), path.end(), asked.begin(), KnownEntries::same));
     }
 
+    /// The entries of a section, or nothing if there is no such section.
+    std::string entries_of(const KnownEntries &known, const std::vector<std::string> &asked)
+    {
+      std::string result;
+      std::set<std::string> told;
+      for (const auto &one : known.all())
+      {
+        const SectionPath path = KnownEntries::place(one);
+        if (path.size() == asked.size() && std::equal(path.begin(), path.end(), asked.begin(), KnownEntries::same) &&
+            told.insert(one.entry.name).second)
+          result += "  " + one.entry.name + '\n';
+      }
+      return result;
+    }
+
+    /// The known name that is most like the one asked for; empty if none is like it.
+    std::string likely(const std::vector<std::string> &asked, const std::vector<std::string> &names)
+    {
+      const std::string nearest = text::nearest(asked.back(), names);
+      return text::similar(asked.back(), nearest) ? nearest : "";
+    }
+
     /// Capitals do not count.
     bool contains(const std::string &name, const std::string &word)
     {
@@ -69,20 +91,27 @@ namespace deltaform
       out << "Every entry: doc/parameters.md, or deltaform --print-parameters\n";
       return;
     }
+    if (const std::string entries = entries_of(known, asked); !entries.empty())
+    {
+      out << entry << " is a section with the entries\n"
+          << entries;
+      return;
+    }
     std::vector<std::string> names;
     std::set<std::string> containing; // "friction": entries that have the word in their name
     for (const auto &one : known.all())
     {
       const std::string whole = to_string(KnownEntries::place(one), one.entry.name);
       names.push_back(one.entry.name);
-      names.push_back(whole);
       if (contains(one.entry.name, asked.back()))
         containing.insert(whole);
     }
+    const std::string nearest = likely(asked, names);
     const std::string others =
-      containing.empty()
-        ? "the nearest known one is '" + text::nearest(entry, names) + "'."
-        : "these have the word in their name: " + text::join({containing.begin(), containing.end()}, "; ") + ".";
+      !containing.empty()
+        ? "these have the word in their name: " + text::join({containing.begin(), containing.end()}, "; ") + "."
+      : !nearest.empty() ? "the nearest known one is '" + nearest + "'."
+                         : "deltaform --print-parameters lists all.";
     throw UsageError("There is no entry '" + entry + "'; " + others);
   }
 } // namespace deltaform

@@ -75,7 +75,7 @@ namespace deltaform
         const bool may_be_zero = name == "friction";
         if (!(number > 0. || (may_be_zero && number == 0.)))
           throw UsageError("'" + assignment + "': a number " + (may_be_zero ? "of at least 0" : "above 0") +
-                           " is needed.");
+                           " is needed, without a unit and with a decimal point.");
         result[name] = text::format(number);
       }
       return result;

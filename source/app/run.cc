@@ -141,7 +141,7 @@ namespace deltaform
       if (start)
         resume(analysis, *start, folder, journal);
       else if (!scene.start_from.empty())
-        analysis.start_from(formed_blank(scene.start_from));
+        analysis.start_from(formed_blank(scene));
       timers.add(timer_start, timers.total());
       analysis.warn(input_warnings(scene));
       return compute(analysis, journal);
@@ -152,7 +152,9 @@ namespace deltaform
     {
       auto tree = ParameterTree::read(command.scene, command.sets);
       const Scene scene(tree);
-      const auto warnings = input_warnings(scene);
+      auto warnings = input_warnings(scene);
+      if (const std::string missing = missing_start(scene); !missing.empty())
+        warnings.push_back("Start from = " + scene.start_from + ": " + missing);
       if (ranks::mine() > 0)
         return exit_status::done;
       for (const auto &note : scene.notes)

@@ -31,7 +31,7 @@ namespace deltaform
     analysis.add(
       make_recorder(record, std::move(columns), *scene.output, keep, [&timers]() { return timers.total(); }));
     if (!scene.start_from.empty())
-      analysis.start_from(formed_blank(scene.start_from));
+      analysis.start_from(formed_blank(scene));
     analysis.warn(input_warnings(scene));
     analysis.begin();
     for (bool more = true; more;)

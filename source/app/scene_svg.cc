@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 namespace deltaform
@@ -155,10 +156,18 @@ namespace deltaform
              x[1] > blank.low[1] - .45 * size && x[1] < blank.high[1] + .45 * size;
     };
     for (const auto &tool : actors.tools)
-      for (const double travel : {tool->travel(0.), tool->force_driven() ? tool->travel(0.) : tool->travel(end)})
+    {
+      const double first = tool->travel(0.), last = tool->force_driven() ? first : tool->travel(end);
+      for (const double travel : {first, last})
         for (const auto &x : tool->polyline(travel, reach))
           if (is_near(x))
             box.add(x);
+      // Where a face that begins at the blank ends: a punch may go deeper than the blank is long.
+      if (std::abs(last - first) < 2. * size)
+        for (const auto &x : tool->polyline(first, reach))
+          if (is_near(x))
+            box.add(x + (last - first) * tool->direction());
+    }
     const View view(box);
     out << fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" "
                        "height=\"{1:g}\" font-family=\"sans-serif\" font-size=\"14\">\n",

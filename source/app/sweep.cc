@@ -146,11 +146,16 @@ namespace deltaform
         }
         catch (const SceneError &error)
         {
-          std::string values;
+          std::string values, hint;
           for (std::size_t k = 0; k < runs[i].values.size(); ++k)
+          {
+            // Of a table '0: 0, 1: 1' only a part is left.
+            if (runs[i].values[k].find(':') != std::string::npos)
+              hint = " Values that contain commas are separated by semicolons, or stand in braces: {0: 0, 1: 1}.";
             values += (k > 0 ? ", " : "") + command.variations[k].entry + "=" + runs[i].values[k];
+          }
           throw SceneError("The sweep was not started: run " + std::to_string(i + 1) + " of " +
-                           std::to_string(runs.size()) + " (" + values + ") is no valid scene. " + error.what());
+                           std::to_string(runs.size()) + " (" + values + ") is no valid scene. " + error.what() + hint);
         }
       return common;
     }

@@ -71,8 +71,8 @@ namespace deltaform
                               " is walked with the blank to its right, so that the whole blank lies inside the tool "
                               "(deepest at " +
                               place(lie.where) + ", by " + text::rounded(-lie.deepest) +
-                              "). Give the points, and their fillet radii, in the opposite order: walk it with the "
-                              "blank to its left"};
+                              "). Give the points, and their fillet radii, in the opposite order (an outline: Reversed "
+                              "= true): walk it with the blank to its left"};
 
     const auto [node, gap] = interface.projector().closest(q, travel * tool.direction());
     if (!(gap < -tolerance))

@@ -151,6 +151,12 @@ namespace deltaform
       return line;
     }
 
+    /// "run", "chek": no name of a file, but perhaps meant for a command.
+    bool command_word_like(const std::string &word)
+    {
+      return word.find_first_of("./") == std::string::npos;
+    }
+
     /// The command that is the first of @p words, which is taken off; run if there is none.
     Command take_command(Strings &words)
     {
@@ -232,6 +238,10 @@ namespace deltaform
     const bool takes_scene = needs_scene || line.command == Command::print_parameters;
     if (words.empty() && needs_scene)
       throw UsageError("No scene is named: deltaform SCENE.prm, or deltaform --help.");
+    if (words.size() > 1 && command_word_like(words.front()))
+      throw UsageError("'" + words.front() +
+                       "' is no command. A scene is run by deltaform SCENE.prm; commands are sweep, fld, new and "
+                       "explain.");
     if (words.size() > (takes_scene ? 1u : 0u))
       throw UsageError("'" + words.back() + "' is one word too many.");
     if (!words.empty())

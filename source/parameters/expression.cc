@@ -41,6 +41,15 @@ namespace deltaform
       return std::floor(x);
     }
 
+    /// Names that may stand in a formula, for one that does not.
+    std::string known_names(const Constants &constants)
+    {
+      std::string result = "t";
+      for (const auto &constant : constants)
+        result += ", " + constant.first;
+      return result + ", pi and functions such as sin, exp, sqrt, min, max, if";
+    }
+
     /// "12 kN", "1mm": a number and a word behind it.
     bool has_unit(const std::string &text)
     {
@@ -48,6 +57,19 @@ namespace deltaform
       std::strtod(text.c_str(), &end);
       const std::string rest = text::trim(end);
       return end != text.c_str() && !rest.empty() && std::isalpha(static_cast<unsigned char>(rest.front()));
+    }
+
+    /// What may be meant by a text that muParser does not understand.
+    std::string hint(const std::string &text, const mu::Parser::exception_type &error, const Constants &constants)
+    {
+      if (has_unit(text))
+        return "; numbers stand without a unit, in those of the entry Units";
+      if (text.find("**") != std::string::npos)
+        return "; a power is written t^2";
+      if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN && !error.GetToken().empty() &&
+          std::isalpha(static_cast<unsigned char>(error.GetToken().front())))
+        return "; known here: " + known_names(constants);
+      return "";
     }
   } // namespace
 
@@ -78,9 +100,7 @@ namespace deltaform
       std::string why = text::trim(error.GetMsg());
       if (!why.empty() && why.back() == '.')
         why.pop_back();
-      if (has_unit(text))
-        why += "; numbers stand without a unit, in those of the entry Units";
-      throw std::invalid_argument("cannot evaluate '" + text + "': " + why);
+      throw std::invalid_argument("cannot evaluate '" + text + "': " + why + hint(text, error, constants));
     }
     // Of several values muParser would take the last one.
     if (n_values != 1)

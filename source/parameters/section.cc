@@ -38,6 +38,19 @@ namespace deltaform
       }
     }
 
+    /// Numbers separated by blanks. @throws std::invalid_argument
+    std::vector<double> row_in(std::string piece)
+    {
+      std::vector<double> row;
+      std::replace(piece.begin(), piece.end(), '\t', ' ');
+      for (const auto &number : text::split(piece, ' '))
+        if (!number.empty() && number.back() == ',')
+          throw std::invalid_argument("'" + number + "': numbers of a row are separated by blanks, rows by semicolons");
+        else if (!number.empty())
+          row.push_back(evaluate_number(number));
+      return row;
+    }
+
     double number_in(const std::string &text, const Range &range)
     {
       double value = 0.;
@@ -247,13 +260,9 @@ namespace deltaform
              auto pieces = text::split(text::unquoted(text), ';');
              if (!pieces.empty() && pieces.back().empty()) // "0 0; 1 0;"
                pieces.pop_back();
-             for (auto &piece : pieces)
+             for (const auto &piece : pieces)
              {
-               std::vector<double> row;
-               std::replace(piece.begin(), piece.end(), '\t', ' ');
-               for (const auto &number : text::split(piece, ' '))
-                 if (!number.empty())
-                   row.push_back(evaluate_number(number));
+               const std::vector<double> row = row_in(piece);
                if (row.size() != columns)
                  throw std::invalid_argument("row '" + piece.substr(0, 80) + "' has " + std::to_string(row.size()) +
                                              " numbers; must be " + form);

@@ -50,6 +50,8 @@ namespace deltaform
   {
     FromTable(const std::string &text, const Constants &constants)
     {
+      if (text.find(';') != std::string::npos)
+        throw std::invalid_argument("pairs of a table are separated by commas: '0: 0, 1: 1.2'");
       for (const auto &pair : text::split(text, ','))
       {
         const auto colon = pair.find(':');

@@ -51,6 +51,21 @@ namespace deltaform
   } // namespace
 
 
+  std::string UnitSystem::misspelt() const
+  {
+    for (const auto &piece : text::split(label_, ','))
+    {
+      if (find(lengths, piece) || find(forces, piece) || find_stress(piece))
+        continue;
+      for (const auto *const table : {&lengths, &forces, &stresses})
+        for (const auto &known : *table)
+          if (text::edit_distance(piece, known.first) == 0)
+            return "'" + piece + "' is not known; '" + known.first + "' is";
+    }
+    return "";
+  }
+
+
   UnitSystem::UnitSystem(const std::string &label)
     : label_(label)
   {

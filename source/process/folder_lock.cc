@@ -68,12 +68,15 @@ namespace deltaform
 
   std::string FolderLock::take(const bool force)
   {
-    const auto failed = [&](const std::string &what) { return what + ": " + std::strerror(errno); };
+    const std::string unwritable = "cannot be written ('" + path_ + "')";
+    const auto failed = [](const std::string &what) {
+      return what + ": " + std::strerror(errno) + ". Choose another with --output or Output/Folder";
+    };
     for (;;)
     {
       file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
       if (file_ < 0)
-        return failed("cannot be written, its '" + path_ + "' not");
+        return failed(unwritable);
       if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK && !force)
       {
         const std::string owner = owner_in(file_);
@@ -99,7 +102,7 @@ namespace deltaform
     const std::string own = "process " + std::to_string(getpid()) + here + "\n";
     if (ftruncate(file_, 0) != 0 || pwrite(file_, own.data(), own.size(), 0) != static_cast<ssize_t>(own.size()))
     {
-      std::string wrong = failed("cannot be written, its '" + path_ + "' not");
+      std::string wrong = failed(unwritable);
       unlink(path_.c_str());
       close(file_);
       file_ = -1;

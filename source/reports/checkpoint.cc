@@ -138,7 +138,8 @@ namespace deltaform
     std::ostringstream rest;
     rest << file.rdbuf();
     const std::string bytes = rest.str();
-    if (first.rfind("deltaform ", 0) == 0 && first.rfind(writer, 0) != 0)
+    if (first.rfind("deltaform ", 0) == 0 && first.find(" checkpoint") != std::string::npos &&
+        first.rfind(writer, 0) != 0)
     {
       const std::string other = first.substr(0, first.find(" checkpoint")), own = "deltaform " DELTAFORM_VERSION;
       throw SceneError("Cannot resume: '" + name + "' was written by another version (" +

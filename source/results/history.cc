@@ -44,7 +44,8 @@ namespace deltaform
   {
     std::ifstream old(path_);
     if (!old)
-      throw SceneError("Cannot resume: '" + path_ + "' cannot be read: " + std::strerror(errno) + ".");
+      throw SceneError("Cannot resume: '" + path_ + "' cannot be read: " + std::strerror(errno) +
+                       ". Start again without --resume.");
     std::string line, comment;
     while (std::getline(old, line) && !line.empty() && line[0] == '#')
       comment = line;
@@ -78,7 +79,7 @@ namespace deltaform
   {
     const auto fail = [&](const std::string &column, const std::string &where) {
       throw SceneError("Cannot resume: the columns of '" + path_ + "' are not those of this scene: '" + column +
-                       "' is only in " + where + ".");
+                       "' is only in " + where + ". Start again without --resume.");
     };
     for (const auto &name : names)
     {

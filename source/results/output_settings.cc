@@ -126,7 +126,7 @@ namespace deltaform
     {
       const double time = tools[main_tool]->time_of_travel(travel, 0., end);
       if (std::isnan(time))
-        section.fail("Travels", "tool '" + tools[main_tool]->name() + "' never reaches " + std::to_string(travel));
+        section.fail("Travels", "tool '" + tools[main_tool]->name() + "' never reaches " + text::format(travel));
       travel_times.push_back(time);
     }
   }

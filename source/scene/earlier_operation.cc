@@ -6,29 +6,57 @@
 #include <deltaform/parameters/section.h>
 #include <deltaform/reports/checkpoint.h>
 #include <deltaform/scene/earlier_operation.h>
+#include <deltaform/scene/scene.h>
 
 #include <sstream>
 
 namespace deltaform
 {
-  KeyedArrays formed_blank(const std::string &folder)
+  namespace
   {
-    const auto checkpoint = Checkpoint::read(folder);
-    if (!checkpoint)
-      throw SceneError("Start from: '" + folder + "' has no saved state (" + Checkpoint::path(folder) +
-                       "). Run the earlier operation first, with this folder as its --output.");
+    std::optional<Checkpoint> saved_state(const Scene &scene)
+    {
+      try
+      {
+        return Checkpoint::read(scene.start_from);
+      }
+      catch (const SceneError &)
+      {
+        // Which speaks of a run that is resumed.
+        scene.tree.fail({}, "Start from",
+                        "the saved state (" + Checkpoint::path(scene.start_from) +
+                          ") is damaged or was written by another version. Run the earlier operation again.");
+      }
+    }
+  } // namespace
+
+
+  std::string missing_start(const Scene &scene)
+  {
+    if (scene.start_from.empty() || saved_state(scene))
+      return "";
+    return "there is no saved state (" + Checkpoint::path(scene.start_from) +
+           "). Run the earlier operation first, with this folder as its --output.";
+  }
+
+
+  KeyedArrays formed_blank(const Scene &scene)
+  {
+    if (const std::string missing = missing_start(scene); !missing.empty())
+      scene.tree.fail({}, "Start from", missing);
+    const Checkpoint checkpoint = *saved_state(scene);
     // A blank of its own, as the earlier scene had it; a metal with rates or heat asks for the unit of time, and what
     // is measured at its points is named in Limits.
     std::vector<std::string> entries;
-    for (const auto &[name, value] : checkpoint->scene)
+    for (const auto &[name, value] : checkpoint.scene)
       if (name == "Units" || name.rfind("Blank/", 0) == 0 || name.rfind("Material/", 0) == 0 ||
           name.rfind("Limits/", 0) == 0)
         entries.push_back(name + "=" + value);
-    ParameterTree tree = ParameterTree::parse("", folder + "/scene.prm", entries);
+    ParameterTree tree = ParameterTree::parse("", scene.start_from + "/scene.prm", entries);
     Section section = tree.root().sub("Blank");
     const auto blank = Registry<Blank>::choose(section, "Kind", "shell", "How the blank is modelled.");
     State state;
-    std::istringstream bytes(checkpoint->state);
+    std::istringstream bytes(checkpoint.state);
     state.load(bytes);
     blank->set_state(state.model.body);
     blank->begin_increment(0., 0.);

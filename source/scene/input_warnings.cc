@@ -74,6 +74,9 @@ namespace deltaform
     void doubtful_units(const Scene &scene, Texts &result)
     {
       const UnitSystem unit_system(scene.units);
+      if (const std::string misspelt = unit_system.misspelt(); !misspelt.empty())
+        result.push_back("Units = " + scene.units + ": " + misspelt +
+                         ". With an unknown unit, modulus and thickness are not looked at.");
       const Blank &blank = *scene.actors.blank;
       constexpr double softest = 1e10, stiffest = 7e11; // Pa: lead, tungsten carbide
       const double modulus = blank.surface().modulus();
@@ -98,27 +101,30 @@ namespace deltaform
     }
 
 
-    /// A solid may have cells far shorter than it is thick: a thousandth of the thickness is no small part of them.
+    /// A delta that changes the part: measured by the thickness of a sheet, and by the edges of a solid, whose cells
+    /// may be far shorter than it is thick.
     void loose_delta(const Actors &actors, Texts &result)
     {
-      if (actors.blank->fields().is_sheet() || actors.tools.empty() || !actors.contact->rule->promises() ||
-          !actors.contact->normal_law->uses_penalty())
+      if (actors.tools.empty() || !actors.contact->rule->promises() || !actors.contact->normal_law->uses_penalty())
         return;
-      constexpr double largest = .05;
-      const double edge = shortest_contact_edge(*actors.blank);
+      const bool is_sheet = actors.blank->fields().is_sheet();
+      const double largest = is_sheet ? .1 : .05;
+      const double natural = is_sheet ? actors.blank->initial_thickness() : shortest_contact_edge(*actors.blank);
+      const std::string rest =
+        is_sheet ? " of the thickness: radii and gaps are off by as much. State 1e-3*thickness."
+                 : " of the shortest contact edge, which is " + text::rounded(natural) +
+                     " long: contact forces and places suffer. 'thickness' is the thickness of a solid, not of its "
+                     "cells: state 1e-3*edge.";
       for (const auto &tool : actors.tools)
       {
         const TimeFunction *const own = tool->allowed_penetration();
         const TimeFunction &chosen = own != nullptr ? *own : actors.contact->allowed_penetration;
         const double delta = chosen(actors.stages.front().begin);
-        if (!(delta > largest * edge))
+        if (!(delta > largest * natural * (1. + 1e-9)))
           continue;
         result.push_back((own != nullptr ? "Tools/" + tool->name() + "/" : std::string("Contact/")) +
                          "Allowed penetration = " + chosen.text() + " is " + text::rounded(delta) + ", " +
-                         text::percent(delta / edge) + " of the shortest contact edge, which is " +
-                         text::rounded(edge) +
-                         " long: contact forces and places suffer. 'thickness' is the thickness of a solid, not of its "
-                         "cells: state 1e-3*edge.");
+                         text::percent(delta / natural) + rest);
         if (own == nullptr)
           return;
       }

@@ -19,6 +19,15 @@ namespace deltaform
       const auto names = section.section_names("Names", "", sentence);
       return section.documentation() ? std::vector<std::string>{"<name>"} : names;
     }
+
+    /// An entry of Contact that the scene states, although it makes sense with tools only; null: none.
+    const char *given_contact_entry(const Section &contact)
+    {
+      for (const auto *const entry : {"Penalty rule", "Enforcement", "Allowed penetration", "Penalty factor"})
+        if (contact.given(entry))
+          return entry;
+      return nullptr;
+    }
   } // namespace
 
 
@@ -72,6 +81,9 @@ namespace deltaform
     });
     notes.insert(notes.end(), dropped.begin(), dropped.end());
     tree.check_unused();
+    const Section contact = root.sub("Contact");
+    if (const char *const entry = given_contact_entry(contact); entry != nullptr && actors.tools.empty())
+      contact.fail(entry, "there is no tool to touch: name one in Tools/Names, or drop the section Contact");
     check(root);
   }
 
@@ -103,20 +115,20 @@ namespace deltaform
   {
     Section section = root.sub("Tools");
     const auto names = named(section, "Names of the tools, one subsection each.");
-    if (names.empty())
-    {
-      for (const auto *const entry : {"Penalty rule", "Enforcement", "Allowed penetration", "Penalty factor"})
-        if (root.sub("Contact").given(entry))
-          root.sub("Contact").fail(entry,
-                                   "there is no tool to touch: name one in Tools/Names, or drop the section Contact");
+    Section contact = root.sub("Contact");
+    // Without tools the section Contact is refused, but first what may be meant by 'Tools': its entries are declared.
+    if (names.empty() && given_contact_entry(contact) == nullptr)
       return;
-    }
     const std::map<std::string, double> constants{{"thickness", actors.blank->initial_thickness()}};
     auto contact_constants = constants;
     contact_constants["edge"] = shortest_contact_edge(*actors.blank);
     // The thickness of a solid may be any number of cells, and of Hertz's half-space it is none.
     const std::string natural_length = actors.blank->fields().is_sheet() ? "thickness" : "edge";
-    Section contact = root.sub("Contact");
+    if (names.empty())
+    {
+      ContactSettings(contact, contact_constants, natural_length);
+      return;
+    }
     actors.contact = std::make_unique<ContactSettings>(contact, contact_constants, natural_length);
     if (actors.contact->finds_factors() &&
         actors.contact->allowed_penetration(0.) >= ContactSettings::coarse_delta * contact_constants[natural_length])
@@ -124,6 +136,9 @@ namespace deltaform
     for (const auto &name : names)
     {
       Section own = section.sub(name);
+      if (!section.documentation() && !own.given("Side") && !own.given("Shape"))
+        section.fail("Names", "there is no subsection '" + name +
+                                "' with Side and Shape of this tool. Names are separated by commas");
       actors.tools.push_back(
         std::make_unique<Tool>(name, own, constants, contact_constants, actors.blank->axisymmetric()));
       const Tool &tool = *actors.tools.back();

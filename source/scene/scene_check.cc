@@ -147,7 +147,14 @@ namespace deltaform
       if (start_from.empty() && tool.exists_in(actors.stages.front().name))
       {
         if (const auto wrong = find_misplacement(*actors.blank, *actors.interfaces[i], zero, tool.travel(0.), 1e-9 * h))
-          section.fail(wrong->entry, wrong->message);
+        {
+          // The corners of a tool are Points; those of an outline its Path or its File.
+          const std::string &entry = wrong->entry;
+          const bool is_outline = entry == "Points" && !section.given(entry);
+          section.fail(!is_outline ? entry : section.given("File") ? "File"
+                                                                   : "Path",
+                       wrong->message);
+        }
         const double opening = tool.shape().opening();
         if (opening > 0 && outermost <= opening)
           section.fail("Throat radius",

@@ -23,7 +23,7 @@ namespace deltaform
       stage.begin = begin;
       stage.end = own.number("End time", begin + 1., Range::any(), "time", "Time at which the stage ends.");
       if (!(stage.end > begin))
-        own.fail("End time", "must be later than the end of the stage before");
+        own.fail("End time", "must be later than the end of the stage before (of the first stage: than 0)");
       if (stage.end - begin < ceilings::smallest_size)
         own.fail("End time", "the stage must last at least " + text::format(ceilings::smallest_size));
       const double length = stage.end - begin;

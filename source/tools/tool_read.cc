@@ -1,5 +1,6 @@
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/section.h>
+#include <deltaform/parameters/text.h>
 #include <deltaform/tools/tool.h>
 
 #include <cmath>
@@ -11,11 +12,11 @@ namespace deltaform
 {
   namespace
   {
-    // A choice that has no default.
-    void require(const Section &section, const std::string &entry)
+    // A choice that has no default. Asked for before it is declared: the message then speaks of no default.
+    void require(const Section &section, const std::string &entry, const std::string &choices)
     {
       if (!section.given(entry) && !section.documentation())
-        section.fail(entry, "The entry is required.");
+        section.fail(entry, "is required: " + choices);
     }
 
     double read_coordinate(Section &section,
@@ -79,12 +80,12 @@ namespace deltaform
              const bool axisymmetric)
     : name_(name)
   {
-    side_ = section.choice("Side", "bottom", {"bottom", "top"}, "Face of the blank that the tool touches.") == "top"
-              ? Side::top
-              : Side::bottom;
-    require(section, "Side");
-    shape_ = Registry<Shape>::choose(section, "Shape", "plate", "Profile of the tool.");
-    require(section, "Shape");
+    require(section, "Side", "bottom or top, the face of the blank that the tool touches");
+    const std::string side =
+      section.choice("Side", "bottom", {"bottom", "top"}, "Face of the blank that the tool touches; to be stated.");
+    side_ = side == "top" ? Side::top : Side::bottom;
+    require(section, "Shape", text::join(Registry<Shape>::names(), ", "));
+    shape_ = Registry<Shape>::choose(section, "Shape", "plate", "Profile of the tool; to be stated.");
     if (!axisymmetric)
       shape_->set_plane_strain();
     mirror_ = side_ == Side::top && !shape_->in_scene_frame() ? -1. : 1.;

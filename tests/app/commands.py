@@ -81,6 +81,11 @@ class Commands(unittest.TestCase):
         self.assertEqual(run("explain", "Friction coefficient").count("Tools/<name>/Friction coefficient"), 1)
         self.assertIn("Steps/<name>/End time", run("explain", "Steps/my stage/End time"))
         self.assertIn("nearest known one is 'Layers'", run("explain", "Layrs", status=64))
+        self.assertIn("nearest known one is 'Friction law'", run("explain", "Tools/punch/Friction lwa", status=64))
+        self.assertIn("--print-parameters lists all", run("explain", "xyzzy", status=64))
+        section = run("explain", "Tools/punch").splitlines()
+        self.assertIn("a section with the entries", section[0])
+        self.assertTrue({"  Side", "  Shape", "  Motion", "  Fillet radii"} <= set(section))
         self.assertIn("Tools/<name>/Friction coefficient; Tools/<name>/Friction law", run("explain", "friction", status=64))
 
     def test_drawing(self):
@@ -100,6 +105,32 @@ class Commands(unittest.TestCase):
         width, height = (float(x) for x in drawing.get("viewBox").split()[2:])
         self.assertTrue(0 < min(xs) and max(xs) < width and 0 < min(ys) and max(ys) < height)
         run(SCENE, "--check", "--svg", "nowhere/cup.svg", status=1)
+        # A punch that goes deeper than half of the blank: where its face ends is in the picture.
+        run(SCENE, "--check", "--svg", "deep.svg", "--set", "Tools/punch/Motion=2*t")
+        deep = xml.parse(os.path.join(WORK, "deep.svg")).getroot()
+        lowest = max(float(y) for line in deep.iter(SVG + "polyline") if line.get("stroke-dasharray")
+                     for y in re.split("[ ,]+", line.get("points").strip())[1::2])
+        self.assertLess(lowest, float(deep.get("viewBox").split()[3]))
+
+    def test_words_that_are_no_commands(self):
+        said = run("run", SCENE, status=64)
+        self.assertIn("'run' is no command", said)
+        self.assertIn("deltaform SCENE.prm", said)
+
+    def test_an_earlier_operation_that_is_missing_or_damaged(self):
+        self.assertIn("warning: Start from = first: there is no saved state (first/checkpoint.bin). Run the earlier operation",
+                      run(SCENE, "--check", "--set", "Start from=first"))
+        os.makedirs(os.path.join(WORK, "first"))
+        for content in (b"", b"deltaform ", b"hello", b"deltaform 0.1.0 checkpoint, layout 1, 3 bytes, CRC-32 0\nabc"):
+            with open(os.path.join(WORK, "first", "checkpoint.bin"), "wb") as file:
+                file.write(content)
+            for words in (("--check",), ("--quiet", "--output", "second")):
+                said = run(SCENE, *words, "--set", "Start from=first", status=1)
+                self.assertIn("--set: Start from = first: the saved state (first/checkpoint.bin) is damaged or was written by "
+                              "another version. Run the earlier operation again", said)
+                self.assertNotIn("--resume", said)
+            other = "another version" if content.startswith(b"deltaform 0.1.0") else "is damaged"
+            self.assertIn(other, run(SCENE, "--resume", "--output", "first", status=1))
 
     def sweep(self, *words, status=0):
         return run("sweep", SCENE, "--set", "Steps/form/End time=.1", "--set", "Output/Pictures=0", "--vary", "Blank/Elements=20:40:10",
@@ -168,6 +199,7 @@ class Commands(unittest.TestCase):
                    "--output", "points")
         self.assertEqual([re.search(r"Points=([^']*)'", line).group(1) for line in said.splitlines()], ["0 0; 2.22 0", "0 0; 2 0"])
         self.assertEqual(said.count("Travels=.1, .2'"), 2)
+        self.assertIn("stand in braces", run("sweep", SCENE, "--vary", "Tools/punch/Motion=0: 0, 1: 1", "--print", status=1))
 
     def test_a_law_changed_on_the_command_line(self):
         law = ("--set", "Material/Hardening/Law=voce", "--set", "Material/Hardening/Initial flow stress=6", "--set",

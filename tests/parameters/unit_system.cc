@@ -28,4 +28,12 @@ BOOST_AUTO_TEST_CASE(units_that_do_not_go_together)
   BOOST_TEST(UnitSystem("mm, kN, MPa").objection().find("1000 MPa") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(units_in_other_letters)
+{
+  BOOST_TEST(UnitSystem("mm, N, Mpa").misspelt() == "'Mpa' is not known; 'MPa' is");
+  BOOST_TEST(UnitSystem("mm, n, MPa").misspelt() == "'n' is not known; 'N' is");
+  for (const auto *const label : {"mm, N, MPa", "consistent", "mm, N, bananas", "in, tonf, tonf/in^2", ""})
+    BOOST_TEST(UnitSystem(label).misspelt() == "", label);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -120,6 +120,11 @@ BOOST_AUTO_TEST_CASE(doubtful_numbers_are_named)
   BOOST_TEST(
     one_has(warnings(sound + Entries{"Tools/die/Friction coefficient=1.01"}), "Tools/die/Friction coefficient"));
   BOOST_TEST(warnings(sound + Entries{"Tools/die/Friction coefficient=1"}).empty());
+  BOOST_TEST(one_has(warnings(sound + Entries{"Contact/Allowed penetration=.11*thickness"}),
+                     "Contact/Allowed penetration = .11*thickness is 0.22, 11 % of the thickness"));
+  BOOST_TEST(warnings(sound + Entries{"Contact/Allowed penetration=.1*thickness"}).empty());
+  BOOST_TEST(one_has(warnings(sound + Entries{"Units=mm, N, Mpa"}), "'Mpa' is not known; 'MPa' is"));
+  BOOST_TEST(warnings(sound + Entries{"Units=mm, N, MPa"}).empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -170,4 +170,9 @@ for content, message in ((b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames
 expect(1, "cannot read '", "--check", *solid, f"Blank/File={work}/fifo")
 expect(1, "cannot read '/dev/zero'", "--check", *solid, "Blank/File=/dev/zero")
 expect(1, "cannot read '", "--check", *solid, f"Blank/File={work}")
+
+# Outlines.
+outline = ["Tools/punch/Shape=outline", "Tools/punch/Position z=0"]
+check("Tools/punch/File = %s: '%s': it is a folder" % (work, work), *outline, f"Tools/punch/File={work}")
+check("the file cannot be read: No such file or directory", *outline, "Tools/punch/File=nowhere.dxf")
 sys.exit(1 if failures else 0)

@@ -39,7 +39,7 @@ try:
     closed.mkdir()
     closed.chmod(0o555)
     expect(1, "Cannot make the folder 'closed/inside'", scene, "--output", "closed/inside", *short)
-    expect(1, "The folder 'closed' cannot be written", scene, "--output", "closed", *short)
+    expect(1, "The folder 'closed' cannot be written ('closed/deltaform.lock'): Permission denied. Choose another with --output", scene, "--output", "closed", *short)
     expect(1, "'closed", "sweep", scene, "--vary", "Contact/Allowed penetration=1e-3", "--output", "closed/sweep", *short)
 
     expect(0, "", scene, "--output", "run", *short)

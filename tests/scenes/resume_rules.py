@@ -31,6 +31,12 @@ few = ["--set", "Blank/Elements=25", "--set", "Output/Pictures=0"]
 stop = ["--set", "Steps/form/Smallest increment=1e-3", "--set", "Solver/Maximal corrections=0"]
 run(0, "no saved state", *few, "--resume")
 before = (folder / "history.csv").read_bytes()
+for lost in (None, b"x\n"):
+    (folder / "history.csv").unlink()
+    if lost:
+        (folder / "history.csv").write_bytes(lost)
+    run(1, "Start again without --resume.", *few, "--resume", "--set", "Steps/form/End time=1.001")
+    (folder / "history.csv").write_bytes(before)
 run(0, "is finished", *few, "--resume")
 if (folder / "history.csv").read_bytes() != before:
     failures += 1

@@ -21,6 +21,10 @@ namespace deltaform
     /// A sentence if the unit of stress is not that of force over that of length squared; else empty.
     std::string objection() const;
 
+    /// The unit that is written in other letters, small or capital, than one that is known ("Mpa"), and the known one;
+    /// empty if there is none.
+    std::string misspelt() const;
+
   private:
     std::string label_;
   };

@@ -6,7 +6,13 @@
 
 namespace deltaform
 {
-  /// What the run in a folder of results has formed its blank to, from the state that was saved last: see
+  class Scene;
+
+  /// A sentence if the folder Start from of a scene has no saved state yet; else empty. @throws SceneError if there is
+  /// one that cannot be read
+  std::string missing_start(const Scene &scene);
+
+  /// What the run in the folder Start from of a scene has formed its blank to, from the state that was saved last: see
   /// Blank::formed(). @throws SceneError if there is no such state, or it cannot be read
-  KeyedArrays formed_blank(const std::string &folder);
+  KeyedArrays formed_blank(const Scene &scene);
 } // namespace deltaform

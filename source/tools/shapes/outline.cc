@@ -5,6 +5,9 @@
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/section.h>
 
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -51,9 +54,12 @@ namespace deltaform
     private:
       static std::vector<OutlinePiece> read(const std::string &name, const std::string &layer, const double tolerance)
       {
+        std::error_code code;
+        if (std::filesystem::is_directory(name, code))
+          throw std::invalid_argument("it is a folder");
         std::ifstream file(name);
         if (!file)
-          throw std::invalid_argument("the file cannot be read");
+          throw std::invalid_argument(std::string("the file cannot be read: ") + std::strerror(errno));
         const auto dot = name.rfind('.');
         const std::string ending = dot == std::string::npos ? "" : name.substr(dot);
         return ending == ".dxf" || ending == ".DXF" ? join(read_dxf(file, layer), tolerance) : read_points(file);
