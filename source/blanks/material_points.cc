@@ -58,6 +58,8 @@ namespace deltaform
     batch.strain = &strain_[first];
     batch.third_stress = third_stress;
     batch.committed = history_.committed(first);
+    // That of axes of its own would have to turn with them.
+    batch.committed_stress = has_axes_ ? nullptr : &committed_stress_[first];
     batch.duration = duration();
     batch.duration_share = predictor_.duration_share();
     batch.predictor = predictor_.at(first);

@@ -1,7 +1,5 @@
 #include "adiabatic_heat.h"
 
-#include "heat_balance.h"
-
 #include <cmath>
 #include <utility>
 
@@ -31,6 +29,12 @@ namespace deltaform
   }
 
 
+  bool AdiabaticHeat::knows_first_stress() const
+  {
+    return law().needs_duration();
+  }
+
+
   bool AdiabaticHeat::softens() const
   {
     return true;
@@ -49,23 +53,51 @@ namespace deltaform
   }
 
 
+  std::array<FlowStress, HeatStages::n>
+  AdiabaticHeat::cold_stages(const FlowStress &slow, const PointFlow &flow, const double *start, double *end) const
+  {
+    std::array<FlowStress, HeatStages::n> result;
+    WholeFlow whole = flow.whole;
+    if (std::isfinite(whole.first_stress))
+    {
+      const FlowStress slow_first{whole.slow->evaluate(flow.strain - whole.growth).value, 0.};
+      const double factor = softening_->evaluate(rise(whole.committed)).factor;
+      for (unsigned int repeated = 0; repeated < HeatStages::rate_corrections; ++repeated)
+      {
+        const FlowStress cold = law().evaluate(
+          slow_first, {flow.strain, whole.growth, whole.mean_rate, whole.mean_rate_by_growth, whole}, start, end);
+        whole = flow.whole.since_yield({factor * cold.value, factor * cold.slope});
+      }
+    }
+    for (unsigned int i = 0; i < HeatStages::n; ++i)
+    {
+      const double c = HeatStages::place[i], strain = flow.strain - (1. - c) * whole.growth;
+      FlowStress at = i + 1 < HeatStages::n ? whole.slow->evaluate(strain) : slow;
+      at.slope *= c;
+      result[i] =
+        law().evaluate(at, {strain, c * whole.growth, whole.mean_rate, whole.mean_rate_by_growth, whole}, start, end);
+    }
+    return result;
+  }
+
+
   FlowStress AdiabaticHeat::evaluate(
     const FlowStress &slow, const PointFlow &flow, const double *start, double *end) const
   {
-    const FlowStress cold = law().evaluate(slow, flow, start, end);
-    const double k = heating_ * flow.growth;
-    double factor = 1.;
-    const auto stress = [&](const double rise) -> FlowStress {
+    const auto stages = cold_stages(slow, flow, start, end);
+    const auto hot = [&](const unsigned int stage, const double rise) -> HotStress {
+      const FlowStress &cold = stages[stage];
       const Softened soft = softening_->evaluate(rise);
-      factor = soft.factor;
-      return {soft.factor * cold.value, soft.slope * cold.value};
+      return {soft.factor * cold.value, soft.factor * cold.slope, soft.slope * cold.value};
     };
-    const HeatedStress hot = balance_heat(stress, rise(start), k);
-    end[rise_] = hot.rise;
-    // ds = f ds_cold + s_cold f' (heating s dx + k ds)
+    const HeatedEnd heated = balance_heat(stages, hot, rise(flow.whole.committed), heating_, flow.whole.growth);
+    end[rise_] = heated.rise;
+    const FlowStress cold = law().evaluate(slow, flow, start, end);
+    const Softened soft = softening_->evaluate(heated.rise);
+    const double value = soft.factor * cold.value;
     if (std::isinf(cold.slope))
-      return {hot.value, cold.slope};
-    return {hot.value, (factor * cold.slope + hot.slope * heating_ * hot.value) / (1. - hot.slope * k)};
+      return {value, cold.slope};
+    return {value, soft.factor * cold.slope + soft.slope * cold.value * heated.by_growth};
   }
 
 

@@ -6,6 +6,7 @@
 
 #include "heat_balance.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -39,6 +40,11 @@ namespace deltaform
         return curves_.knows_rate();
       }
 
+      bool knows_first_stress() const override
+      {
+        return heating_ > 0. && curves_.knows_rate();
+      }
+
       bool softens() const override
       {
         return heating_ > 0.;
@@ -50,26 +56,15 @@ namespace deltaform
       }
 
       FlowStress
-      evaluate(const FlowStress &, const PointFlow &flow, const double *start, double *end) const override
+      evaluate(const FlowStress &, const PointFlow &flow, const double *, double *end) const override
       {
         const double rate = curves_.knows_rate() ? flow.rate : 0.;
         const double rate_by_growth = curves_.knows_rate() ? flow.rate_by_growth : 0.;
-        FlowCurves::Stress at{};
-        const auto stress = [&](const double rise) -> FlowStress {
-          at = curves_(flow.strain, rate, initial_temperature_ + rise);
-          return {at.value, at.by_temperature};
-        };
-        if (!(heating_ > 0.))
-        {
-          stress(0.);
-          return {at.value, at.by_strain + rate_by_growth * at.by_rate};
-        }
-        const double k = heating_ * flow.growth;
-        const HeatedStress hot = balance_heat(stress, *start, k);
-        *end = hot.rise;
-        // ds = s_e dx + s_rate dx/dt + s_T (heating s dx + k ds)
-        const double cold = at.by_strain + rate_by_growth * at.by_rate;
-        return {hot.value, (cold + hot.slope * heating_ * hot.value) / (1. - hot.slope * k)};
+        const HeatedEnd heated = heating_ > 0. ? heat_up(flow) : HeatedEnd{0., 0.};
+        if (heating_ > 0.)
+          *end = heated.rise;
+        const FlowCurves::Stress at = curves_(flow.strain, rate, initial_temperature_ + heated.rise);
+        return {at.value, at.by_strain + rate_by_growth * at.by_rate + at.by_temperature * heated.by_growth};
       }
 
       double at_rest(double, const double strain, const double *const history) const override
@@ -78,6 +73,41 @@ namespace deltaform
       }
 
     private:
+      WholeFlow since_yield(const PointFlow &flow) const
+      {
+        WholeFlow result = flow.whole;
+        if (!std::isfinite(result.first_stress))
+          return result;
+        const double temperature = initial_temperature_ + *result.committed;
+        for (unsigned int repeated = 0; repeated < HeatStages::rate_corrections; ++repeated)
+        {
+          const FlowCurves::Stress at = curves_(flow.strain - result.growth, result.mean_rate, temperature);
+          result = flow.whole.since_yield({at.value, at.by_rate * result.mean_rate_by_growth});
+        }
+        return result;
+      }
+
+      /// From the committed rise of the temperature, at the mean rate.
+      HeatedEnd heat_up(const PointFlow &flow) const
+      {
+        const WholeFlow whole = since_yield(flow);
+        const double rate = curves_.knows_rate() ? whole.mean_rate : 0.;
+        const double rate_by_growth = curves_.knows_rate() ? whole.mean_rate_by_growth : 0.;
+        const auto hot = [&](const unsigned int stage, const double rise) -> HotStress {
+          const double c = HeatStages::place[stage];
+          const FlowCurves::Stress at =
+            curves_(flow.strain - (1. - c) * whole.growth, rate, initial_temperature_ + rise);
+          return {at.value, c * at.by_strain + rate_by_growth * at.by_rate, at.by_temperature};
+        };
+        std::array<FlowStress, HeatStages::n> cold;
+        for (unsigned int i = 0; i < HeatStages::n; ++i)
+        {
+          const HotStress at = hot(i, *whole.committed);
+          cold[i] = {at.value, at.by_growth};
+        }
+        return balance_heat(cold, hot, *whole.committed, heating_, whole.growth);
+      }
+
       FlowCurves curves_;
       double initial_temperature_, heating_;
     };

@@ -6,6 +6,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <type_traits>
 
@@ -128,13 +129,28 @@ namespace deltaform
   }
 
 
+  double Elastoplastic::first_stress(Mandel stress, const double *const committed) const
+  {
+    if (laws_.back_stress)
+    {
+      const Mandel back = laws_.back_stress->value(committed + FlowHistory::size);
+      for (unsigned int i = 0; i < 4; ++i)
+        stress[i] -= back[i];
+    }
+    return laws_.yield_surface->equivalent_stress(stress);
+  }
+
+
   template <typename Size>
   Status Elastoplastic::update_points(const MaterialBatch &batch,
                                       const ReturnMap &map,
                                       const Elasticity &elastic,
                                       const Size n) const
   {
-    FlowLaw law{elastic, *laws_.hardening, initial_flow_stress_, batch.duration, 1.};
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    FlowLaw law{elastic, *laws_.hardening, initial_flow_stress_, batch.duration, 1., unknown};
+    const bool first_matters = n > FlowHistory::size && batch.committed_stress != nullptr && laws_.rate_factor &&
+                               laws_.rate_factor->knows_first_stress();
     const bool third_stress = batch.third_direction == ThirdDirection::stress_given;
     for (unsigned int p = 0; p < batch.n_points; ++p)
     {
@@ -168,7 +184,12 @@ namespace deltaform
       }
       // Where there is much less flow now, or none, or it has turned back, the last flow has nothing to go on with.
       if (!goes_on)
+      {
+        if (first_matters)
+          law.first_stress = first_stress(batch.committed_stress[p], committed);
         outcome = return_from(committed);
+        law.first_stress = unknown;
+      }
       if (outcome == PointOutcome::not_finite)
         return Status::shorten("the strain at a material point is not finite", p);
       if (outcome == PointOutcome::not_converged)
@@ -215,6 +236,7 @@ namespace deltaform
       one.committed += p * n;
       one.predictor += batch.predictor != nullptr ? p * n : 0;
       one.trial += p * n;
+      one.committed_stress += batch.committed_stress != nullptr ? p : 0;
       one.stress += p;
       one.tangent += batch.tangent != nullptr ? p * std::size_t(16) : 0;
       Status status = update_points(one, map, elasticity(one.committed), n);

@@ -21,6 +21,11 @@ namespace deltaform
       return law_->needs_duration();
     }
 
+    bool knows_first_stress() const override
+    {
+      return law_->knows_first_stress();
+    }
+
     bool softens() const override
     {
       return law_->softens();

@@ -45,7 +45,16 @@ namespace deltaform
     if (!laws.rate_factor)
       return slow;
     const FlowRate rate = flow_rate(law, point, x);
-    return laws.rate_factor->evaluate(slow, {strain, x, rate.value, rate.by_growth}, point.start + rate_first,
-                                      point.trial + rate_first);
+    const double growth = strain - point.committed[FlowHistory::equivalent];
+    const WholeFlow whole{&law.hardening,
+                          point.committed + rate_first,
+                          growth,
+                          growth / law.duration,
+                          1. / law.duration,
+                          law.first_stress,
+                          3. * law.elastic.shear,
+                          law.duration};
+    return laws.rate_factor->evaluate(
+      slow, {strain, x, rate.value, rate.by_growth, whole}, point.start + rate_first, point.trial + rate_first);
   }
 } // namespace deltaform

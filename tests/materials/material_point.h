@@ -92,11 +92,13 @@ namespace deltaform
         batch.duration = duration;
         batch.duration_share = predictor.empty() ? 1. : 2. / 3.; // increments of the same length
         batch.committed = committed.data();
+        batch.committed_stress = &committed_stress;
         batch.predictor = predictor.empty() ? nullptr : predictor.data();
         batch.trial = trial.data();
         batch.stress = &stress;
         batch.tangent = C;
         status = material.update(batch);
+        trial_stress = stress;
         return stress;
       }
 
@@ -111,6 +113,7 @@ namespace deltaform
         for (std::size_t i = 0; i < predictor.size(); ++i)
           predictor[i] = (trial[i] - committed[i]) / 3.; // increments of the same length
         committed.swap(trial);
+        committed_stress = trial_stress;
       }
 
       double equivalent_plastic_strain() const
@@ -120,6 +123,7 @@ namespace deltaform
 
       const Material &material;
       std::vector<double> committed, trial, predictor;
+      Mandel committed_stress{}, trial_stress{};
       double duration = .5;
       Status status;
     };

@@ -159,6 +159,64 @@ BOOST_AUTO_TEST_CASE(copper_that_heats_itself)
   }
 }
 
+// Tangents by differences where heat takes much of the flow stress: in the increment in which flow begins, at the last
+// stress known, in one that goes on and in one that turns.
+BOOST_AUTO_TEST_CASE(tangents_of_metal_that_heats_itself)
+{
+  const Mandel path[4] = {
+    {{.0005, -.0002, -.0001, .0002}}, {{.03, -.01, -.015, .01}}, {{.06, -.02, -.03, .02}}, {{.05, -.05, .002, -.02}}};
+  const auto check = [&](const Material &metal, const bool two_steps) {
+    MaterialPoint point(metal, two_steps);
+    point.duration = 1e-3;
+    for (const Mandel &e : path)
+    {
+      std::array<double, 16> C{};
+      point.solid(e, C.data());
+      BOOST_TEST_REQUIRE(point.status.good());
+      // The predictor is an output: what has fallen back once stays so.
+      for (unsigned int j = 0; j < 4; ++j)
+      {
+        const auto difference = [&](const double h) {
+          Mandel plus = e, minus = e;
+          plus[j] += h;
+          minus[j] -= h;
+          Mandel d = testing::difference(point.solid(plus), point.solid(minus));
+          for (double &one : d)
+            one /= 2. * h;
+          return d;
+        };
+        const Mandel coarse = difference(2e-5), fine = difference(1e-5);
+        for (unsigned int i = 0; i < 4; ++i)
+          require_close(C[4 * i + j], (4. * fine[i] - coarse[i]) / 3., 2e-7 * metal.young_modulus(),
+                        "the tangent " + std::to_string(i) + ", " + std::to_string(j));
+      }
+      point.solid(e);
+      point.commit();
+    }
+    BOOST_TEST(point.committed.back() > 30.);
+  };
+  const std::vector<std::string> common = {"Material/Heat/Adiabatic=true", "Material/Heat/Heat capacity=.5"};
+  for (const bool two_steps : {false, true})
+  {
+    for (const auto &rate : Registry<RateFactor>::names())
+      for (const std::string softening : {"linear", "johnson-cook"})
+        for (const std::string yield : {"mises", "hosford"})
+          BOOST_TEST_CONTEXT(rate << ", " << softening << ", " << yield << (two_steps ? ", two steps" : ""))
+          {
+            std::vector<std::string> entries = common;
+            for (const auto &more : {law_entries<YieldSurface>("Yield surface", yield),
+                                     law_entries<RateFactor>("Rate factor", rate)})
+              entries.insert(entries.end(), more.begin(), more.end());
+            for (const auto &entry : law_entries<Softening>("Heat", softening))
+              if (entry.find("/Law=") == std::string::npos)
+                entries.push_back(entry);
+            entries.push_back("Material/Heat/Softening=" + softening);
+            check(*make_material("elastoplastic", "voce", entries), two_steps);
+          }
+    check(*make_material("elastoplastic", "flow curves", common), two_steps);
+  }
+}
+
 // Metal that conducts may be colder than at its start: the linear softening goes on, that of Johnson and Cook does not.
 BOOST_AUTO_TEST_CASE(cooled_below_the_start)
 {

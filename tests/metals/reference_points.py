@@ -5,7 +5,7 @@
 
 A row is a case: how the blank is held (`tube` pulled along its axis, hoop free; `strip` in plane strain; `disc` in equibiaxial
 tension), its length, the logarithmic strains at the ends of the stages, the entries of the material, and stresses, plastic
-strains and thicknesses at the ends of the stages. points.py runs them. The references are closed forms, or ordinary
+strains, thicknesses and rises of the temperature at the ends of the stages. points.py runs them. The references are closed forms, or ordinary
 differential equations in time, strain or plastic strain that are integrated to 1e-9 at least.
 """
 import csv
@@ -21,6 +21,7 @@ from scipy.optimize import brentq
 HERE = pathlib.Path(__file__).resolve().parent
 SYSTEMS = [("mm, N, MPa, s", 1., 10.), ("m, N, Pa, s", 1e6, .02), ("in, lbf, psi, s", 145.0377, .5)]
 ALONG, HOOP, PLASTIC = "stress_meridional_mid", "stress_hoop_mid", "equivalent_plastic_strain"
+RISE = "temperature_rise"
 draw = random.Random(20261123)
 U = draw.uniform
 
@@ -373,7 +374,8 @@ def heat(cases):
         stress = lambda e: curve.s(e) * f(path(e)[0])
         e = plastic_strain(base.young, stress, strain)
         cases.add(f"adiabatic {soft} {kind}", soft == "linear" and kind == "voce", "tube", base, [(1, strain)],
-                  curve.section() + [("Heat/" + k, v) for k, v in entries], [(1, ALONG, stress(e)), (1, PLASTIC, e)])
+                  curve.section() + [("Heat/" + k, v) for k, v in entries],
+                  [(1, ALONG, stress(e)), (1, PLASTIC, e), (1, RISE, path(e)[0])])
     for name, A, B, n, C, m, melting, capacity in (("4340", 792, 510, .26, .014, 1.03, 1793, 3.73491),
                                                    ("Armco iron", 175, 380, .32, .06, .55, 1811, 3.56628)):
         base = Base(SYSTEMS[0])
@@ -381,13 +383,14 @@ def heat(cases):
         rate, strain, T0 = 10**U(.5, 3.5), U(.2, .9), 298.
         cold = lambda e, rise: (A + B * max(e, 0.)**n) * (1 - (max(rise, 0.) / (melting - T0))**m)
         flow = lambda t, e, rise: math.exp(min((t / cold(e, rise) - 1) / C, 60.))
-        stress, e, _ = bar_in_time(base, lambda t: rate, flow, strain / rate, .9 / capacity)
+        stress, e, rise = bar_in_time(base, lambda t: rate, flow, strain / rate, .9 / capacity)
         cases.add(f"Johnson and Cook in full, {name}", name == "4340", "tube", base, [(strain / rate, strain)],
                   [("Hardening/Law", "ludwik"), ("Hardening/Initial flow stress", A), ("Hardening/Strength coefficient", B),
                    ("Hardening/Hardening exponent", n), ("Rate factor/Law", "johnson-cook"), ("Rate factor/Rate coefficient", C),
                    ("Rate factor/Reference rate", 1.), ("Heat/Adiabatic", "true"), ("Heat/Heat capacity", capacity),
                    ("Heat/Heated share", .9), ("Heat/Softening", "johnson-cook"), ("Heat/Softening exponent", m),
-                   ("Heat/Initial temperature", T0), ("Heat/Melting temperature", melting)], [(1, ALONG, stress), (1, PLASTIC, e)])
+                   ("Heat/Initial temperature", T0), ("Heat/Melting temperature", melting)],
+                  [(1, ALONG, stress), (1, PLASTIC, e), (1, RISE, rise)])
 
 
 def flow_curves(cases):
@@ -414,17 +417,121 @@ def flow_curves(cases):
             part = 0 if t < s[1] else 1
             return rates_of[part] * (rates_of[part + 1] / rates_of[part])**min((t - s[part]) / (s[part + 1] - s[part]), 3.)
 
-        stress, e, _ = bar_in_time(base, lambda t: rate, flow, strain / rate, share / capacity if heated else None)
+        stress, e, rise = bar_in_time(base, lambda t: rate, flow, strain / rate, share / capacity if heated else None)
         entries = [("Hardening/Law", "flow curves"), ("Hardening/Flow curves", "; ".join(rows)), ("Hardening/Initial temperature", T0)]
         if heated:
             entries += [("Heat/Adiabatic", "true"), ("Heat/Heat capacity", capacity), ("Heat/Heated share", share)]
         cases.add(f"flow curves{', adiabatic' if heated else ''}", heated, "tube", base, [(strain / rate, strain)], entries,
-                  [(1, ALONG, stress), (1, PLASTIC, e)])
+                  [(1, ALONG, stress), (1, PLASTIC, e)] + ([(1, RISE, rise)] if heated else []))
+
+
+def steep(base):
+    """Flow curves that begin steeply: entries, stress, slope."""
+    law, S = draw.choice(["swift", "ludwik"]), base.stress
+    curve = Curve(law, S)
+    if law == "swift":
+        K, e0, n = S * U(2, 4), 10**U(-4, -3), U(.1, .3)
+        curve.entries = {"Strength coefficient": K, "Prestrain": e0, "Hardening exponent": n}
+        curve.s = lambda e: K * (e0 + max(e, 0.))**n
+        curve.slope = lambda e: K * n * (e0 + max(e, 0.))**(n - 1)
+    else:
+        K, n = S * U(1, 3), U(.25, .5)
+        curve.entries = {"Initial flow stress": S, "Strength coefficient": K, "Hardening exponent": n}
+        curve.s, curve.slope = lambda e: S + K * max(e, 0.)**n, lambda e: K * n * max(e, 1e-12)**(n - 1)
+    return curve
+
+
+def softening(base):
+    """What heat makes of a metal: rise per work, factor, its slope, entries."""
+    capacity, share, T0 = U(2, 5) * base.factor, U(.7, 1), U(20., 500.)
+    entries = [("Heat/Adiabatic", "true"), ("Heat/Heat capacity", capacity), ("Heat/Heated share", share)]
+    if draw.random() < .5:
+        c = U(3e-4, 1.5e-3)
+        return (share / capacity, lambda rise: 1 - c * rise, lambda rise: -c,
+                entries + [("Heat/Softening", "linear"), ("Heat/Softening coefficient", c)])
+    m, melting = U(.6, 1.4), T0 + U(600, 1500)
+    part = lambda rise: max(rise, 0.) / (melting - T0)
+    return (share / capacity, lambda rise: 1 - part(rise)**m, lambda rise: -m * max(part(rise), 1e-12)**(m - 1) / (melting - T0),
+            entries + [("Heat/Softening", "johnson-cook"), ("Heat/Softening exponent", m), ("Heat/Initial temperature", T0),
+                       ("Heat/Melting temperature", melting)])
+
+
+def own_heat(cases):
+    """Metals whose flow curves begin steeply and that heat themselves."""
+    def over_flow(curve, factor, heating, most):
+        rise = solve_ivp(lambda e, z: [heating * curve.s(e) * factor(z[0])], (0, most), [0.], method="DOP853", rtol=1e-11, atol=1e-10,
+                         max_step=most / 500, dense_output=True).sol
+        return (lambda e: curve.s(e) * factor(rise(e)[0])), (lambda e: rise(e)[0])
+
+    for law in ("mises", "hill", "hosford"):
+        base, surface, strain = Base(), Surface(law), U(.1, .6)
+        curve, (heating, factor, _, entries) = steep(base), softening(base)
+        b = surface.q(1, 1)
+        stress, rise = over_flow(curve, factor, heating, 4 * strain)
+        e = brentq(lambda e: (1 - base.poisson) * stress(e) / b / base.young + b * e / 2 - strain, 0, 4 * strain, xtol=1e-16)
+        cases.add(f"own heat, equibiaxial {law} {curve.law}", law == "hosford", "disc", base, [(1, strain)],
+                  curve.section() + surface.entries + entries, [(1, ALONG, stress(e) / b), (1, PLASTIC, e), (1, RISE, rise(e))])
+    for _ in range(3):
+        base, strain = Base(), U(.08, .6)
+        curve, (heating, factor, _, entries) = steep(base), softening(base)
+        stress, rise = over_flow(curve, factor, heating, strain)
+        e = plastic_strain(base.young, stress, strain)
+        cases.add(f"own heat, bar {curve.law}", False, "tube", base, [(1, strain)], curve.section() + entries,
+                  [(1, ALONG, stress(e)), (1, PLASTIC, e), (1, RISE, rise(e))])
+    for law in ("mises", "across"):
+        base, strain = Base(), U(.08, .5)
+        surface = Rolled(law) if law == "across" else Surface(law)
+        curve, (heating, factor, slope, entries) = Curve("swift", base.stress), softening(base)
+        x, y, e, rise = hot_plane_strain(base, surface, curve, strain, heating, factor, slope)
+        cases.add(f"own heat, plane strain {law}", law == "mises", "strip", base, [(1, strain)],
+                  curve.section() + surface.entries + entries, [(1, ALONG, x), (1, HOOP, y), (1, PLASTIC, e), (1, RISE, rise)])
+    for law in ("cowper-symonds", "johnson-cook", "power", "cowper-symonds", "johnson-cook"):
+        base, strain, rate = Base(), U(.08, .6), 10**U(-1, 3)
+        curve, (heating, factor, _, heat_entries) = Curve("swift", base.stress), softening(base)
+        flow, entries = rate_law(law, base, lambda e, rise: curve.s(e) * factor(rise))
+        stress, e, rise = bar_in_time(base, lambda t: rate, flow, strain / rate, heating)
+        cases.add(f"own heat, rate {law}", law == "power", "tube", base, [(strain / rate, strain)],
+                  curve.section() + entries + heat_entries, [(1, ALONG, stress), (1, PLASTIC, e), (1, RISE, rise)])
+
+
+def hot_plane_strain(base, surface, curve, strain, heating, factor, factor_slope):
+    """Stress, plastic strain and rise of the temperature: as plane_strain()."""
+    C = base.young / (1 - base.poisson**2) * np.array([[1, base.poisson], [base.poisson, 1]])
+    elastic = C @ np.array([1., 0.])
+    begin = curve.s(0) / surface.q(*elastic)
+
+    def rates(_, z):
+        stress, e, rise = z[:2], z[2], z[3]
+        N, cold, hot = surface.n(*stress), curve.s(e), factor(rise)
+        warming = heating * cold * hot
+        flow = (N @ elastic) / (N @ C @ N + curve.slope(e) * hot + cold * factor_slope(rise) * warming)
+        return np.concatenate([C @ (np.array([1., 0.]) - flow * N), [flow, flow * warming]])
+
+    return solve_ivp(rates, (begin, strain), np.concatenate([elastic * begin, [0., 0.]]), method="Radau", rtol=1e-10,
+                     atol=1e-12 * curve.s(0)).y[:, -1]
+
+
+def rate_law(law, base, static):
+    """Rate of the plastic strain at (stress, e, rise) over @p static(e, rise), entries. `power` adds to the cold stress."""
+    if law == "cowper-symonds":
+        D, p = 10**U(1, 3.5), U(2, 6)
+        flow = lambda t, e, rise: D * max(t / static(e, rise) - 1, 0)**p
+        entries = [("Reference rate", D), ("Rate exponent", p)]
+    elif law == "johnson-cook":
+        C, r0 = U(.005, .06), 10**U(-5, -3)
+        flow = lambda t, e, rise: r0 * math.exp(min((t / static(e, rise) - 1) / C, 60.))
+        entries = [("Rate coefficient", C), ("Reference rate", r0)]
+    else:
+        K, n = base.stress * U(.1, .5), U(3, 8)
+        # s = f (s_cold + K rate^(1/n)): over the static flow stress f s_cold there is f K.
+        flow = lambda t, e, rise: (max(t - static(e, rise), 0) / (K * static(0., rise) / static(0., 0.)))**n
+        entries = [("Overstress", K), ("Rate exponent", n)]
+    return flow, [("Rate factor/Law", law)] + [("Rate factor/" + k, v) for k, v in entries]
 
 
 def main():
     cases = Cases()
-    for group in (monotonic, in_plane_strain, backstresses, rates, relaxation, heat, flow_curves):
+    for group in (monotonic, in_plane_strain, backstresses, rates, relaxation, heat, flow_curves, own_heat):
         group(cases)
     cases.write()
     print(len(cases.rows), "cases")

@@ -56,6 +56,7 @@ namespace deltaform
     Mandel *strain = nullptr; ///< in; [2] out for stress_given
     const double *third_stress = nullptr; ///< in for stress_given: Kirchhoff stress along direction 3
     const double *committed = nullptr; ///< in: history at the last accepted increment
+    const Mandel *committed_stress = nullptr; ///< in, or null: Kirchhoff stress at the last accepted increment
     double duration = 0.; ///< in: time that the increment takes (time), for laws that need it
     double duration_share = 1.; ///< in: share of it that counts for flow from the predicted history (Bdf2Predictor)
     double *predictor = nullptr; ///< in, or null: what a law of two steps adds to the committed history before the flow

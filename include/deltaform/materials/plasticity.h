@@ -87,6 +87,9 @@ namespace deltaform
     /// Of a point with this history.
     Elasticity elasticity(const double *history) const;
 
+    /// Equivalent stress, less the backstress, of a point with this stress and history.
+    double first_stress(Mandel stress, const double *committed) const;
+
     /// All points, with @p n values of history: a number known to the compiler (closed forms) or not.
     template <typename Size>
     Status update_points(const MaterialBatch &batch, const ReturnMap &map, const Elasticity &elastic, Size n) const;

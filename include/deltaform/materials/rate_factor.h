@@ -4,17 +4,46 @@
 #include <deltaform/materials/history_layout.h>
 #include <deltaform/materials/metal_heat.h>
 
+#include <limits>
 #include <optional>
 
 namespace deltaform
 {
+  /// The flow of all of an increment, for what is integrated by a one-step rule from the committed history.
+  struct WholeFlow
+  {
+    const Hardening *slow = nullptr; ///< flow stress at a vanishing rate and the initial temperature
+    const double *committed = nullptr; ///< history of the rate factor at the begin of the increment
+    double growth = 0.; ///< X, of the equivalent plastic strain (1)
+    double mean_rate = 0.; ///< X over the duration (1/time); not a number for an increment without duration
+    double mean_rate_by_growth = 0.; ///< d mean_rate/dx (1/time)
+    double first_stress = std::numeric_limits<double>::infinity(); ///< equivalent stress at the begin of the increment
+    double stiffness = 1.; ///< by which it grows over the equivalent strain (stress)
+    double duration = 0.; ///< of the increment (time)
+
+    /// With the mean rate of the part of the increment that flows: the equivalent stress first rises to @p yield, the
+    /// flow stress at the begin, with its slope in x.
+    WholeFlow since_yield(const FlowStress &yield) const
+    {
+      WholeFlow result = *this;
+      if (yield.value > first_stress)
+      {
+        result.mean_rate = (growth + (yield.value - first_stress) / stiffness) / duration;
+        result.mean_rate_by_growth = (1. + yield.slope / stiffness) / duration;
+      }
+      return result;
+    }
+  };
+
+
   /// The flow of a point in an increment.
   struct PointFlow
   {
     double strain; ///< equivalent plastic strain at the end
-    double growth; ///< x: by how much it grows
+    double growth; ///< x: by how much it grows, from the start of the return map
     double rate; ///< at the end (1/time); not a number for an increment without duration
     double rate_by_growth; ///< d rate/dx (1/time)
+    WholeFlow whole = {};
   };
 
   /**
@@ -39,6 +68,12 @@ namespace deltaform
     virtual bool needs_duration() const
     {
       return true;
+    }
+
+    /// Does evaluate() want WholeFlow::first_stress?
+    virtual bool knows_first_stress() const
+    {
+      return false;
     }
 
     /// Can the flow stress fall below its value at zero plastic strain?

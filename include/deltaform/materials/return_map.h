@@ -40,6 +40,8 @@ namespace deltaform
     double initial_flow_stress; ///< hardening at no plastic strain
     double duration; ///< of the increment (time)
     double share; ///< of it, that flow from PointUpdate::start takes (Bdf2Predictor); 1: backward Euler
+    /// Equivalent stress at the begin of the increment; infinite: not known, or no matter
+    double first_stress = std::numeric_limits<double>::infinity();
   };
 
 
