@@ -16,10 +16,10 @@ namespace deltaform
    *     dT = (share/(rho c)) s dx,   s = f(T - T0) s_cold,
    *
    * rho c the heat capacity of the volume before deformation, s a Kirchhoff stress, s_cold that of the other laws, f
-   * the softening. The work of the increment is integrated along its growth of the plastic strain at the mean rate, from
-   * its begin (balance_heat): the increment in which flow begins heats as exactly as the others. One equation in T,
-   * which is solved in evaluate(). W.S. Farren, G.I. Taylor, The heat developed during plastic extension of metals,
-   * Proc. R. Soc. A 107 (1925) 422.
+   * the softening. The work of the increment is integrated along its growth of the plastic strain at the mean rate,
+   * from its begin (balance_heat): the increment in which flow begins heats as exactly as the others. One equation
+   * in T is left, which is solved in evaluate(). W.S. Farren, G.I. Taylor, The heat developed during plastic
+   * extension of metals, Proc. R. Soc. A 107 (1925) 422.
    */
   class AdiabaticHeat final : public RateDecorator
   {

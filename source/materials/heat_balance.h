@@ -50,7 +50,8 @@ namespace deltaform
      *     1/M = sum w_i (a_i/h_i) / sum w_i a_i.
      *
      * If heat takes the same share of all, h_i = f(T_i) a_i, this is the equation dT/f = (share/(rho c)) a dx, with
-     * both sides integrated by Radau's rule, and the temperature stays below that of f = 0, however large the increment.
+     * both sides integrated by Radau's rule, and the temperature stays below that of f = 0, however large the
+     * increment.
      */
     template <typename Hot>
     MeanFlowStress(const std::array<FlowStress, HeatStages::n> &cold,
