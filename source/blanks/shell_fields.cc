@@ -160,6 +160,23 @@ namespace deltaform
   }
 
 
+  InnermostPlace ShellFields::innermost_place(const Vector &q) const
+  {
+    InnermostPlace result;
+    const auto &nodes = space_.mesh().nodes();
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+    {
+      const double thickness = state_.face_thickness(i);
+      if (nodes[i][0] <= thickness)
+        continue;
+      const double r = space_.position(q, i)[0] - .5 * thickness * std::abs(std::sin(surface_.director_angle(q, i)));
+      if (r < result.r)
+        result = {r, i, nodes[i][0]};
+    }
+    return result;
+  }
+
+
   Overlap ShellFields::overlap(const Vector &q) const
   {
     return find_overlap(space_, surface_, state_, q);

@@ -30,6 +30,7 @@ namespace deltaform
     std::vector<SheetSection> sections() const override;
     SharpestBend sharpest_bend(const Vector &q) const override;
     Overlap overlap(const Vector &q) const override;
+    InnermostPlace innermost_place(const Vector &q) const override;
     std::vector<LargestCriterion> largest_criteria() const override;
 
   private:

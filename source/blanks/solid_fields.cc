@@ -7,9 +7,59 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace deltaform
 {
+  namespace
+  {
+    /// Half way between bottom and top of a strip, from element to element.
+    class MiddleLine
+    {
+    public:
+      MiddleLine(const SolidDiscretization &body, const Vector &q)
+      {
+        const SolidSpace &space = body.space();
+        const auto &columns = body.boundary().columns();
+        for (unsigned int i = 0; i < columns.size(); i += space.degree())
+        {
+          const auto [bottom, top] = columns[i];
+          const Point2 from = space.position(q, bottom);
+          places_.push_back(from + .5 * (space.position(q, top) - from));
+        }
+      }
+
+      unsigned int size() const
+      {
+        return places_.size();
+      }
+
+      const Point2 &operator[](const unsigned int i) const
+      {
+        return places_[i];
+      }
+
+      double length() const
+      {
+        double sum = 0.;
+        for (unsigned int i = 1; i < places_.size(); ++i)
+          sum += places_[i].distance(places_[i - 1]);
+        return sum;
+      }
+
+      /// Between the elements before and behind a place (rad).
+      double turn(const unsigned int i) const
+      {
+        const Tensor1 before = places_[i] - places_[i - 1], behind = places_[i + 1] - places_[i];
+        return std::atan2(before[0] * behind[1] - before[1] * behind[0], before * behind);
+      }
+
+    private:
+      std::vector<Point2> places_;
+    };
+  } // namespace
+
+
   Table SolidFields::profile(const Vector &state) const
   {
     Vector storage;
@@ -67,6 +117,38 @@ namespace deltaform
       result.push_back({criteria.names()[k], criteria.column(k), criteria.field(k).unit(), all[best],
                         Point2(all[best + 1], all[best + 2])});
     }
+    return result;
+  }
+
+
+  SharpestBend SolidFields::sharpest_bend(const Vector &q) const
+  {
+    constexpr double slender = 10.; // thicknesses: what is shorter is no sheet
+    const SolidSpace &space = body_.space();
+    const Vector undeformed(q.size());
+    const MiddleLine before(body_, undeformed), now(body_, q);
+    SharpestBend result;
+    if (before.length() < slender * space.mesh().thickness())
+      return result;
+    for (unsigned int i = 1; i + 1 < now.size(); ++i)
+    {
+      double angle = std::abs(now.turn(i) - before.turn(i));
+      angle = std::min(angle, 2. * dealii::numbers::PI - angle);
+      if (angle > result.angle)
+        result = {angle, before[i][0]};
+    }
+    return result;
+  }
+
+
+  InnermostPlace SolidFields::innermost_place(const Vector &q) const
+  {
+    InnermostPlace result;
+    const auto &nodes = body_.space().nodes();
+    const std::vector<Point2> now = body_.space().positions(q);
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      if (nodes[i][0] > 0. && now[i][0] < result.r)
+        result = {now[i][0], i, nodes[i][0]};
     return result;
   }
 

@@ -24,6 +24,8 @@ namespace deltaform
     Drawing draw(const Vector &q, const std::vector<DrawnField> &nodal) const override;
     double smallest_thickness() const override;
     std::vector<LargestCriterion> largest_criteria() const override;
+    SharpestBend sharpest_bend(const Vector &q) const override;
+    InnermostPlace innermost_place(const Vector &q) const override;
     FoldedCells folded_cells(const Vector &q) const override;
 
   private:

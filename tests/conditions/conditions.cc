@@ -28,6 +28,7 @@ namespace
       sharpest_bend_.emplace();
       folded_cells_.emplace();
       overlap_.emplace();
+      innermost_place_.emplace();
     }
 
     EnergyAccount &account()
@@ -38,6 +39,7 @@ namespace
     using AcceptedIncrement::balance_error_;
     using AcceptedIncrement::contact_;
     using AcceptedIncrement::folded_cells_;
+    using AcceptedIncrement::innermost_place_;
     using AcceptedIncrement::overlap_;
     using AcceptedIncrement::sections_;
     using AcceptedIncrement::sharpest_bend_;
@@ -263,6 +265,21 @@ BOOST_AUTO_TEST_CASE(an_ironed_shell_ends_the_run_after_two_increments)
   fixture.observe();
   BOOST_TEST(failures().find("iron the sheet") != std::string::npos);
   BOOST_TEST(failures().find("Blank/Kind = solid") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_blank_beyond_its_line_of_symmetry_ends_the_run)
+{
+  Fixture fixture;
+  const auto failure_at = [&](const double r) {
+    fixture.increment.innermost_place_ = InnermostPlace{r, 17, 25.};
+    fixture.observe();
+    ++fixture.increment.number;
+    return fixture.conditions.failure(fixture.increment.stage);
+  };
+  BOOST_TEST(failure_at(2.).empty());
+  BOOST_TEST(failure_at(-.2).empty()); // a tenth of the thickness is .3
+  const std::string failure = failure_at(-.4);
+  BOOST_TEST(failure.find("node 17 (R0 = 25) lies 0.4 beyond it after increment 3") != std::string::npos, failure);
 }
 
 BOOST_AUTO_TEST_CASE(a_name_is_taken_once)

@@ -5,6 +5,7 @@
 #include <deltaform/io/drawing.h>
 #include <deltaform/io/table.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ namespace deltaform
     Point2 place; ///< in the undeformed blank (length)
   };
 
-  /// Where a sheet bends most within one element.
+  /// Where a sheet bends most within one element, or from one element of a solid to the next.
   struct SharpestBend
   {
     double angle = 0; ///< rad
@@ -39,6 +40,14 @@ namespace deltaform
   {
     double share = 0; ///< of the thickness; 0: nowhere
     double first = 0, second = 0; ///< R0 of both parts (length)
+  };
+
+  /// Where a face of the blank is innermost, beyond the line r = 0 if r < 0.
+  struct InnermostPlace
+  {
+    double r = std::numeric_limits<double>::infinity(); ///< length
+    unsigned int node = 0;
+    double place = 0; ///< R0 of the node (length)
   };
 
   /// What can be seen of the accepted state of a blank: tables, pictures, measures.
@@ -77,14 +86,18 @@ namespace deltaform
       return {};
     }
 
+    /// Of the nodes that began off the line r = 0; those of a sheet further than its thickness, as its faces may cross
+    /// where it begins with a slope.
+    virtual InnermostPlace innermost_place(const Vector &q) const = 0;
+
     /// None of a sheet.
     virtual FoldedCells folded_cells(const Vector & /*q*/) const
     {
       return {};
     }
 
-    /// Between the nodes of an element of degree 1; of degree 2, between its middle and an end. No angle of solids and
-    /// membranes.
+    /// Shell: between the nodes of an element of degree 1; of degree 2, between its middle and an end. Solid: the turn
+    /// of the middle line of a strip that is ten thicknesses long or more. No angle of other solids and membranes.
     virtual SharpestBend sharpest_bend(const Vector & /*q*/) const
     {
       return {};

@@ -64,6 +64,14 @@ namespace deltaform
       return *overlap_;
     }
 
+    /// See Fields::innermost_place().
+    const InnermostPlace &innermost_place() const
+    {
+      if (!innermost_place_)
+        innermost_place_ = model.blank().fields().innermost_place(model.committed());
+      return *innermost_place_;
+    }
+
     /// See Fields::folded_cells().
     const FoldedCells &folded_cells() const
     {
@@ -127,6 +135,7 @@ namespace deltaform
     mutable std::optional<SharpestBend> sharpest_bend_;
     mutable std::optional<FoldedCells> folded_cells_;
     mutable std::optional<Overlap> overlap_;
+    mutable std::optional<InnermostPlace> innermost_place_;
     mutable std::optional<Table> profile_;
     mutable std::optional<std::vector<LargestCriterion>> largest_criteria_;
     mutable std::optional<double> smallest_thickness_, balance_error_;
