@@ -32,7 +32,7 @@ PROCESSES = (("cup, drawn through", "shop/cup_drawn_through", 6), ("cup that tea
              ("wipe bending", "shop/wipe_bending", 11), ("hole flanging", "shop/hole_flanging", -1),
              ("flaring", "shop/flaring", -1), ("nosing", "shop/nosing", -1),
              ("upsetting, friction", "shop/upsetting_friction", -1), ("forward extrusion", "shop/forward_extrusion", -1),
-             ("coining", "shop/coining", -1), ("closed-die forging", "forging_flash", -1))
+             ("ironing", "shop/ironing", -1), ("coining", "shop/coining", -1), ("closed-die forging", "forging_flash", -1))
 
 
 def run(program, folder, scene):
@@ -83,7 +83,9 @@ def panel(axis, name, folder, number):
 def main():
     options = arguments_of(__doc__, "processes", write="renew doc/gallery/processes.png").parse_args()
     folder = os.path.abspath(options.output)
-    figure, axes = plt.subplots(3, 6, figsize=(11, 5.9))
+    figure, axes = plt.subplots(3, 7, figsize=(12.8, 5.9))
+    for axis in axes.flat[len(PROCESSES):]:
+        axis.axis("off")
     for axis, (name, scene, number) in zip(axes.flat, PROCESSES):
         panel(axis, name, run(options.program, folder, scene), number)
     figure.tight_layout(pad=.4)
