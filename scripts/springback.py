@@ -81,8 +81,13 @@ def measure_run(folder):
 
 
 def main():
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        sys.exit("usage: springback.py FOLDER...   (runs of a U-bend and its release)")
     for folder in sys.argv[1:]:
-        theta1, theta2, rho = measure_run(folder)
+        try:
+            theta1, theta2, rho = measure_run(folder)
+        except ValueError as error:
+            sys.exit(f"springback.py: {error}")
         print(f"{folder}: theta1 {theta1:.2f}, theta2 {theta2:.2f} degrees, rho {rho:.1f}")
 
 

@@ -211,6 +211,18 @@ subsection Steps
     set End time = 2
   end
 end
+
+# What springback leaves: the angle between the middle and the free end, in summary.json (measures).
+subsection Output
+  subsection Measures
+    set Names = bend
+    subsection bend
+      set Kind       = angle
+      set First leg  = 0 {middle}                 # from where to where, along the undeformed strip
+      set Second leg = {tip} {blank length}
+    end
+  end
+end
 )";
 
     const char *const upset_text = R"(# A cylinder is upset between two platens, of which its upper half is computed.
@@ -317,7 +329,10 @@ end
         {"die radius", "5", "of the die's profile"},
         {"depth", "20", "travel of the punch"},
         {"friction", "0.1", "coefficient, of both tools"}},
-       {{"elements", "rint(blank_length/thickness)"}, {"throat", "punch_half_width + 1.1*thickness"}},
+       {{"elements", "rint(blank_length/thickness)"},
+        {"throat", "punch_half_width + 1.1*thickness"},
+        {"middle", "max(punch_half_width - punch_edge, blank_length/10)"},
+        {"tip", "0.9*blank_length"}},
        with_sheet_metal(bend_text)},
       {"upset",
        "a cylinder between platens",

@@ -41,7 +41,11 @@ class Commands(unittest.TestCase):
             run(kind + ".prm", "--check")
             run(kind + ".prm", "--quiet", "--output", kind)
             with open(os.path.join(WORK, kind, "summary.json"), encoding="utf-8") as file:
-                self.assertEqual(json.load(file)["warnings"], [])
+                summary = json.load(file)
+            self.assertEqual(summary["warnings"], [])
+            if kind == "bend":
+                # The strip has been bent by more than half a right angle, and has not gone through it.
+                self.assertTrue(45 < abs(summary["measures"]["bend"]["bend_angle"]) < 90)
 
     def test_sizes_of_the_user(self):
         run("new", "cup", "cup.prm", "thickness=.8", "punch radius=30", "friction=0")

@@ -24,8 +24,8 @@ namespace deltaform
       {
         const std::string path =
           section.text("Path", Default<std::string>("0 0; 1 0; 1.5 -.5 1 -.5 cw; 1.5 -1"),
-                       "Points, separated by semicolons and walked with the blank to the left: 'r z' by a straight "
-                       "line, 'r z center_r center_z cw' (ccw) by an arc about a center. Not used with File.");
+                       "Points, separated by semicolons and walked with the blank to the left, as of a profile: 'r z' "
+                       "by a straight line, 'r z center_r center_z cw' (ccw) by an arc about a center. Not with File.");
         const std::string file =
           section.text("File", Default<std::string>(""),
                        "File with the same points, one per line, or a DXF file (LINE, ARC, LWPOLYLINE; x is r, y is "

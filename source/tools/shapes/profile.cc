@@ -20,7 +20,8 @@ namespace deltaform
                                                            required(std::string("0 0; 1 0; 1 -1")),
                                                            2,
                                                            "length",
-                                                           "Corner points r z, walked with the blank to the left."))
+                                                           "Corner points r z, walked with the blank to the left: a "
+                                                           "tool on the top inwards, one at the bottom outwards."))
           corners.points.emplace_back(row[0], row[1]);
 
         corners.radii = section.numbers(
