@@ -3,7 +3,7 @@
 
     scripts/studies/process_cost.py [--program PROGRAM] [--output output/process_cost] [--write]
 
-Iterations count failed attempts as well; 'rejected' is their share. --write writes doc/measured/process_cost.csv. Two minutes.
+Iterations count failed attempts as well; 'rejected' is their share. --write writes doc/measured/process_cost.csv. Three minutes.
 """
 import json
 import os
@@ -21,7 +21,8 @@ PROCESSES = (("cup", "cup", ()), ("cup, delta 1e-7 t", "cup", TIGHT), ("stretchi
              ("wipe bending", "shop/wipe_bending", ()), ("hole flanging", "shop/hole_flanging", ()), ("flaring", "shop/flaring", ()),
              ("nosing", "shop/nosing", ()), ("upsetting, friction", "shop/upsetting_friction", ()),
              ("ring compression", "shop/ring_compression", ()), ("forward extrusion", "shop/forward_extrusion", ()),
-             ("ironing", "shop/ironing", ()), ("coining", "shop/coining", ()))
+             ("ironing", "shop/ironing", ()), ("coining", "shop/coining", ()), ("draw bead", "shop/draw_bead", ()),
+             ("closed-die forging", "forging_flash", ()))
 
 
 def main():
