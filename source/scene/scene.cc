@@ -28,6 +28,13 @@ namespace deltaform
           return entry;
       return nullptr;
     }
+
+    void check_described(const std::string &name, const Section &tool, const Section &tools)
+    {
+      if (!tool.given("Side") && !tool.given("Shape"))
+        tools.fail("Names", "there is no subsection '" + name +
+                              "' with Side and Shape of this tool. Names are separated by commas");
+    }
   } // namespace
 
 
@@ -136,9 +143,8 @@ namespace deltaform
     for (const auto &name : names)
     {
       Section own = section.sub(name);
-      if (!section.documentation() && !own.given("Side") && !own.given("Shape"))
-        section.fail("Names", "there is no subsection '" + name +
-                                "' with Side and Shape of this tool. Names are separated by commas");
+      if (!section.documentation())
+        check_described(name, own, section);
       actors.tools.push_back(
         std::make_unique<Tool>(name, own, constants, contact_constants, actors.blank->axisymmetric()));
       const Tool &tool = *actors.tools.back();

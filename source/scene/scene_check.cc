@@ -15,6 +15,18 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    /// The corners of a tool are Points; those of an outline its Path or its File.
+    std::string as_stated(const std::string &entry, const Section &tool)
+    {
+      if (entry != "Points" || tool.given(entry))
+        return entry;
+      return tool.given("File") ? "File" : "Path";
+    }
+  } // namespace
+
+
   void Scene::check(const Section &root) const
   {
     check_functions(root);
@@ -147,14 +159,7 @@ namespace deltaform
       if (start_from.empty() && tool.exists_in(actors.stages.front().name))
       {
         if (const auto wrong = find_misplacement(*actors.blank, *actors.interfaces[i], zero, tool.travel(0.), 1e-9 * h))
-        {
-          // The corners of a tool are Points; those of an outline its Path or its File.
-          const std::string &entry = wrong->entry;
-          const bool is_outline = entry == "Points" && !section.given(entry);
-          section.fail(!is_outline ? entry : section.given("File") ? "File"
-                                                                   : "Path",
-                       wrong->message);
-        }
+          section.fail(as_stated(wrong->entry, section), wrong->message);
         const double opening = tool.shape().opening();
         if (opening > 0 && outermost <= opening)
           section.fail("Throat radius",
