@@ -11,7 +11,7 @@ BOOST_AUTO_TEST_CASE(it_is_told_by_the_last_increments_only)
   Pace pace(1.);
   for (unsigned int i = 1; i < Pace::window; ++i)
   {
-    pace.accept(1. + .01 * i);
+    pace.accept(1. + double(i) / Pace::window);
     BOOST_TEST(pace.left(3.) == 0.); // too few to tell
   }
   pace.accept(2.);
@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE(a_stage_that_never_ends_says_so)
   Pace pace(0.);
   for (unsigned int i = 1; i <= Pace::window; ++i)
     pace.accept(1e-6 * i);
-  BOOST_TEST(pace.never_ends(1., 400).find("at the pace of the last 100 increments the stage takes ") == 0u);
+  BOOST_TEST(pace.never_ends(1., 400).find("at the pace of the last 1000 increments the stage takes ") == 0u);
   BOOST_TEST(pace.never_ends(.1, 400).empty()); // just below a hundred thousand
   BOOST_TEST(!pace.never_ends(1., 99000).empty());
   BOOST_TEST(pace.never_ends(1., 100000).empty()); // so many are allowed that ten times are more

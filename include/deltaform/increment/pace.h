@@ -9,7 +9,7 @@ namespace deltaform
   class Pace
   {
   public:
-    static constexpr unsigned int window = 100; ///< increments that tell the pace
+    static constexpr unsigned int window = 1000; ///< increments that tell the pace
 
     /// @param begin of the stage
     explicit Pace(const double begin = 0.)
