@@ -1,5 +1,6 @@
 #include <deltaform/increment/line_search.h>
 #include <deltaform/increment/newton.h>
+#include <deltaform/increment/stagnation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,9 @@ namespace deltaform
     // It goes on beyond the maximal number of iterations where it is close to the relaxed tolerance.
     constexpr double close_to_tolerance = 1e2;
     constexpr unsigned int most_iterations_if_close = 2; ///< times the maximal number
+
+    // Percent of the maximal number in which the residual of an undamped solve has to halve.
+    constexpr unsigned int stagnation_share = 40;
 
     // Of a damped solve: iterations instead of the maximal number; relative residual below which it may go on, up to so
     // many times that number.
@@ -62,6 +66,8 @@ namespace deltaform
         is_prescribed_(is_prescribed), q_committed_(q_committed), force_floor_(force_floor), variant_(variant),
         max_iterations_(variant == NewtonVariant::plain ? settings_.max_iterations
                                                         : std::max(damped_iterations, settings_.max_iterations)),
+        stagnation_{stagnation_share * max_iterations_ / 100, most_iterations_if_close * max_iterations_,
+                    close_to_tolerance * settings_.relaxed_tolerance, settings_.relaxed_tolerance},
         damping_(newton.system_, newton.scale_), increments_(q.size()), d_(q.size()), start_(q.size())
     {
       system_.set_prescribed(is_prescribed);
@@ -202,11 +208,12 @@ namespace deltaform
       if (at_rest_ && (smallest_residual() >= close_to_tolerance * settings_.relaxed_tolerance ||
                        n_windows_at_rest_ >= most_windows_at_rest))
         return true;
+      if (variant_ == NewtonVariant::plain && pending_ == 0. && stagnation_.reached(result_.residuals))
+        return true;
       if (iteration_ < max_iterations_)
         return false;
       if (variant_ == NewtonVariant::plain)
-        return residual_ >= close_to_tolerance * settings_.relaxed_tolerance ||
-               iteration_ >= most_iterations_if_close * max_iterations_;
+        return residual_ >= stagnation_.near || iteration_ >= stagnation_.most_iterations;
       return residual_ >= on_its_way || iteration_ >= most_extensions * max_iterations_;
     }
 
@@ -364,6 +371,7 @@ namespace deltaform
     unsigned int max_iterations_;
 
     NewtonResult result_;
+    const Stagnation stagnation_;
     Damping damping_;
     Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
     unsigned int iteration_ = 0, n_creeping_ = 0, n_windows_at_rest_ = 0;

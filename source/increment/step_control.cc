@@ -73,7 +73,7 @@ namespace deltaform
 
   void StepControl::accept(const unsigned int iterations, const double error, const double longest)
   {
-    constexpr double safety = .9; // the next increment may strain faster
+    constexpr double safety = .8; // the next increment may strain faster
     resize(iterations, error);
     increment_ = std::max(std::min(increment_, safety * longest), smallest_);
   }

@@ -285,6 +285,20 @@ BOOST_AUTO_TEST_CASE(creeping_is_given_up)
   BOOST_TEST(problem.solve(2. - 5e-6).converged());
 }
 
+BOOST_AUTO_TEST_CASE(what_goes_to_and_fro_is_given_up)
+{
+  // About the solution Newton's method leads from u to -u on the square root; on a slightly higher power it comes
+  // nearer by a quarter each time.
+  for (const double exponent : {.5, .57})
+  {
+    Scalar power([=](const double u) { return 10. + std::copysign(std::pow(std::abs(u - 1.), exponent), u - 1.); },
+                 [=](const double u) { return exponent * std::pow(std::abs(u - 1.), exponent - 1.); }, 10.);
+    const auto result = power.solve(2., {"Line search=false"});
+    BOOST_TEST((result.outcome == Outcome::diverged));
+    BOOST_TEST(result.iterations == (exponent == .5 ? 8u : 20u));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(damped_steps_go_on_while_they_lead_down)
 {
   // From 0 to 2 in steps of .008: after 200 of them the residual is a quarter of the forces.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+namespace deltaform
+{
+  /// When residuals of an undamped solve no longer fall: a shorter increment is cheaper than more iterations.
+  struct Stagnation
+  {
+    unsigned int window; ///< iterations that are compared with all before
+    unsigned int most_iterations; ///< of the solve
+    double near; ///< residual below which their fall is extrapolated
+    double tolerance; ///< at which less than equilibrium will do
+
+    /**
+     * Whether the relative @p residuals, the first of them at the start, lead nowhere. From @p near on: their smallest
+     * one has not halved in the last iterations. Below: it would not come to the @p tolerance within the
+     * most iterations, if it went on to fall as in the last ones. As long as there are no more than the window: no.
+     */
+    bool reached(const std::vector<double> &residuals) const;
+  };
+} // namespace deltaform
