@@ -90,8 +90,9 @@ def wrong_results(folder):
 def shorten(message):
     """The kind of a failure: its message without numbers and names."""
     known = (("forces in", "forces out of balance"), ("of the work are missing", "energy missing"), ("thinnest:", "less than a third of the thickness left"),
+             ("iron the sheet", "ironed"),
              ("more than", "slow: increments were still accepted" if "increments" in message else "no increment accepted"),
-             ("iron the sheet", "ironed"), ("necks", "necking"),
+             ("necks", "necking"),
              ("Maximal increments", "increments used up: 10000, or 400 of a scene that is not sensible"), ("promise penetration <= delta", "promise could not be kept, said so"),
              ("round-off", "delta below round-off, refused"), ("tangent is singular", "tangent singular: limit load or free to move"),
              ("did not converge", "Newton did not converge"), ("strain increment", "strain increment too large"),
@@ -159,13 +160,15 @@ def run_limited(command, console, limit):
     return None if overdue else process.returncode, said, usage.ru_utime + usage.ru_stime
 
 
-def run_one(program, work, seed, limit, interrupt, keep):
+def run_one(program, work, seed, limit, interrupt, keep, increments):
     text, tags = draw.draw(seed)
     tags["size"] = max(float(number) for number in re.search(r"Points = 0 0; (\S+)", text).groups())
     scene, folder = work / f"{seed:05d}.prm", work / f"{seed:05d}"
     shutil.rmtree(folder, ignore_errors=True)
     scene.write_text(text)
     command = [program, str(scene), "--quiet", "--output", str(folder), "--set", "Output/Checkpoint interval=0"]
+    if increments:
+        command += ["--set", f"Solver/Maximal increments={increments}"]
     begin = time.monotonic()
     status, said, seconds = run_limited(command, work / f"{seed:05d}.txt", limit)
     seconds_alone = time.monotonic() - begin
@@ -275,6 +278,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--resume", type=int, default=0)
+    parser.add_argument("--increments", type=int, help="at most; default: as drawn, 400 of scenes that are not sensible")
     parser.add_argument("--share", type=float, default=0, help="of the sensible scenes that has to complete")
     parser.add_argument("--write", metavar="NAME", help="renew doc/measured/NAME.csv, NAME_warnings.csv and NAME_failures.csv")
     parser.add_argument("--again", type=pathlib.Path, help="the tables of an earlier results.jsonl, run nothing")
@@ -299,7 +303,7 @@ def main():
     results = []
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool, open(arguments.folder / "results.jsonl", "w") as log:
         futures = [pool.submit(run_one, arguments.program, arguments.folder, seed, arguments.seconds,
-                               position < arguments.resume, arguments.keep) for position, seed in enumerate(seeds)]
+                               position < arguments.resume, arguments.keep, arguments.increments) for position, seed in enumerate(seeds)]
         for future in futures:
             r = future.result()
             results.append(r)
