@@ -19,8 +19,8 @@ namespace deltaform
     constexpr double close_to_tolerance = 1e2;
     constexpr unsigned int most_iterations_if_close = 2; ///< times the maximal number
 
-    // Percent of the maximal number in which the residual of an undamped solve has to halve.
-    constexpr unsigned int stagnation_share = 40;
+    // Iterations in which the residual of an undamped solve has to halve, at least, and in percent of the maximal number.
+    constexpr unsigned int stagnation_window = 8, stagnation_share = 40;
 
     // Of a damped solve: iterations instead of the maximal number; relative residual below which it may go on, up to so
     // many times that number.
@@ -66,8 +66,9 @@ namespace deltaform
         is_prescribed_(is_prescribed), q_committed_(q_committed), force_floor_(force_floor), variant_(variant),
         max_iterations_(variant == NewtonVariant::plain ? settings_.max_iterations
                                                         : std::max(damped_iterations, settings_.max_iterations)),
-        stagnation_{stagnation_share * max_iterations_ / 100, most_iterations_if_close * max_iterations_,
-                    close_to_tolerance * settings_.relaxed_tolerance, settings_.relaxed_tolerance},
+        stagnation_{std::max(stagnation_window, stagnation_share * max_iterations_ / 100),
+                    most_iterations_if_close * max_iterations_, close_to_tolerance * settings_.relaxed_tolerance,
+                    settings_.relaxed_tolerance},
         damping_(newton.system_, newton.scale_), increments_(q.size()), d_(q.size()), start_(q.size())
     {
       system_.set_prescribed(is_prescribed);

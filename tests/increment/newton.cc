@@ -296,6 +296,13 @@ BOOST_AUTO_TEST_CASE(what_goes_to_and_fro_is_given_up)
     const auto result = power.solve(2., {"Line search=false"});
     BOOST_TEST((result.outcome == Outcome::diverged));
     BOOST_TEST(result.iterations == (exponent == .5 ? 8u : 20u));
+    // It takes eight of them at least to tell, however few are allowed, and more where more are.
+    for (const unsigned int most : {2u, 3u, 7u})
+    {
+      const std::string allowed = "Maximal iterations=" + std::to_string(most);
+      BOOST_TEST(power.solve(2., {"Line search=false", allowed}).iterations == most);
+    }
+    BOOST_TEST(power.solve(2., {"Line search=false", "Maximal iterations=50"}).iterations >= 20u);
   }
 }
 
