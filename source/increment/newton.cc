@@ -19,7 +19,7 @@ namespace deltaform
     constexpr double close_to_tolerance = 1e2;
     constexpr unsigned int most_iterations_if_close = 2; ///< times the maximal number
 
-    // Iterations in which the residual of an undamped solve has to halve, at least, and in percent of the maximal number.
+    // Iterations in which the residual of an undamped solve has to halve: at least, and in percent of the most.
     constexpr unsigned int stagnation_window = 8, stagnation_share = 40;
 
     // Of a damped solve: iterations instead of the maximal number; relative residual below which it may go on, up to so
