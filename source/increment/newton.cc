@@ -38,11 +38,28 @@ namespace deltaform
     // tools, is put on their surfaces.
     constexpr double near_equilibrium = 3e-3;
     constexpr unsigned int most_sets = 60, first_iterations = 2;
+    constexpr unsigned int most_returns_of_a_set = 2; ///< the first may be due to points that had not been projected
+
+    // A step is good enough if the linear equations with the set that it leads to hold up to this share of the
+    // residual, or of the force tolerance.
+    constexpr double share_of_residual = 1e-4, share_of_tolerance = .01;
 
     // Closer to equilibrium than this, factors that will not do are corrected between two iterations.
     constexpr double close_enough_to_correct = .1;
 
     constexpr unsigned int tolerant_after = 4; ///< iterations: a tolerance on the status; three times: a larger one
+
+    /// Euclidean norm of the scaled residuals of unknowns that are not prescribed.
+    double norm_of_free(const Vector &residual,
+                        const std::vector<double> &scale,
+                        const std::vector<bool> &is_prescribed)
+    {
+      double square = 0.;
+      for (unsigned int i = 0; i < scale.size(); ++i)
+        if (!is_prescribed[i])
+          square += (residual[i] / scale[i]) * (residual[i] / scale[i]);
+      return std::sqrt(square);
+    }
   } // namespace
 
 
@@ -69,7 +86,8 @@ namespace deltaform
         stagnation_{std::max(stagnation_window, stagnation_share * max_iterations_ / 100),
                     most_iterations_if_close * max_iterations_, close_to_tolerance * settings_.relaxed_tolerance,
                     settings_.relaxed_tolerance},
-        damping_(newton.system_, newton.scale_), increments_(q.size()), d_(q.size()), start_(q.size())
+        damping_(newton.system_, newton.scale_), increments_(q.size()), d_(q.size()), linear_(q.size()),
+        start_(q.size())
     {
       system_.set_prescribed(is_prescribed);
     }
@@ -250,14 +268,32 @@ namespace deltaform
       const bool first = result_.rounds == 0 && iteration_ < first_iterations;
       if (active_set_ == nullptr || variant_ != NewtonVariant::plain || !(first || residual_ <= near_equilibrium))
         return true;
-      for (unsigned int k = 0; k < most_sets && active_set_->foresee(q_, d_); ++k)
+      std::vector<std::size_t> sets;
+      while (sets.size() < most_sets && active_set_->foresee(q_, d_))
       {
         if (!equations_.assemble_foreseen(q_))
           return true;
+        if (!sets.empty() && solves_linear_equations())
+          return true;
+        // Where the tangent is indefinite (a blank that snaps), two sets may lead to each other. The step is then that
+        // of the one that an even number of sets ends with.
+        const std::size_t set = active_set_->signature();
+        const bool goes_to_and_fro = std::count(sets.begin(), sets.end(), set) >= most_returns_of_a_set;
+        sets.push_back(set);
         if (!solve(0.) && !(equations_.assemble_foreseen(q_) && solve(1e-6)))
           return false;
+        if (goes_to_and_fro && sets.size() % 2 == 0)
+          return true;
       }
       return true;
+    }
+
+    /// Does the step solve the equations as they were assembled last, well enough for an iteration?
+    bool solves_linear_equations()
+    {
+      system_.linear_residual(d_, linear_);
+      const double enough = std::max(share_of_residual * residual_, share_of_tolerance * settings_.force_tolerance);
+      return norm_of_free(linear_, scale_, is_prescribed_) <= enough * magnitude_;
     }
 
     /// To the start of the step plus a share of it.
@@ -374,7 +410,7 @@ namespace deltaform
     NewtonResult result_;
     const Stagnation stagnation_;
     Damping damping_;
-    Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
+    Vector increments_, d_, linear_, start_; ///< of prescribed unknowns; the step; R + K d; where it starts
     unsigned int iteration_ = 0, n_creeping_ = 0, n_windows_at_rest_ = 0;
     bool at_rest_ = false; ///< a damped solve, at the end of the last window of iterations
     double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to

@@ -34,4 +34,21 @@ namespace deltaform
     for (unsigned int b = 0; b < n_; ++b)
       block_[b * n_ + b] += value;
   }
+
+
+  void Border::multiply(const Vector &direction, Vector &result) const
+  {
+    for (unsigned int a = 0; a < n_; ++a)
+    {
+      double sum = 0.;
+      for (DofIndex i = 0; i < n_sparse_; ++i)
+      {
+        result[i] += columns_[a][i] * direction[n_sparse_ + a];
+        sum += rows_[a][i] * direction[i];
+      }
+      for (unsigned int b = 0; b < n_; ++b)
+        sum += block(a, b) * direction[n_sparse_ + b];
+      result[n_sparse_ + a] = sum;
+    }
+  }
 } // namespace deltaform

@@ -20,6 +20,9 @@ namespace deltaform
     /// Add @p value to the diagonal of D.
     void stiffen(double value);
 
+    /// Add B times the last entries of @p direction to the first of @p result; its last ones become [C D] @p direction.
+    void multiply(const Vector &direction, Vector &result) const;
+
     unsigned int n() const
     {
       return n_;

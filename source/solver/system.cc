@@ -151,6 +151,14 @@ namespace deltaform
   }
 
 
+  void System::linear_residual(const Vector &d, Vector &result) const
+  {
+    tangent_->multiply(d, result);
+    tangent_->border().multiply(d, result);
+    result += residual_;
+  }
+
+
   void System::for_each_entry(const std::function<void(DofIndex, DofIndex, double)> &action) const
   {
     tangent_->for_each_entry(action);

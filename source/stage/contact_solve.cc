@@ -63,12 +63,9 @@ namespace deltaform
   {
     if (!changed())
       return;
-    std::size_t signature = 0;
-    for (const auto *interface : contact_.interfaces())
-      for (const auto &state : interface->trial())
-        boost::hash_combine(signature, state.touching);
-    cycling_ |= std::find(visited_.begin(), visited_.end(), signature) != visited_.end();
-    visited_.push_back(signature);
+    const std::size_t set = signature();
+    cycling_ |= std::find(visited_.begin(), visited_.end(), set) != visited_.end();
+    visited_.push_back(set);
   }
 
 
@@ -103,6 +100,16 @@ namespace deltaform
     for (auto *interface : contact_.interfaces())
       n_others += interface->foresee(q, d);
     return n_others > 0;
+  }
+
+
+  std::size_t ContactSolve::signature() const
+  {
+    std::size_t result = 0;
+    for (const auto *interface : contact_.interfaces())
+      for (const auto &state : interface->trial())
+        boost::hash_combine(result, state.touching);
+    return result;
   }
 
 

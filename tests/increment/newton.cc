@@ -57,6 +57,11 @@ namespace
       return this;
     }
 
+    std::size_t signature() const override
+    {
+      return 0;
+    }
+
     void prepare_step(const Vector &d) override
     {
       step = d[0];

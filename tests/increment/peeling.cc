@@ -100,6 +100,11 @@ namespace
       return next != touches;
     }
 
+    std::size_t signature() const override
+    {
+      return std::hash<std::vector<bool>>()(touches);
+    }
+
     double limit_step(const Vector &, Vector &) const override
     {
       return 1.;

@@ -102,6 +102,11 @@ namespace deltaform
         return fixture ? this : nullptr;
       }
 
+      std::size_t signature() const override
+      {
+        return 0;
+      }
+
       void prepare_step(const Vector &d) override
       {
         if (fixture)

@@ -188,6 +188,25 @@ BOOST_AUTO_TEST_CASE(a_pass_goes_on_from_what_was_kept_in_it)
   compare(assembled, free, generator);
 }
 
+BOOST_AUTO_TEST_CASE(residual_of_the_linear_equations)
+{
+  for (const unsigned int n_border : {0, 1, 2})
+  {
+    std::mt19937 generator(4);
+    Assembled assembled("klu", n_border);
+    assembled.fill(generator);
+    std::uniform_real_distribution<double> uniform(-1., 1.);
+    Eigen::VectorXd step(assembled.n);
+    Vector d(assembled.n), result(assembled.n);
+    for (unsigned int i = 0; i < assembled.n; ++i)
+      d[i] = step[i] = uniform(generator);
+    const Eigen::VectorXd exact = assembled.residual + assembled.matrix * step;
+    assembled.system.linear_residual(d, result);
+    for (unsigned int i = 0; i < assembled.n; ++i)
+      BOOST_TEST(std::abs(result[i] - exact[i]) < 1e-13 * exact.norm());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(prescribed_unknowns_of_the_border)
 {
   for_all_solvers(

@@ -3,6 +3,8 @@
 #include <deltaform/assembly/status.h>
 #include <deltaform/assembly/types.h>
 
+#include <cstddef>
+
 namespace deltaform
 {
   /**
@@ -20,6 +22,9 @@ namespace deltaform
     {
       return false;
     }
+
+    /// Hash of the set of the last assembly.
+    virtual std::size_t signature() const = 0;
 
     /// A step @p d was computed from the state that was assembled last.
     virtual void prepare_step(const Vector &d) = 0;

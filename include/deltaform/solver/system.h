@@ -88,6 +88,10 @@ namespace deltaform
 
     void multiply(const Vector &direction, Vector &result) const override;
 
+    /// @p result = R + K @p d, border included; not after factorize(). Where d is a solution it is zero but in rows of
+    /// prescribed unknowns.
+    void linear_residual(const Vector &d, Vector &result) const;
+
     /// Rigid motions, each over the sparse unknowns: an algebraic multigrid has to represent them.
     void set_near_null_space(const std::vector<Vector> &motions);
 
