@@ -21,7 +21,6 @@ function(deltaform_setup target)
   endif()
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include)
   target_compile_features(${target} PUBLIC cxx_std_17)
-  target_compile_definitions(${target} PRIVATE DELTAFORM_VERSION="${PROJECT_VERSION}")
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
                                            -Wfloat-conversion -Werror)
   # Debian's deal.II hands down -g also for Release. Symbols make a program thirty times as large, and a build took 8 GB of

@@ -283,9 +283,21 @@ namespace deltaform
   }
 
 
-  void Shell::set_contact_pressure(const Side side, const std::vector<double> &pressure)
+  bool Shell::feels_pressure() const
   {
-    state_.set_contact_pressure(side, pressure, surface_.areas());
+    return true;
+  }
+
+
+  void Shell::set_pressure(const FaceValues &pressure)
+  {
+    state_.set_contact_pressure(pressure, surface_.areas());
+  }
+
+
+  double Shell::pressure_change(const FaceValues &pressure) const
+  {
+    return state_.change_of_transverse_stress(pressure, surface_.areas()) / material_.initial_flow_stress();
   }
 
 
@@ -317,7 +329,7 @@ namespace deltaform
     material_.take(state);
     ShellState::each_array(state_, TakeFrom(state));
     ElasticCore::each_array(core_, TakeFrom(state));
-    state_.begin_increment(0.);
+    state_.renew();
     ShellSurface::each_array(surface_, TakeFrom(state));
     for (unsigned int i = 0; i < material_.size(); ++i)
       material_.strain(i) = state_.strain(i);

@@ -52,7 +52,9 @@ namespace deltaform
     double flow_error() const override;
     IncrementSize increment_size(const Vector &dq) const override;
     void commit(const Vector &q) override;
-    void set_contact_pressure(Side side, const std::vector<double> &pressure) override;
+    bool feels_pressure() const override;
+    void set_pressure(const FaceValues &pressure) override;
+    double pressure_change(const FaceValues &pressure) const override;
     BlankEnergy energy() const override;
     void count_no_energy() override;
     KeyedArrays state() const override;

@@ -1,6 +1,7 @@
 #include "shell_state.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace deltaform
 {
@@ -11,8 +12,8 @@ namespace deltaform
       node_recovery_(space.n_nodes(), 0.), thickness_change_(space.n_nodes(), 0.), face_thickness_(node_thickness_),
       third_stress_(strain_.size(), 0.)
   {
-    for (auto &pressure : contact_pressure_)
-      pressure.assign(space.n_nodes(), 0.);
+    contact_pressure_.fill(std::vector<double>(space.n_nodes(), 0.));
+    present_pressure_ = contact_pressure_;
   }
 
 
@@ -29,13 +30,36 @@ namespace deltaform
   }
 
 
-  void ShellState::set_contact_pressure(const Side side,
-                                        const std::vector<double> &pressure,
-                                        const std::vector<double> &areas)
+  void ShellState::renew()
   {
-    average(pressure, areas, contact_pressure_[static_cast<unsigned int>(side)]);
+    begin_increment(0.);
+    present_pressure_ = contact_pressure_;
     if (transverse_normal_stress_)
       update_third_stress();
+  }
+
+
+  void ShellState::set_contact_pressure(const FaceValues &pressure, const std::vector<double> &areas)
+  {
+    for (unsigned int side = 0; side < 2; ++side)
+      average(pressure[side], areas, present_pressure_[side]);
+    if (transverse_normal_stress_)
+      update_third_stress();
+  }
+
+
+  double ShellState::change_of_transverse_stress(const FaceValues &pressure, const std::vector<double> &areas) const
+  {
+    double change = 0.;
+    if (!transverse_normal_stress_)
+      return change;
+    FaceValues mean = present_pressure_;
+    for (unsigned int side = 0; side < 2; ++side)
+      average(pressure[side], areas, mean[side]);
+    const auto &old = present_pressure_;
+    for (unsigned int i = 0; i < mean[0].size(); ++i)
+      change = std::max(change, .5 * std::abs(mean[0][i] + mean[1][i] - old[0][i] - old[1][i]));
+    return change;
   }
 
 
@@ -80,7 +104,7 @@ namespace deltaform
         for (unsigned int a = 0; a <= space_.degree(); ++a)
         {
           const unsigned int node = cells[c].nodes[a];
-          sum += points_[p].shape[a] * (contact_pressure_[0][node] + contact_pressure_[1][node]);
+          sum += points_[p].shape[a] * (present_pressure_[0][node] + present_pressure_[1][node]);
         }
         for (unsigned int l = 0; l < points_.n_layers(); ++l)
           third_stress_[p * points_.n_layers() + l] = -.5 * sum;
@@ -98,7 +122,7 @@ namespace deltaform
     for (unsigned int i = 0; i < thickness.size(); ++i)
       thickness_change_[i] = thickness[i] - node_thickness_[i];
     node_thickness_ = face_thickness_ = thickness;
-    // The pressures are those that the transverse stress of this increment was made of.
+    contact_pressure_ = present_pressure_;
     for (unsigned int i = 0; i < node_recovery_.size() && transverse_normal_stress_; ++i)
       node_recovery_[i] = .25 * node_thickness_[i] * (contact_pressure_[0][i] + contact_pressure_[1][i]) / modulus;
   }

@@ -10,8 +10,8 @@
 
 namespace deltaform
 {
-  /// What a shell remembers besides the stress and history of its layers: their strain, its thickness, and what presses
-  /// on its faces. All accepted, and constant within an increment.
+  /// What a shell remembers besides the stress and history of its layers: their strain and its thickness, accepted and
+  /// constant within an increment, and what presses on its faces.
   class ShellState
   {
   public:
@@ -51,6 +51,9 @@ namespace deltaform
     /// See Blank::begin_increment().
     void begin_increment(double ratio);
 
+    /// The arrays were replaced: what follows from them.
+    void renew();
+
     /// By how much a face of the node would spring back if nothing pressed on it: the elastic part of half the
     /// thickness (length).
     double node_recovery(const unsigned int node) const
@@ -58,14 +61,17 @@ namespace deltaform
       return node_recovery_[node];
     }
 
-    /// Mean over one thickness (stress).
+    /// Mean over one thickness, accepted (stress).
     double contact_pressure(const Side side, const unsigned int node) const
     {
       return contact_pressure_[static_cast<unsigned int>(side)][node];
     }
 
-    /// See Blank::set_contact_pressure(). @p areas of the nodes
-    void set_contact_pressure(Side side, const std::vector<double> &pressure, const std::vector<double> &areas);
+    /// See Blank::set_pressure(). @p areas of the nodes
+    void set_contact_pressure(const FaceValues &pressure, const std::vector<double> &areas);
+
+    /// The largest one that this pressure would make, at the nodes (stress).
+    double change_of_transverse_stress(const FaceValues &pressure, const std::vector<double> &areas) const;
 
     /// Transverse stress of material points, from @p first on.
     const double *third_stress(const std::size_t first) const
@@ -87,7 +93,6 @@ namespace deltaform
       action("elastic recovery at nodes", state.node_recovery_);
       action("contact pressure, bottom", state.contact_pressure_[0]);
       action("contact pressure, top", state.contact_pressure_[1]);
-      action("third stress", state.third_stress_);
     }
 
   private:
@@ -105,7 +110,7 @@ namespace deltaform
     std::vector<double> node_thickness_, node_recovery_;
     std::vector<double> thickness_change_; ///< at the nodes, in the last increment
     std::vector<double> face_thickness_; ///< of the increment that is solved; not kept: each one begins with it
-    std::array<std::vector<double>, 2> contact_pressure_; ///< bottom, top
-    std::vector<double> third_stress_; ///< of the material points
+    FaceValues contact_pressure_, present_pressure_; ///< accepted; in the increment that is solved
+    std::vector<double> third_stress_; ///< of the material points, by the present pressure
   };
 } // namespace deltaform

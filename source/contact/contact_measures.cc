@@ -10,9 +10,9 @@ namespace deltaform
   namespace
   {
     /// Of each group of points (ContactProjector::group()): is a node of it pressed? Only there areas are needed.
-    std::vector<bool> groups_at_pressed_nodes(const ContactInterface &contact)
+    std::vector<bool> groups_at_pressed_nodes(const ContactInterface &contact,
+                                              const std::vector<ContactPointState> &points)
     {
-      const auto &points = contact.committed();
       const unsigned int n = contact.projector().group();
       std::vector<bool> result(points.size() / n);
       for (unsigned int i = 0; i < points.size(); ++i)
@@ -37,11 +37,13 @@ namespace deltaform
   } // namespace
 
 
-  std::vector<double> contact_pressure(const ContactInterface &contact, const Vector &q, const std::size_t n_nodes)
+  std::vector<double> contact_pressure(const ContactInterface &contact,
+                                       const std::vector<ContactPointState> &points,
+                                       const Vector &q,
+                                       const std::size_t n_nodes)
   {
-    const auto &points = contact.committed();
     std::vector<double> force(n_nodes, 0.), area(n_nodes, 0.);
-    const std::vector<bool> concerned = groups_at_pressed_nodes(contact);
+    const std::vector<bool> concerned = groups_at_pressed_nodes(contact, points);
     for (unsigned int i = 0; i < points.size(); ++i)
     {
       if (!concerned[i / contact.projector().group()])
@@ -58,6 +60,35 @@ namespace deltaform
     for (std::size_t i = 0; i < n_nodes; ++i)
       force[i] = area[i] > 0 ? force[i] / area[i] : 0.;
     return force;
+  }
+
+
+  void add_contact_pressure(const ContactInterface &contact,
+                            const std::vector<ContactPointState> &points,
+                            const Vector &q,
+                            FaceValues &pressure)
+  {
+    auto &side = pressure[static_cast<unsigned int>(contact.tool().side())];
+    const unsigned int n_nodes = contact.projector().surface().n_nodes();
+    side.resize(n_nodes, 0.);
+    const std::vector<double> own = contact_pressure(contact, points, q, n_nodes);
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      side[i] += own[i];
+  }
+
+
+  double largest_pressure_change(const ContactInterface &contact)
+  {
+    // A nodal pressure is a mean of those of the points.
+    double largest = 0.;
+    for (unsigned int i = 0; i < contact.n_points(); ++i)
+    {
+      const ContactPointState &before = contact.committed()[i], &now = contact.trial()[i];
+      const double first = before.touching ? before.force : 0., last = now.touching ? now.force : 0.;
+      if (first != last)
+        largest = std::max(largest, std::abs(last - first) / (now.touching ? now.area : before.area));
+    }
+    return largest;
   }
 
 

@@ -104,7 +104,7 @@ namespace deltaform
         measure_way();
         if (is_balanced())
         {
-          if (equations_.correct() == 0)
+          if (equations_.correct(q_) == 0)
             return ended(Outcome::converged);
           if (++result_.rounds > settings_.max_rounds)
             return ended(Outcome::not_corrected);

@@ -1,5 +1,6 @@
 #include <deltaform/assembly/collector.h>
 
+#include <deltaform/contact/contact_measures.h>
 #include <deltaform/model/force_book.h>
 #include <deltaform/process/ranks.h>
 
@@ -124,6 +125,9 @@ namespace deltaform
     for (unsigned int i = 0; i < actors_.tools.size(); ++i)
       if (ends([&](const std::string &stage) { return actors_.tools[i]->exists_in(stage); }))
       {
+        if (actors_.blank->feels_pressure())
+          add_contact_pressure(*actors_.interfaces[i], actors_.interfaces[i]->committed(), state.unknowns,
+                               state.released.pressure);
         actors_.interfaces[i]->release(state.unknowns, ending);
         state.released.of_tools[i] = state.tool_forces[i];
       }

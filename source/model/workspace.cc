@@ -4,7 +4,8 @@ namespace deltaform
 {
   Workspace::Workspace(const Model &model)
     : model_(model), system_(model.discretization().make_system()), mesh_(model.discretization().n_meshes()),
-      contact_(model.actors(), model.contact_set())
+      contact_(model.actors(), model.contact_set()),
+      pressure_(model.actors(), model.contact_set(), model.committed_state().released)
   {
   }
 
@@ -14,6 +15,7 @@ namespace deltaform
     time_ = time;
     prescribed_ = model_.supports().prescribed(model_.committed_state(), time);
     contact_.begin_increment(time);
+    pressure_.begin_increment(model_.committed(), time);
     follow_mesh();
     system_.discard_factors();
   }

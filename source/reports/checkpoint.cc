@@ -39,7 +39,7 @@ namespace deltaform
   namespace
   {
     /// How the first line begins. The layout counts what changes in the bytes between two releases.
-    constexpr const char *writer = "deltaform " DELTAFORM_VERSION " checkpoint, layout 7, ";
+    constexpr const char *writer = "deltaform " DELTAFORM_VERSION " checkpoint, layout 8, ";
 
     /// The first line of the file: who wrote it, and how to tell whether it is whole.
     std::string head(const std::string &content)

@@ -29,7 +29,7 @@ namespace deltaform
                                      {"contact_status", "0 free 1 slip 2 stick", true, 1, none}};
       for (const auto *interface : model.interfaces())
       {
-        const auto pressure = contact_pressure(*interface, model.committed(), n_nodes);
+        const auto pressure = contact_pressure(*interface, interface->committed(), model.committed(), n_nodes);
         std::transform(pressure.begin(), pressure.end(), fields[2].values.begin(), fields[2].values.begin(),
                        [](const double a, const double b) { return std::max(a, b); });
         for (unsigned int i = 0; i < interface->n_points(); ++i)

@@ -239,26 +239,8 @@ namespace deltaform
 
   void ContactSet::refresh(const Vector &q)
   {
-    std::array<std::vector<double>, 2> pressure;
     for (auto *interface : active_)
-    {
       interface->refresh(q);
-      const auto own = contact_pressure(*interface, q, actors_.blank->surface().n_nodes());
-      auto &side = pressure[static_cast<unsigned int>(interface->tool().side())];
-      if (side.empty())
-        side = own;
-      else
-        for (unsigned int i = 0; i < own.size(); ++i)
-          side[i] += own[i];
-    }
-    // A side that all tools have left is free of pressure.
-    if (!actors_.interfaces.empty())
-      for (const Side side : {Side::bottom, Side::top})
-      {
-        auto &own = pressure[static_cast<unsigned int>(side)];
-        own.resize(actors_.blank->surface().n_nodes(), 0.);
-        actors_.blank->set_contact_pressure(side, own);
-      }
   }
 
 

@@ -27,8 +27,8 @@ namespace
   /// The same pressure of contact on all nodes of the top, and another one on the bottom.
   void press(Blank &blank, const double top, const double bottom)
   {
-    for (const auto &[side, pressure] : {std::pair(Side::top, top), std::pair(Side::bottom, bottom)})
-      blank.set_contact_pressure(side, std::vector<double>(blank.surface().n_nodes(), pressure));
+    const unsigned int n_nodes = blank.surface().n_nodes();
+    blank.set_pressure({{std::vector<double>(n_nodes, bottom), std::vector<double>(n_nodes, top)}});
   }
 } // namespace
 

@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(restart_goes_on_where_it_stopped)
                  [&](Blank &blank, const Entries &entries) {
                    const Vector q = random_state(blank, generator, .02);
                    const unsigned int n_nodes = blank.surface().n_nodes();
-                   blank.set_contact_pressure(Side::top, std::vector<double>(n_nodes, .7));
+                   blank.set_pressure({{std::vector<double>(n_nodes, 0.), std::vector<double>(n_nodes, .7)}});
                    reach(blank, q);
                    for (const auto &name : Registry<Blank>::names())
                    {

@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(nodes_feel_the_forces_of_their_points)
   BOOST_TEST(first > 0.);
   BOOST_TEST(target.residual[1] + target.residual[4] == -first - second, boost::test_tools::tolerance(1e-13));
   // Of every node: its shares of the forces over those of the areas.
-  const auto pressure = contact_pressure(fixture.contact, q, 2);
+  const auto pressure = contact_pressure(fixture.contact, fixture.contact.committed(), q, 2);
   BOOST_TEST(pressure[0] == (.8 * first + .3 * second) / (.8 * .5 + .3 * .3), boost::test_tools::tolerance(1e-13));
   BOOST_TEST(pressure[1] == (.2 * first + .7 * second) / (.2 * .5 + .7 * .3), boost::test_tools::tolerance(1e-13));
 }

@@ -59,7 +59,7 @@ namespace
       return nullptr;
     }
 
-    unsigned int correct() override
+    unsigned int correct(const Vector & /*q*/) override
     {
       if (n_corrections == 0)
         return 0;

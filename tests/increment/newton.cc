@@ -98,7 +98,7 @@ namespace
       return correct(n_early_corrections);
     }
 
-    unsigned int correct() override
+    unsigned int correct(const Vector & /*q*/) override
     {
       return correct(n_corrections);
     }

@@ -149,7 +149,7 @@ namespace
     {
     }
 
-    unsigned int correct() override
+    unsigned int correct(const Vector & /*q*/) override
     {
       return 0;
     }

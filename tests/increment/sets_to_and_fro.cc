@@ -105,7 +105,7 @@ namespace
     {
     }
 
-    unsigned int correct() override
+    unsigned int correct(const Vector & /*q*/) override
     {
       return 0;
     }

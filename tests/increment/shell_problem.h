@@ -138,7 +138,7 @@ namespace deltaform
         return !fixture || fixture->contact.consistent(allowed_tension);
       }
 
-      unsigned int correct() override
+      unsigned int correct(const Vector & /*q*/) override
       {
         return fixture ? fixture->contact.correct_factors() : 0;
       }

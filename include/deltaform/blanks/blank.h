@@ -183,10 +183,22 @@ namespace deltaform
     /// Accept the trial state that belongs to @p q: history, thickness, energies.
     virtual void commit(const Vector &q) = 0;
 
-    /// Contact pressure on the nodes of one side in the accepted state: the transverse stress of a shell in the next
-    /// increments.
-    virtual void set_contact_pressure(Side /*side*/, const std::vector<double> & /*pressure*/)
+    /// Does it want to know what presses on its faces?
+    virtual bool feels_pressure() const
     {
+      return false;
+    }
+
+    /// Pressure at the nodes of both faces in the increment that is solved: the transverse stress of a shell.
+    virtual void set_pressure(const FaceValues & /*pressure*/)
+    {
+    }
+
+    /// By how much that pressure would change the transverse stress: the most at any node, over the initial flow
+    /// stress.
+    virtual double pressure_change(const FaceValues & /*pressure*/) const
+    {
+      return 0.;
     }
 
     virtual BlankEnergy energy() const = 0;

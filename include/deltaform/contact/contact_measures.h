@@ -1,14 +1,27 @@
 #pragma once
 
+#include <deltaform/assembly/side.h>
 #include <deltaform/contact/contact_interface.h>
 
 #include <vector>
 
 namespace deltaform
 {
-  /// Contact pressure of the @p n_nodes nodes of the blank: of the points that a node carries the accepted forces over
-  /// the tributary areas at @p q (stress). At other nodes 0.
-  std::vector<double> contact_pressure(const ContactInterface &contact, const Vector &q, std::size_t n_nodes);
+  /// Contact pressure of the @p n_nodes nodes of the blank: of the points that a node carries the forces by @p points,
+  /// accepted or trial ones, over the tributary areas at @p q (stress). At other nodes 0.
+  std::vector<double> contact_pressure(const ContactInterface &contact,
+                                       const std::vector<ContactPointState> &points,
+                                       const Vector &q,
+                                       std::size_t n_nodes);
+
+  /// Add it to the pressure on the side of the blank that the tool touches.
+  void add_contact_pressure(const ContactInterface &contact,
+                            const std::vector<ContactPointState> &points,
+                            const Vector &q,
+                            FaceValues &pressure);
+
+  /// No nodal pressure has changed by more from the accepted to the trial points (stress).
+  double largest_pressure_change(const ContactInterface &contact);
 
   /// Estimate of the discretisation error in the contact surface, as an allowed penetration (doc/theory/contact.md).
   double automatic_delta(const ContactInterface &contact);

@@ -83,7 +83,8 @@ namespace deltaform
       return 0;
     }
 
-    /// After convergence: @return how many parameters (penalty factors) were changed, so that the solve must go on.
-    virtual unsigned int correct() = 0;
+    /// After convergence to @p q: @return how many parameters (penalty factors, the pressure on a shell) were changed,
+    /// so that the solve must go on.
+    virtual unsigned int correct(const Vector &q) = 0;
   };
 } // namespace deltaform

@@ -43,9 +43,10 @@ namespace deltaform
     {
       return workspace_.contact().correct_early();
     }
-    unsigned int correct() override
+    unsigned int correct(const Vector &q) override
     {
-      return workspace_.contact().correct();
+      const unsigned int changed = workspace_.contact().correct();
+      return changed > 0 ? changed : workspace_.pressure().correct(q);
     }
     ///@}
 

@@ -3,6 +3,7 @@
 #include <deltaform/model/model.h>
 #include <deltaform/solver/system.h>
 #include <deltaform/stage/contact_solve.h>
+#include <deltaform/stage/face_pressure.h>
 
 #include <functional>
 #include <utility>
@@ -47,6 +48,11 @@ namespace deltaform
       return contact_;
     }
 
+    FacePressure &pressure()
+    {
+      return pressure_;
+    }
+
     /// Values of the prescribed unknowns at the end of the increment; of others the committed ones.
     const Vector &prescribed() const
     {
@@ -71,6 +77,7 @@ namespace deltaform
     System system_;
     unsigned int mesh_; ///< for which the system is made, by its number
     ContactSolve contact_;
+    FacePressure pressure_;
     Vector prescribed_;
     double time_ = 0.;
     std::function<void(const System &)> before_contact_; ///< mostly empty

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/assembly/side.h>
 #include <deltaform/assembly/term.h>
 #include <deltaform/stage/stage.h>
 
@@ -38,11 +39,12 @@ namespace deltaform
     std::vector<Tensor1> of_tools; ///< of the blank on each tool
     std::vector<double> of_supports;
     std::vector<Tensor1> of_loads;
+    FaceValues pressure; ///< of the tools on the nodes, empty if none has left
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
     {
-      archive &any &on_blank &of_tools &of_supports &of_loads;
+      archive &any &on_blank &of_tools &of_supports &of_loads &pressure[0] & pressure[1];
     }
 
   private:
