@@ -33,7 +33,7 @@ namespace deltaform
 
       std::string likely_cause() const override
       {
-        return watch_.finding();
+        return watch_.suspicion();
       }
 
       std::vector<std::string> warnings(bool) const override

@@ -27,7 +27,14 @@ namespace deltaform
   {
     before_ = std::move(now_);
     now_ = std::move(sections);
-    if (finding().empty())
+    ++n_since_;
+    if (std::string found = finding(); !found.empty())
+    {
+      last_ = std::move(found);
+      n_since_ = 0;
+      thickness_then_ = now_[thinnest(now_)].thickness;
+    }
+    else
     {
       n_necking_ = 0;
       lost_ = 0.;
@@ -36,6 +43,17 @@ namespace deltaform
     const std::size_t i = thinnest(now_);
     ++n_necking_;
     lost_ += 1. - force(now_[i]) / force(before_[i]);
+  }
+
+
+  std::string NeckingWatch::suspicion() const
+  {
+    if (n_since_ == 0 || last_.empty() || now_.empty())
+      return finding();
+    const double thickness = now_[thinnest(now_)].thickness;
+    if (n_since_ > recent_increments || !(thickness < thickness_then_))
+      return "";
+    return last_ + "; the thinnest place has " + text::rounded(thickness) + " now";
   }
 
 
@@ -54,10 +72,12 @@ namespace deltaform
     const double stretch = node.stretch - before_[i].stretch;
     const double thinned = node.thinning - before_[i].thinning;
     const double fall = 1 - force(node) / force(before_[i]);
-    // A metal under plastic loading does not soften: d tau >= 0, so that F falls by no more than d eps. A larger fall
-    // is unloading or bending, and no neck. A change in the last digits is no change.
+    // A metal under plastic loading does not soften: d tau >= 0, so that F falls by no more than d eps. A node is the
+    // mean of its neighbours. Where only one of them stretches, by d eps, and the other unloads with it, the stress of
+    // which falls by up to d eps, the mean stretches by half of d eps and its force falls by up to all of it. A larger
+    // fall is unloading or bending, and no neck. A change in the last digits is no change.
     const bool softens =
-      node.stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9 && fall <= 1.001 * stretch;
+      node.stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9 && fall <= 2.002 * stretch;
     if (!softens || !(thinned > 3 * median))
       return "";
     return "node " + std::to_string(i) + " at R0 = " + text::rounded(node.place) + " necks: its thickness is " +

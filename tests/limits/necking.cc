@@ -62,6 +62,49 @@ BOOST_AUTO_TEST_CASE(falling_stress_is_no_neck)
   BOOST_TEST(watch.finding() == "");
 }
 
+BOOST_AUTO_TEST_CASE(a_neck_in_one_of_the_two_elements_at_a_node)
+{
+  // Perfectly plastic, tau = 1. Only the element after node 3 stretches, by .01; the force falls by as much, in the
+  // element before it too, which unloads. The node has the mean of both.
+  const auto strip = [](const double neck) {
+    auto sections = bar(.2, .15, .21);
+    const double fall = neck - .2;
+    sections[3].stretch = .5 * (.2 + neck);
+    sections[3].stress = .5 * ((1. - fall) + 1.);
+    sections[3].thickness = std::exp(-neck);
+    sections[3].thinning = neck;
+    return sections;
+  };
+  NeckingWatch watch;
+  watch.observe(strip(.2));
+  watch.observe(strip(.21));
+  BOOST_TEST(watch.finding().find("node 3") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_stops_soon_after_a_neck_has_it_as_its_likely_cause)
+{
+  const auto suspicion_after = [](const unsigned int increments, const double step) {
+    NeckingWatch watch;
+    watch.observe(bar(.2, .15, .21));
+    watch.observe(bar(.2, .15, .22));
+    auto next = bar(.2, .15, .22);
+    for (unsigned int k = 0; k < increments; ++k)
+    {
+      next[3].thickness -= step;
+      next[3].stress *= .9; // no neck by itself
+      watch.observe(next);
+    }
+    BOOST_TEST((increments == 0 || watch.finding().empty()));
+    return watch.suspicion();
+  };
+  BOOST_TEST(suspicion_after(0, 0.).find("node 3") == 0u);
+  BOOST_TEST(suspicion_after(5, .01).find("node 3") == 0u);
+  BOOST_TEST(suspicion_after(5, .01).find("the thinnest place has") != std::string::npos);
+  BOOST_TEST(suspicion_after(6, .01) == "");
+  BOOST_TEST(suspicion_after(5, -.001) == "");
+  BOOST_TEST(NeckingWatch().suspicion() == "");
+}
+
 BOOST_AUTO_TEST_CASE(torn_is_what_necks_for_some_increments_and_loses_its_force)
 {
   // F = eps^n exp(-eps), past its maximum at .2: from .3 to .35 it falls by 1.9 %, from .21 to .25 by .3 %.

@@ -12,9 +12,9 @@ namespace deltaform
    * Finds out whether a sheet that cannot be formed any further necks. The section force of a node, per unit initial
    * width, is F = tau h0 exp(-eps), tau the mean meridional stress (Kirchhoff) and eps the meridional strain. In
    * tension it grows with the strain until d tau/d eps = tau (Considere 1885): a node whose section stretches although
-   * its force falls has lost its load-bearing capacity (unless tau falls too: that is unloading), and what else the
-   * sheet is asked to give comes from there. A neck is that at the node with the smallest thickness, thinning at least
-   * three times as fast as the blank's median node.
+   * its force falls has lost its load-bearing capacity (a fall of more than twice the stretch is unloading), and what
+   * else the sheet is asked to give comes from there. A neck is that at the node with the smallest thickness, thinning
+   * at least three times as fast as the blank's median node.
    */
   class NeckingWatch
   {
@@ -24,6 +24,9 @@ namespace deltaform
 
     /// "node 12 at R0 = 0.9 necks: ...", or empty if the last increment shows no neck.
     std::string finding() const;
+
+    /// What has most likely ended a run: the last increments showed a neck, and the sheet has thinned further.
+    std::string suspicion() const;
 
     /// Is the sheet torn? Then it has necked in so many increments in a row, and the section there has lost so much of
     /// its force meanwhile. A smaller loss may be made up for: friction and bending can hold a section a little past
@@ -38,15 +41,19 @@ namespace deltaform
     {
       archive_plain(archive, before_);
       archive_plain(archive, now_);
-      archive &n_necking_ &lost_;
+      archive &n_necking_ &lost_ &last_ &n_since_ &thickness_then_;
     }
 
   private:
     static constexpr unsigned int enough_increments = 5;
     static constexpr double enough_loss = .01;
+    static constexpr unsigned int recent_increments = 5;
 
     std::vector<SheetSection> before_, now_;
     unsigned int n_necking_ = 0; ///< increments in a row with a finding
     double lost_ = 0; ///< share of the section force that was lost in them
+    std::string last_; ///< finding, so many increments ago, with that thickness
+    unsigned int n_since_ = 0;
+    double thickness_then_ = 0;
   };
 } // namespace deltaform
