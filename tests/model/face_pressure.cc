@@ -1,14 +1,9 @@
 // What presses on a shell is what is found in equilibrium, and fades out with the forces of the tools.
 #include "../pressed_strip.h"
-
-#include <deltaform/contact/contact_measures.h>
-#include <deltaform/model/model.h>
-#include <deltaform/model/next_state.h>
-#include <deltaform/model/workspace.h>
-#include <deltaform/parameters/parameter_tree.h>
-#include <deltaform/scene/scene.h>
+#include "model_fixture.h"
 
 #include <boost/test/unit_test.hpp>
+#include <deltaform/contact/contact_measures.h>
 
 using namespace deltaform;
 using namespace deltaform::testing;
@@ -16,11 +11,10 @@ using namespace deltaform::testing;
 namespace
 {
   /// A strip of metal that flows at 1e-3 of Young's modulus: the punch, .02 deep in it, presses far harder.
-  struct Fixture
+  struct Fixture : ModelFixture
   {
     explicit Fixture(const std::vector<std::string> &more = {})
-      : tree(ParameterTree::parse("", "test", entries(more))), scene(tree),
-        model(scene.actors, *scene.linear_solver, timers), workspace(model), next(model, workspace)
+      : ModelFixture(entries(more))
     {
       BOOST_TEST_REQUIRE(model.begin_stage(scene.actors.stages.front()).empty());
     }
@@ -62,13 +56,6 @@ namespace
     {
       return *scene.actors.blank;
     }
-
-    ParameterTree tree;
-    Scene scene;
-    Timers timers;
-    Model model;
-    Workspace workspace;
-    NextState next;
   };
 } // namespace
 

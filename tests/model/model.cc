@@ -1,13 +1,9 @@
 // A model by itself: its tangent, its stages, its state.
 #include "../pressed_strip.h"
 #include "../solver/mpi.h"
+#include "model_fixture.h"
 
-#include <deltaform/model/model.h>
-#include <deltaform/model/next_state.h>
-#include <deltaform/model/workspace.h>
-#include <deltaform/parameters/parameter_tree.h>
 #include <deltaform/parameters/scene_error.h>
-#include <deltaform/scene/scene.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -20,11 +16,10 @@ using namespace deltaform::testing;
 
 namespace
 {
-  struct Fixture
+  struct Fixture : ModelFixture
   {
     explicit Fixture(const std::vector<std::string> &more = {})
-      : tree(ParameterTree::parse("", "test", pressed_strip(more))), scene(tree),
-        model(scene.actors, *scene.linear_solver, timers), workspace(model), next(model, workspace)
+      : ModelFixture(pressed_strip(more))
     {
     }
 
@@ -52,13 +47,6 @@ namespace
       residual(time, q);
       model.commit(q, workspace);
     }
-
-    ParameterTree tree;
-    Scene scene;
-    Timers timers;
-    Model model;
-    Workspace workspace;
-    NextState next;
   };
 
   /// Small against the strip: what touches stays in touch.
