@@ -240,7 +240,10 @@ namespace deltaform
     workspace_.before_contact({});
     model_.commit(result.q, workspace_);
     ++state_.n_increments;
-    control_->accept(result.iterations_to_equilibrium, flow_error, result.longest(state_.last_length));
+    if (const double longest = result.longest(state_.last_length); result.by_last_resort)
+      control_->accept_last_resort(flow_error, longest);
+    else
+      control_->accept(result.iterations_to_equilibrium, flow_error, longest);
     state_.pace.accept(next);
     ++state_.since_refinement;
     const bool refined = refinement_marked();

@@ -158,7 +158,7 @@ namespace deltaform
     const bool held = at_start_ && before.touching;
     const NormalResponse normal =
       law_.respond(state,
-                   {state.gap, point.compliance, factors_.share(before), status_tolerance_, work.foreseen, held});
+                   {state.gap, point.compliance, factors_.share(before), work.foreseen, held});
     state.gap = normal.gap;
     FrictionResponse friction;
     if (friction_ && normal.touching)

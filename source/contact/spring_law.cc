@@ -5,17 +5,6 @@
 
 namespace deltaform
 {
-  namespace
-  {
-    /// Is the force of the point, estimated and present, within the tolerance?
-    bool is_idle(const ContactPointState &state, const double gap, const double tolerance)
-    {
-      const double force = state.shift - state.penalty_factor * gap;
-      return std::abs(state.multiplier) <= tolerance && std::abs(force) <= tolerance && gap >= -state.delta;
-    }
-  } // namespace
-
-
   NormalResponse SpringLaw::spring(const ContactPointState &state, const double gap)
   {
     NormalResponse response;
@@ -38,11 +27,7 @@ namespace deltaform
     // lost if one of them lets go for that: the step then goes where nothing holds the blank.
     if (situation.held && state.multiplier > 0)
       return respond(state, left, certainly);
-    const NormalResponse response = respond(state, left, state.multiplier);
-    if (situation.status_tolerance > 0 && response.touching != state.touching &&
-        is_idle(state, left, situation.status_tolerance))
-      return state.touching ? spring(state, left) : NormalResponse();
-    return response;
+    return respond(state, left, state.multiplier);
   }
 
 

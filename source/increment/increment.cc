@@ -18,15 +18,6 @@ namespace deltaform
       return !result.converged() && result.outcome != NewtonResult::Outcome::not_corrected;
     }
 
-    /// The tolerance on the status is about small forces. A damped solve that ended far from equilibrium has not
-    /// failed for want of it, and goes the same way with it.
-    bool is_pointless(const Strategy &strategy, const NewtonResult &last)
-    {
-      constexpr double far_from_equilibrium = 1e-2;
-      return strategy.variant() == NewtonVariant::with_tolerance && last.outcome == NewtonResult::Outcome::diverged &&
-             !last.residuals.empty() && last.residuals.back() > far_from_equilibrium;
-    }
-
     /// How it began and how it ended says what went wrong; there may be hundreds between.
     std::string listed(const std::vector<double> &residuals)
     {
@@ -53,7 +44,7 @@ namespace deltaform
 
   Ladder usual_ladder()
   {
-    return make_ladder({"plain", "soft first touch", "damped", "damped with status tolerance"});
+    return make_ladder({"plain", "soft first touch", "viscous", "viscous, a long way"});
   }
 
 
@@ -67,25 +58,22 @@ namespace deltaform
   {
     IncrementResult result;
     NewtonResult solved;
-    bool any = false, may_be_snap = false;
+    bool any = false;
     const unsigned int linear_iterations = newton_.system().n_linear_iterations();
     for (const auto &strategy : ladder_)
     {
       if (strategy->least_effort() > effort)
-        continue;
-      if (is_pointless(*strategy, solved))
         continue;
       auto q = strategy->begin(problem_, start);
       if (!q)
         continue;
       any = true;
       result.q = std::move(*q);
-      solved = newton_.solve(result.q, problem_.prescribed(), problem_.is_prescribed(), problem_.committed(),
-                             problem_.force_floor(), strategy->variant());
+      solved = strategy->solve(problem_, newton_, result.q);
       result.cost.iterations += solved.iterations;
       result.cost.rounds += solved.rounds;
       result.cost.correction_iterations += solved.correction_iterations;
-      may_be_snap = strategy->least_effort() == Effort::last_resorts;
+      result.by_last_resort = strategy->least_effort() >= Effort::last_resorts;
       if (!failed(solved) || ranks::max(interruption::signal()) != 0)
         break;
     }
@@ -105,7 +93,7 @@ namespace deltaform
       result.rejected = Rejected{Rejected::Kind::not_solved, explain(solved), listed(solved.residuals)};
     if (!result.rejected)
       result.rejected =
-        too_large(length, effort == Effort::all && (may_be_snap || problem_.releases_at_once()), result);
+        too_large(length, effort == Effort::all && (result.by_last_resort || problem_.releases_at_once()), result);
     return result;
   }
 

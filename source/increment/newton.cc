@@ -10,8 +10,8 @@ namespace deltaform
 {
   namespace
   {
-    // Of an undamped solve: steps of which less than this share is taken, that far from equilibrium, lead nowhere;
-    // after some of them damping and shorter increments do.
+    // Steps of which less than this share is taken, that far from equilibrium, lead nowhere; after some of them shorter
+    // increments do.
     constexpr double creeping = 1e-2, far_from_equilibrium = 1e-2;
     constexpr unsigned int most_creeping_steps = 3;
 
@@ -19,19 +19,8 @@ namespace deltaform
     constexpr double close_to_tolerance = 1e2;
     constexpr unsigned int most_iterations_if_close = 2; ///< times the maximal number
 
-    // Iterations in which the residual of an undamped solve has to halve: at least, and in percent of the most.
+    // Iterations in which the residual has to halve: at least, and in percent of the most.
     constexpr unsigned int stagnation_window = 8, stagnation_share = 40;
-
-    // Of a damped solve: iterations instead of the maximal number; relative residual below which it may go on, up to so
-    // many times that number.
-    constexpr unsigned int damped_iterations = 200, most_extensions = 4;
-    constexpr double on_its_way = .5;
-
-    // A damped solve is at rest if the smallest residual of so many iterations is that of as many before, but for this
-    // share: in a state that is no equilibrium, or in one that points without force do not let be exact.
-    constexpr unsigned int rest_window = 25;
-    constexpr double rest_share = .01;
-    constexpr unsigned int most_windows_at_rest = 4; ///< in a row, however close to the relaxed tolerance
 
     // As close to equilibrium the tangent of the blank is good for all sets that the solve may meet; so many of them
     // are tried with it. In the first iterations of an increment the start, which extrapolation has pressed into the
@@ -46,8 +35,6 @@ namespace deltaform
 
     // Closer to equilibrium than this, factors that will not do are corrected between two iterations.
     constexpr double close_enough_to_correct = .1;
-
-    constexpr unsigned int tolerant_after = 4; ///< iterations: a tolerance on the status; three times: a larger one
 
     /// Euclidean norm of the scaled residuals of unknowns that are not prescribed.
     double norm_of_free(const Vector &residual,
@@ -77,16 +64,14 @@ namespace deltaform
   {
   public:
     Solve(const Newton &newton, Vector &q, const Vector &prescribed, const std::vector<bool> &is_prescribed,
-          const Vector &q_committed, const double force_floor, const NewtonVariant variant)
+          const Vector &q_committed, const double force_floor)
       : newton_(newton), equations_(newton.equations_), system_(newton.system_), settings_(newton.settings_),
         scale_(newton.scale_), active_set_(newton.equations_.active_set()), q_(q), prescribed_(prescribed),
-        is_prescribed_(is_prescribed), q_committed_(q_committed), force_floor_(force_floor), variant_(variant),
-        max_iterations_(variant == NewtonVariant::plain ? settings_.max_iterations
-                                                        : std::max(damped_iterations, settings_.max_iterations)),
-        stagnation_{std::max(stagnation_window, stagnation_share * max_iterations_ / 100),
-                    most_iterations_if_close * max_iterations_, close_to_tolerance * settings_.relaxed_tolerance,
-                    settings_.relaxed_tolerance},
-        damping_(newton.system_, newton.scale_), increments_(q.size()), d_(q.size()), linear_(q.size()),
+        is_prescribed_(is_prescribed), q_committed_(q_committed), force_floor_(force_floor),
+        stagnation_{std::max(stagnation_window, stagnation_share * settings_.max_iterations / 100),
+                    most_iterations_if_close * settings_.max_iterations,
+                    close_to_tolerance * settings_.relaxed_tolerance, settings_.relaxed_tolerance},
+        increments_(q.size()), d_(q.size()), linear_(q.size()),
         start_(q.size())
     {
       system_.set_prescribed(is_prescribed);
@@ -114,7 +99,7 @@ namespace deltaform
         // 2. Is there no hope left?
         if (is_hopeless())
           return ended(Outcome::diverged);
-        // 3. The step: linear solve, downhill if that is asked for.
+        // 3. The step: linear solve.
         if (!find_step())
           return ended(result_.status.good() ? Outcome::singular : Outcome::inadmissible);
         // 4. As far as it is admissible.
@@ -122,7 +107,6 @@ namespace deltaform
           return ended(Outcome::inadmissible);
         // 5. Shorter where it leads to a larger residual.
         double residual = relative_residual();
-        damping_.relax(residual <= residual_);
         if (wants_search(residual))
         {
           search();
@@ -193,12 +177,9 @@ namespace deltaform
 
     bool is_balanced()
     {
-      const bool late = iteration_ >= max_iterations_ || at_rest_;
+      const bool late = iteration_ >= settings_.max_iterations;
       // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
       const double tolerance = late ? settings_.relaxed_tolerance : settings_.force_tolerance;
-      if (variant_ == NewtonVariant::with_tolerance && iteration_ >= tolerant_after && active_set_ != nullptr)
-        active_set_->allow_status_tolerance(
-          (iteration_ >= 3 * tolerant_after ? settings_.relaxed_tolerance : settings_.force_tolerance) * magnitude_);
       const bool fresh = iteration_ == 0 && result_.rounds == 0; // forces of the extrapolated start
       if (fresh || pending_ != 0. || !(residual_ <= tolerance) ||
           (active_set_ != nullptr && !active_set_->consistent(tolerance * magnitude_)))
@@ -210,8 +191,6 @@ namespace deltaform
     bool begin_round()
     {
       iteration_ = 0;
-      at_rest_ = false;
-      n_windows_at_rest_ = 0;
       result_.residuals.clear();
       if (!assemble())
         return false;
@@ -223,17 +202,10 @@ namespace deltaform
     {
       if (!std::isfinite(residual_))
         return true;
-      // At rest far from the relaxed tolerance; close to it the next residuals may be below, for a while.
-      if (at_rest_ && (smallest_residual() >= close_to_tolerance * settings_.relaxed_tolerance ||
-                       n_windows_at_rest_ >= most_windows_at_rest))
+      if (pending_ == 0. && stagnation_.reached(result_.residuals))
         return true;
-      if (variant_ == NewtonVariant::plain && pending_ == 0. && stagnation_.reached(result_.residuals))
-        return true;
-      if (iteration_ < max_iterations_)
-        return false;
-      if (variant_ == NewtonVariant::plain)
-        return residual_ >= stagnation_.near || iteration_ >= stagnation_.most_iterations;
-      return residual_ >= on_its_way || iteration_ >= most_extensions * max_iterations_;
+      return iteration_ >= settings_.max_iterations &&
+             (residual_ >= stagnation_.near || iteration_ >= stagnation_.most_iterations);
     }
 
     bool solve(const double shift)
@@ -254,11 +226,7 @@ namespace deltaform
         if (!assemble() || !solve(1e-6))
           return false;
       }
-      if (!find_active_set())
-        return false;
-      return variant_ == NewtonVariant::plain || pending_ != 0. ||
-             damping_.descend(
-               d_, [&]() { return assemble(); }, [&](const double shift) { return solve(shift); });
+      return find_active_set();
     }
 
     /// Solve again for the set that the step leads to, until it leads to its own: with the tangent of the blank, which
@@ -266,7 +234,7 @@ namespace deltaform
     bool find_active_set()
     {
       const bool first = result_.rounds == 0 && iteration_ < first_iterations;
-      if (active_set_ == nullptr || variant_ != NewtonVariant::plain || !(first || residual_ <= near_equilibrium))
+      if (active_set_ == nullptr || !(first || residual_ <= near_equilibrium))
         return true;
       std::vector<std::size_t> sets;
       while (sets.size() < most_sets && active_set_->foresee(q_, d_))
@@ -296,6 +264,16 @@ namespace deltaform
       return norm_of_free(linear_, scale_, is_prescribed_) <= enough * magnitude_;
     }
 
+    /// d.R over the unknowns that are not prescribed.
+    double work_along_step() const
+    {
+      double work = 0.;
+      for (unsigned int i = 0; i < d_.size(); ++i)
+        if (!is_prescribed_[i])
+          work += d_[i] * system_.residual()[i];
+      return work;
+    }
+
     /// To the start of the step plus a share of it.
     bool go(const double factor)
     {
@@ -313,7 +291,7 @@ namespace deltaform
         active_set_->prepare_step(d_);
       factor_ = equations_.limit_step(q_, d_);
       start_ = q_;
-      work_start_ = damping_.work_along(d_);
+      work_start_ = work_along_step();
       // Go back until the laws can be evaluated.
       bool good = go(factor_);
       for (unsigned int back = 0; !good && back < most_returns; ++back)
@@ -335,11 +313,11 @@ namespace deltaform
     {
       constexpr unsigned int lenient_iterations = 3;
       LineSearch search;
-      factor_ = search.search(factor_, work_start_, damping_.work_along(d_), iteration_ >= lenient_iterations ? .2 : .8,
+      factor_ = search.search(factor_, work_start_, work_along_step(), iteration_ >= lenient_iterations ? .2 : .8,
                               [&](const double factor) -> std::optional<double> {
                                 if (!go(factor))
                                   return std::nullopt;
-                                return damping_.work_along(d_);
+                                return work_along_step();
                               });
       result_.line_searches += search.n_evaluations();
     }
@@ -348,8 +326,7 @@ namespace deltaform
     /// iterations each.
     bool correct_early(double &residual)
     {
-      const bool is_time = variant_ == NewtonVariant::plain && settings_.max_rounds > 0 && pending_ == 0. &&
-                           residual <= close_enough_to_correct && residual > settings_.force_tolerance;
+      const bool is_time = settings_.max_rounds > 0 && pending_ == 0. && residual <= close_enough_to_correct && residual > settings_.force_tolerance;
       if (!is_time || equations_.correct_early() == 0)
         return true;
       if (!equations_.assemble_foreseen(q_) && !assemble())
@@ -365,31 +342,11 @@ namespace deltaform
       for (unsigned int i = 0; i < q_.size(); ++i)
         last_step_ = std::max(last_step_, factor_ * std::abs(d_[i]) * scale_[i]);
       result_.residuals.push_back(residual_);
-      if (variant_ != NewtonVariant::plain && result_.residuals.size() % rest_window == 0)
-      {
-        at_rest_ = is_at_rest();
-        n_windows_at_rest_ = at_rest_ ? n_windows_at_rest_ + 1 : 0;
-      }
-    }
-
-    /// Smallest of the residuals of a window of iterations, @p before how many windows ago.
-    double smallest_residual(const unsigned int before = 0) const
-    {
-      const auto end = result_.residuals.end() - before * rest_window;
-      return *std::min_element(end - rest_window, end);
-    }
-
-    bool is_at_rest() const
-    {
-      if (result_.residuals.size() < 2 * rest_window)
-        return false;
-      const double now = smallest_residual(), before = smallest_residual(1);
-      return std::abs(now - before) <= rest_share * before;
     }
 
     bool creeps()
     {
-      return variant_ == NewtonVariant::plain && residual_ > far_from_equilibrium && factor_ < creeping &&
+      return residual_ > far_from_equilibrium && factor_ < creeping &&
              ++n_creeping_ == most_creeping_steps;
     }
 
@@ -404,15 +361,11 @@ namespace deltaform
     const std::vector<bool> &is_prescribed_;
     const Vector &q_committed_;
     double force_floor_;
-    NewtonVariant variant_;
-    unsigned int max_iterations_;
 
     NewtonResult result_;
     const Stagnation stagnation_;
-    Damping damping_;
     Vector increments_, d_, linear_, start_; ///< of prescribed unknowns; the step; R + K d; where it starts
-    unsigned int iteration_ = 0, n_creeping_ = 0, n_windows_at_rest_ = 0;
-    bool at_rest_ = false; ///< a damped solve, at the end of the last window of iterations
+    unsigned int iteration_ = 0, n_creeping_ = 0;
     double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to
     double pending_ = 0., travelled_ = 0.;
     double factor_ = 1., work_start_ = 0.; ///< of the step that is taken, and of the residual along it at its start
@@ -421,8 +374,8 @@ namespace deltaform
 
 
   NewtonResult Newton::solve(Vector &q, const Vector &prescribed, const std::vector<bool> &is_prescribed,
-                             const Vector &q_committed, const double force_floor, const NewtonVariant variant)
+                             const Vector &q_committed, const double force_floor)
   {
-    return Solve(*this, q, prescribed, is_prescribed, q_committed, force_floor, variant).run();
+    return Solve(*this, q, prescribed, is_prescribed, q_committed, force_floor).run();
   }
 } // namespace deltaform

@@ -16,11 +16,6 @@ namespace deltaform
           q.sadd(1. + start.ratio, -start.ratio, start.before);
         return q;
       }
-
-      NewtonVariant variant() const override
-      {
-        return NewtonVariant::plain;
-      }
     };
 
     const StrategyMakers::Entry entry("plain",

@@ -22,11 +22,6 @@ namespace deltaform
       {
         return Effort::usual;
       }
-
-      NewtonVariant variant() const override
-      {
-        return NewtonVariant::plain;
-      }
     };
 
     const StrategyMakers::Entry entry("soft first touch",

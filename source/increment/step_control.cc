@@ -73,8 +73,23 @@ namespace deltaform
 
   void StepControl::accept(const unsigned int iterations, const double error, const double longest)
   {
-    constexpr double safety = .8; // the next increment may strain faster
     resize(iterations, error);
+    limit(longest);
+  }
+
+
+  void StepControl::accept_last_resort(const double error, const double longest)
+  {
+    longer_tries_ = quiet_ = shortened_ = 0;
+    error_ = error;
+    increment_ = std::min(increment_ * settings_.growth / std::pow(settings_.shrink, cuts_before_last_resorts), largest_);
+    limit(longest);
+  }
+
+
+  void StepControl::limit(const double longest)
+  {
+    constexpr double safety = .8; // the next increment may strain faster
     increment_ = std::max(std::min(increment_, safety * longest), smallest_);
   }
 
@@ -133,7 +148,7 @@ namespace deltaform
     // As short as it may be, or cut twice: the length of the increment is not the reason.
     if (length * settings_.shrink < smallest_)
       return Effort::all;
-    if (cutbacks >= 2 || longer_tries_ > 0)
+    if (cutbacks >= cuts_before_last_resorts || longer_tries_ > 0)
       return Effort::last_resorts;
     return cutbacks == 0 && continues ? Effort::first : Effort::usual;
   }

@@ -151,9 +151,18 @@ namespace deltaform
   }
 
 
-  void ContactSolve::allow_status_tolerance(const double force)
+  void ContactSolve::keep()
   {
     for (auto *interface : contact_.interfaces())
-      interface->allow_status_tolerance(force);
+      interface->keep();
+  }
+
+
+  void ContactSolve::go_back()
+  {
+    for (auto *interface : contact_.interfaces())
+      interface->go_back();
+    cycling_ = false;
+    visited_.clear();
   }
 } // namespace deltaform

@@ -82,11 +82,6 @@ namespace
       return 0;
     }
 
-    void allow_status_tolerance(const double force) override
-    {
-      status_tolerance = force;
-    }
-
     bool consistent(const double) const override
     {
       return n_inconsistent == 0 || n_inconsistent-- == 0;
@@ -105,8 +100,7 @@ namespace
 
     NewtonResult solve(const double start,
                        const std::vector<std::string> &entries = {},
-                       const double goal = 0.,
-                       const NewtonVariant variant = NewtonVariant::plain)
+                       const double goal = 0.)
     {
       const NewtonSettings settings = newton_settings(entries);
       Timers timers;
@@ -119,7 +113,7 @@ namespace
       prescribed[1] = goal;
       visited.clear();
       factors.clear();
-      return newton.solve(q, prescribed, {false, true}, committed, 0., variant);
+      return newton.solve(q, prescribed, {false, true}, committed, 0.);
     }
 
     /// The load grows as often as @p n_left says.
@@ -133,7 +127,7 @@ namespace
     }
 
     Function internal, slope;
-    double load, spring = 0., largest_step = 1e300, step = 0., status_tolerance = 0.;
+    double load, spring = 0., largest_step = 1e300, step = 0.;
     std::function<bool(double)> allowed = [](double) { return true; };
     unsigned int n_corrections = 0, n_early_corrections = 0, n_asked_early = 0;
     mutable unsigned int n_inconsistent = 0;
@@ -261,16 +255,13 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_assembled_again_is_said)
   BOOST_TEST((first.outcome == Outcome::inadmissible));
   BOOST_TEST(first.rounds == 1u);
   BOOST_TEST(std::string(first.status.cause) == "not allowed");
-  // So is the second assembly, which damping (an uphill step) or a singular matrix asks for.
-  for (const bool singular : {false, true})
-  {
-    Scalar problem([](double) { return 0.; }, [=](double) { return singular ? 0. : -1.; }, 1.);
-    unsigned int n = 0;
-    problem.allowed = [&](double) { return ++n == 1; };
-    const NewtonResult second = problem.solve(0., {}, 0., NewtonVariant::damped);
-    BOOST_TEST((second.outcome == Outcome::inadmissible));
-    BOOST_TEST(n == 2u);
-  }
+  // So is the second assembly, which a singular matrix asks for.
+  Scalar problem([](double) { return 0.; }, [](double) { return 0.; }, 1.);
+  unsigned int n = 0;
+  problem.allowed = [&](double) { return ++n == 1; };
+  const NewtonResult second = problem.solve(0.);
+  BOOST_TEST((second.outcome == Outcome::inadmissible));
+  BOOST_TEST(n == 2u);
 }
 
 BOOST_AUTO_TEST_CASE(creeping_is_given_up)
@@ -282,7 +273,6 @@ BOOST_AUTO_TEST_CASE(creeping_is_given_up)
   BOOST_TEST((creeping.outcome == Outcome::diverged));
   BOOST_TEST(creeping.iterations == 3u);
   BOOST_TEST(creeping.residuals.size() == 4u);
-  BOOST_TEST(problem.solve(0., {}, 0., NewtonVariant::damped).iterations > 3u); // the last resort goes on
   problem.largest_step = .3; // .03, .06, ...
   BOOST_TEST(problem.solve(0.).converged());
   // At the solution's door short steps are no failure.
@@ -311,53 +301,6 @@ BOOST_AUTO_TEST_CASE(what_goes_to_and_fro_is_given_up)
   }
 }
 
-BOOST_AUTO_TEST_CASE(damped_steps_go_on_while_they_lead_down)
-{
-  // From 0 to 2 in steps of .008: after 200 of them the residual is a quarter of the forces.
-  Scalar problem = stiffening(10.);
-  problem.largest_step = .008;
-  const auto slow = problem.solve(0., {}, 0., NewtonVariant::damped);
-  BOOST_TEST(slow.converged());
-  BOOST_TEST(slow.iterations > 200u);
-  // Steps of .005 have got to two thirds by then: not on their way.
-  problem.largest_step = .005;
-  const auto far = problem.solve(0., {}, 0., NewtonVariant::damped);
-  BOOST_TEST((far.outcome == Outcome::diverged));
-  BOOST_TEST(far.iterations == 200u);
-  // And not for ever: at 1.9 it ends.
-  problem.largest_step = 5e-4;
-  const auto endless = problem.solve(1.5, {}, 0., NewtonVariant::damped);
-  BOOST_TEST((endless.outcome == Outcome::diverged));
-  BOOST_TEST(endless.iterations == 800u);
-}
-
-BOOST_AUTO_TEST_CASE(damped_steps_that_have_come_to_rest_are_given_up)
-{
-  // From 1.6, where the residual is .27 of the forces, in steps of 1e-5: it falls by 2e-4 of itself in 25 of them.
-  Scalar problem = stiffening(10.);
-  problem.largest_step = 1e-5;
-  const auto far = problem.solve(1.6, {}, 0., NewtonVariant::damped);
-  BOOST_TEST((far.outcome == Outcome::diverged));
-  BOOST_TEST(far.iterations < 60u);
-  BOOST_TEST(far.iterations >= 2u * 25u - 1u);
-}
-
-BOOST_AUTO_TEST_CASE(damped_steps_at_rest_between_the_tolerances_are_enough)
-{
-  // With a tangent that is a million times too stiff the residual, 5e-6 of the forces, hardly falls. The relaxed
-  // tolerance accepts it before the 200 iterations are made.
-  Scalar problem([](const double u) { return u; }, [](const double) { return 1e6; }, 1.);
-  const auto result = problem.solve(1. - 1e-5, {}, 0., NewtonVariant::damped);
-  BOOST_TEST(result.converged());
-  BOOST_TEST(result.iterations < 60u);
-  BOOST_TEST(std::abs(problem.q[0] - 1.) <= 1.0001e-5);
-  // Twenty times as far from it that is no solution, and the next iterations may still find one, but not after four
-  // windows of 25 at rest.
-  const auto close = problem.solve(1. - 2e-4, {}, 0., NewtonVariant::damped);
-  BOOST_TEST((close.outcome == Outcome::diverged));
-  BOOST_TEST(close.iterations == 5u * 25u - 1u);
-}
-
 BOOST_AUTO_TEST_CASE(rounds_of_corrections)
 {
   Scalar problem = stiffening(10.);
@@ -377,8 +320,8 @@ BOOST_AUTO_TEST_CASE(rounds_of_corrections)
 
 BOOST_AUTO_TEST_CASE(corrections_close_to_equilibrium)
 {
-  // Asked for once in every iteration that ends between .1 and the tolerance of forces, 1e-6; not by a damped solve,
-  // nor where no correction is allowed.
+  // Asked for once in every iteration that ends between .1 and the tolerance of forces, 1e-6; not where no
+  // correction is allowed.
   Scalar problem = stiffening(10.);
   const NewtonResult alone = problem.solve(0.);
   const auto is_close = [](const double residual) { return residual <= .1 && residual > 1e-6; };
@@ -387,7 +330,6 @@ BOOST_AUTO_TEST_CASE(corrections_close_to_equilibrium)
   BOOST_TEST(problem.n_asked_early == n_close);
   BOOST_TEST(n_close < static_cast<long>(alone.iterations));
   problem.n_asked_early = 0;
-  problem.solve(0., {}, 0., NewtonVariant::damped);
   problem.solve(0., {"Maximal corrections=0"});
   BOOST_TEST(problem.n_asked_early == 0u);
 
@@ -412,43 +354,6 @@ BOOST_AUTO_TEST_CASE(a_small_residual_alone_is_no_solution)
   BOOST_TEST(later.converged());
   BOOST_TEST(later.iterations > at_once.iterations);
   BOOST_TEST(problem.n_inconsistent == 0u);
-}
-
-BOOST_AUTO_TEST_CASE(damped_steps_snap_through)
-{
-  // A shallow arch: R = u (u - 1)(u - 2) - load has its limit point at u = 1 - 1/sqrt(3), load = 2/sqrt(27) = .3849.
-  const auto arch = []() {
-    return Scalar([](const double u) { return u * (u - 1.) * (u - 2.); },
-                  [](const double u) { return 3. * u * u - 6. * u + 2.; },
-                  .3849 + .02);
-  };
-  Scalar problem = arch();
-  const auto damped = problem.solve(.4, {}, 0., NewtonVariant::damped);
-  BOOST_TEST(damped.converged());
-  const double u = problem.q[0];
-  BOOST_TEST(u > 2.);
-  BOOST_TEST(std::abs(u * (u - 1.) * (u - 2.) - problem.load) < 1e-6);
-  // It goes down the potential: never back from where it started.
-  for (const double visited : problem.visited)
-    BOOST_TEST(visited > .39);
-  // Near the end it is Newton's method: quadratic.
-  const auto &r = damped.residuals;
-  BOOST_REQUIRE(r.size() > 3u);
-  BOOST_TEST(r.back() < .1 * r[r.size() - 2]);
-  BOOST_TEST(problem.status_tolerance == 0.);
-}
-
-BOOST_AUTO_TEST_CASE(status_tolerance_is_allowed_only_when_asked_and_after_some_iterations)
-{
-  Scalar problem = stiffening(1e6);
-  BOOST_TEST(problem.solve(0., {}, 0., NewtonVariant::damped).converged());
-  BOOST_TEST(problem.status_tolerance == 0.);
-  const auto result = problem.solve(0., {}, 0., NewtonVariant::with_tolerance);
-  BOOST_TEST(result.converged());
-  BOOST_REQUIRE(result.iterations > 4u);
-  // In forces: the tolerance of the residual times the scale of the forces, which is near the load.
-  BOOST_TEST(problem.status_tolerance > 0.);
-  BOOST_TEST(problem.status_tolerance < 1e-4 * 1e6);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -145,10 +145,6 @@ namespace
       return true;
     }
 
-    void allow_status_tolerance(double) override
-    {
-    }
-
     unsigned int correct(const Vector & /*q*/) override
     {
       return 0;

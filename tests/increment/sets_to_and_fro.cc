@@ -101,10 +101,6 @@ namespace
       return true;
     }
 
-    void allow_status_tolerance(double /*force*/) override
-    {
-    }
-
     unsigned int correct(const Vector & /*q*/) override
     {
       return 0;

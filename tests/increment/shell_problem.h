@@ -129,10 +129,6 @@ namespace deltaform
         return 2;
       }
 
-      void allow_status_tolerance(double) override
-      {
-      }
-
       bool consistent(const double allowed_tension) const override
       {
         return !fixture || fixture->contact.consistent(allowed_tension);

@@ -175,13 +175,18 @@ namespace deltaform
       iteration_.advance(factor, trial_.points);
     }
 
-    /// Until the end of this increment a point with a smaller force than @p force, pressure or tension, keeps its
-    /// status, touching or not. Where a flat part of the blank lies on a flat tool no point carries a force: every
-    /// status is a solution, and the iteration would go to and fro among them.
-    void allow_status_tolerance(const double force)
+    /// Remember the trial state, and go back to it: what was tried in between led nowhere.
+    ///@{
+    void keep()
     {
-      iteration_.allow_status_tolerance(force);
+      kept_ = trial_.points;
     }
+    void go_back()
+    {
+      trial_.points = kept_;
+      iteration_.restart();
+    }
+    ///@}
 
     /// Did a point gain or lose contact in the last assembly?
     bool status_changed() const
@@ -279,6 +284,7 @@ namespace deltaform
     FactorControl factors_;
     ContactIteration iteration_;
     InterfaceState committed_, trial_;
+    std::vector<ContactPointState> kept_; ///< see keep()
     InterfaceAccount account_;
   };
 } // namespace deltaform

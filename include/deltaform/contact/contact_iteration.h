@@ -55,12 +55,17 @@ namespace deltaform
 
     void begin_increment()
     {
+      restart();
       at_start_ = true;
+    }
+
+    /// The next assembly is anywhere, with trial states that it did not leave.
+    void restart()
+    {
       for (auto &work : work_)
         work.foreseen.reset();
       clear_.restart(!law_.has_multiplier());
-      in_place_ = false;
-      status_tolerance_ = 0.;
+      at_start_ = in_place_ = false;
     }
 
     /// Residual and tangent of all points at @p q. @p shift: way of the counterpart. @p time: end of the increment
@@ -76,11 +81,6 @@ namespace deltaform
     bool foresee(const Vector &q, const Tensor1 &shift, const Vector &d, const Points &trial);
     void prepare_step(const Vector &d, const Points &committed, const Points &trial);
     void advance(double factor, Points &trial);
-
-    void allow_status_tolerance(const double force)
-    {
-      status_tolerance_ = std::max(status_tolerance_, force);
-    }
 
     bool status_changed() const
     {
@@ -163,7 +163,6 @@ namespace deltaform
     bool status_changed_ = false;
     bool in_place_ = false; ///< no step has been made since the last assembly: points are described as it left them
     bool at_start_ = false; ///< no step has been made in this increment: points touch that did in the last one
-    double status_tolerance_ = 0; ///< see ContactInterface::allow_status_tolerance()
     Tensor1 tool_force_;
   };
 } // namespace deltaform

@@ -28,7 +28,6 @@ namespace deltaform
     double gap = 0; ///< between the tool and the face, which has not yet given way
     double compliance = 0; ///< [length/force] of the face: the through-thickness compliance
     double share = 1; ///< of the stiffness that counts: less than 1 while a first touch is stiffened step by step
-    double status_tolerance = 0; ///< a smaller force, pressure or tension, does not change whether the point touches
     std::optional<bool> foreseen; ///< the set of touching points is given, and the point belongs to it or not
     bool held = false; ///< the point touched in the accepted state, and no step has been made since: it still does
   };

@@ -42,8 +42,15 @@ namespace deltaform
     /// pull by up to @p allowed_tension.
     virtual bool consistent(double allowed_tension) const = 0;
 
-    /// From now on inequalities with forces up to @p force keep their status, active or not.
-    virtual void allow_status_tolerance(double force) = 0;
+    /// Remember the set and what belongs to it, as they were assembled last.
+    virtual void keep()
+    {
+    }
+
+    /// To what was kept: what has been tried since led nowhere. The next assembly is at the place of that time.
+    virtual void go_back()
+    {
+    }
   };
 
 

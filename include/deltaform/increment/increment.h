@@ -33,6 +33,7 @@ namespace deltaform
     Vector q; ///< the state that was found
     IncrementCost cost; ///< of all strategies together
     unsigned int iterations_to_equilibrium = 0; ///< of these, without the corrections of the last solve
+    bool by_last_resort = false; ///< solved by a strategy that is tried where shorter increments do not help
     double size = 0; ///< largest strain or rotation over the one that is allowed; 0 of a snap
     double snap_rotation = 0; ///< rad; by how much a node has turned, if more than allowed in a snap that is accepted
     double strain_at_rest = 0; ///< of a point, if more than allowed, in a new equilibrium at the same time

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deltaform/assembly/status.h>
-#include <deltaform/increment/damping.h>
 #include <deltaform/increment/equations.h>
 #include <deltaform/process/timers.h>
 #include <deltaform/solver/system.h>
@@ -49,14 +48,6 @@ namespace deltaform
     }
   };
 
-  /// What a solve adds to Newton's method.
-  enum class NewtonVariant : unsigned char
-  {
-    plain,
-    damped, ///< see Damping
-    with_tolerance ///< damped; inequalities with forces below a tolerance keep their status
-  };
-
   /**
    * Newton's method with a line search on the work of the residual along the step, and rounds of corrections after
    * convergence. Converged: |R| <= tolerance * sum of absolute contributions, and the last step small against the
@@ -82,13 +73,36 @@ namespace deltaform
      * @param force_floor forces below this are round-off
      */
     NewtonResult solve(Vector &q, const Vector &prescribed, const std::vector<bool> &is_prescribed,
-                       const Vector &q_committed, double force_floor, NewtonVariant variant = NewtonVariant::plain);
+                       const Vector &q_committed, double force_floor);
+
+    /// The same method for other equations of the same unknowns. All three have to outlive it.
+    Newton for_equations(Equations &equations, const NewtonSettings &settings) const
+    {
+      return {equations, system_, settings, scale_, size_, timers_};
+    }
 
     /// What it solves with.
-    const System &system() const
+    System &system()
     {
       return system_;
     }
+
+    const NewtonSettings &settings() const
+    {
+      return settings_;
+    }
+
+    /// Of every unknown.
+    ///@{
+    const std::vector<double> &scale() const
+    {
+      return scale_;
+    }
+    const std::vector<double> &size() const
+    {
+      return size_;
+    }
+    ///@}
 
   private:
     class Solve;

@@ -4,7 +4,7 @@
 
 namespace deltaform
 {
-  /// When residuals of an undamped solve no longer fall: a shorter increment is cheaper than more iterations.
+  /// When the residuals of a solve no longer fall: a shorter increment is cheaper than more iterations.
   struct Stagnation
   {
     unsigned int window; ///< iterations that are compared with all before

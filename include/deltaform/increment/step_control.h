@@ -56,6 +56,9 @@ namespace deltaform
     /// that would have been as large as allowed, in strain and rotation, if it had gone on at its rate
     void accept(unsigned int iterations, double error = 0., double longest = std::numeric_limits<double>::infinity());
 
+    /// So it was by a last resort, which solves what shorter increments do not: their cuts are taken back.
+    void accept_last_resort(double error = 0., double longest = std::numeric_limits<double>::infinity());
+
     /// The increment failed: a shorter one is next; at the smallest one, some longer ones. @return false if nothing is
     /// left to try
     bool reject(double tried);
@@ -87,11 +90,14 @@ namespace deltaform
     void restore(const State &state);
 
   private:
+    /// No longer than @p longest, with a margin.
+    void limit(double longest);
+
     /// What the iterations and the error of an accepted increment make of the next one.
     void resize(unsigned int iterations, double error);
 
     const StepSettings &settings_;
-    static constexpr unsigned int most_longer_tries = 4;
+    static constexpr unsigned int most_longer_tries = 4, cuts_before_last_resorts = 2;
     unsigned int longer_tries_ = 0; ///< tries of longer increments since the last one was accepted
     double end_, smallest_, largest_, increment_;
     std::vector<double> meet_;

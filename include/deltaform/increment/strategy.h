@@ -30,13 +30,17 @@ namespace deltaform
     /// Begin the increment. @return where Newton's method starts; nothing if the strategy does not apply
     virtual std::optional<Vector> begin(IncrementProblem &problem, const IncrementStart &start) const = 0;
 
-    virtual NewtonVariant variant() const = 0;
+    /// From @p q, where it begins, to the state that is looked for.
+    virtual NewtonResult solve(IncrementProblem &problem, Newton &newton, Vector &q) const
+    {
+      return newton.solve(q, problem.prescribed(), problem.is_prescribed(), problem.committed(), problem.force_floor());
+    }
 
-    /// The least effort with which it is tried. Damped steps are last resorts: where shorter increments do not help
-    /// the blank may snap to another equilibrium, however short the increment is.
+    /// The least effort with which it is tried. Last resorts are for where the blank may snap to another equilibrium,
+    /// however short the increment is.
     virtual Effort least_effort() const
     {
-      return variant() == NewtonVariant::plain ? Effort::first : Effort::last_resorts;
+      return Effort::first;
     }
   };
 

@@ -52,7 +52,8 @@ namespace deltaform
     bool changed() const override;
     unsigned int patience() const override;
     bool consistent(double allowed_tension) const override;
-    void allow_status_tolerance(double force) override;
+    void keep() override;
+    void go_back() override;
     ///@}
 
   private:
