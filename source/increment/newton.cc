@@ -326,7 +326,8 @@ namespace deltaform
     /// iterations each.
     bool correct_early(double &residual)
     {
-      const bool is_time = settings_.max_rounds > 0 && pending_ == 0. && residual <= close_enough_to_correct && residual > settings_.force_tolerance;
+      const bool is_time = settings_.max_rounds > 0 && pending_ == 0. && residual <= close_enough_to_correct &&
+                           residual > settings_.force_tolerance;
       if (!is_time || equations_.correct_early() == 0)
         return true;
       if (!equations_.assemble_foreseen(q_) && !assemble())

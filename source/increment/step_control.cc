@@ -82,7 +82,8 @@ namespace deltaform
   {
     longer_tries_ = quiet_ = shortened_ = 0;
     error_ = error;
-    increment_ = std::min(increment_ * settings_.growth / std::pow(settings_.shrink, cuts_before_last_resorts), largest_);
+    const double uncut = increment_ / std::pow(settings_.shrink, cuts_before_last_resorts);
+    increment_ = std::min(settings_.growth * uncut, largest_);
     limit(longest);
   }
 
