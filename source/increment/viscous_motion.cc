@@ -62,6 +62,9 @@ namespace deltaform
       viscous_.begin_step(q_, viscosity_ * stiffness);
       if (!solve(is_nearly_at_rest() ? exactly_ : roughly_) || !descends())
       {
+        // What the linear solver does not solve is no matter of the medium.
+        if (!newton_.system().linear_failure().empty())
+          return ended(NewtonResult::Outcome::singular);
         resist();
         continue;
       }
