@@ -240,10 +240,7 @@ namespace deltaform
     workspace_.before_contact({});
     model_.commit(result.q, workspace_);
     ++state_.n_increments;
-    if (const double longest = result.longest(state_.last_length); result.by_last_resort)
-      control_->accept_last_resort(flow_error, longest);
-    else
-      control_->accept(result.iterations_to_equilibrium, flow_error, longest);
+    control_->accept(result.iterations_of_its_length(), flow_error, result.longest(state_.last_length));
     state_.pace.accept(next);
     ++state_.since_refinement;
     const bool refined = refinement_marked();

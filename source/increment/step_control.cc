@@ -71,27 +71,22 @@ namespace deltaform
   }
 
 
-  void StepControl::accept(const unsigned int iterations, const double error, const double longest)
-  {
-    resize(iterations, error);
-    limit(longest);
-  }
-
-
-  void StepControl::accept_last_resort(const double error, const double longest)
-  {
-    longer_tries_ = quiet_ = shortened_ = 0;
-    error_ = error;
-    const double uncut = increment_ / std::pow(settings_.shrink, cuts_before_last_resorts);
-    increment_ = std::min(settings_.growth * uncut, largest_);
-    limit(longest);
-  }
-
-
-  void StepControl::limit(const double longest)
+  void StepControl::accept(const std::optional<unsigned int> iterations, const double error, const double longest)
   {
     constexpr double safety = .8; // the next increment may strain faster
+    if (iterations)
+      resize(*iterations, error);
+    else
+      take_back_cuts();
     increment_ = std::max(std::min(increment_, safety * longest), smallest_);
+  }
+
+
+  void StepControl::take_back_cuts()
+  {
+    longer_tries_ = quiet_ = shortened_ = 0;
+    const double uncut = increment_ / std::pow(settings_.shrink, cuts_before_last_resorts);
+    increment_ = std::min(settings_.growth * uncut, largest_);
   }
 
 

@@ -41,7 +41,7 @@ namespace deltaform
       return std::make_unique<Viscous>(most_iterations, least_effort);
     }
 
-    const StrategyMakers::Entry viscous("viscous", "as in a viscous medium", make<250, Effort::last_resorts>);
+    const StrategyMakers::Entry viscous("viscous", "as in a viscous medium", make<100, Effort::last_resorts>);
     const StrategyMakers::Entry far("viscous, a long way",
                                     "the same with more iterations: a snap may be long",
                                     make<5000, Effort::all>);

@@ -106,6 +106,29 @@ BOOST_AUTO_TEST_CASE(failures_cut_back)
   BOOST_TEST(!control.reject(.01));
 }
 
+BOOST_AUTO_TEST_CASE(cuts_that_did_not_help_are_taken_back)
+{
+  const StepSettings what = settings({"Shrink=.5", "Growth=1.5"});
+  StepControl control(what, 0., 1., .08, 1e-6, .1, {});
+  BOOST_TEST(control.reject(.08));
+  BOOST_TEST(control.reject(.04));
+  BOOST_TEST((control.effort(.02, 2, true) == Effort::last_resorts));
+  control.accept(std::nullopt);
+  BOOST_TEST(control.increment() == .1); // 1.5 * .08, but no more than the largest
+  // Increments that all need a last resort do not become ever shorter.
+  StepControl again(what, 0., 1., .001, 1e-6, .1, {});
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    again.reject(again.increment());
+    again.reject(again.increment());
+    again.accept(std::nullopt);
+  }
+  BOOST_TEST(std::abs(again.increment() - .001 * 1.5 * 1.5 * 1.5) < 1e-15);
+  // What it strained counts.
+  again.accept(std::nullopt, 0., 1e-3);
+  BOOST_TEST(std::abs(again.increment() - .8e-3) < 1e-15);
+}
+
 BOOST_AUTO_TEST_CASE(shorter_increments_that_do_not_help_stay)
 {
   const StepSettings what = settings();

@@ -38,6 +38,12 @@ namespace deltaform
     double snap_rotation = 0; ///< rad; by how much a node has turned, if more than allowed in a snap that is accepted
     double strain_at_rest = 0; ///< of a point, if more than allowed, in a new equilibrium at the same time
 
+    /// Those that say how long the next increment should be; nothing of a last resort, which does not depend on it.
+    std::optional<unsigned int> iterations_of_its_length() const
+    {
+      return by_last_resort ? std::nullopt : std::make_optional(iterations_to_equilibrium);
+    }
+
     /// Length of an increment that is just as large as allowed, at the rates of this one of @p length.
     double longest(const double length) const
     {

@@ -3,6 +3,7 @@
 #include <deltaform/increment/effort.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,12 +53,16 @@ namespace deltaform
     /// End of the next increment that starts at @p time.
     double next(double time) const;
 
-    /// The increment was accepted with this many iterations and an error, if it is controlled. @param longest increment
-    /// that would have been as large as allowed, in strain and rotation, if it had gone on at its rate
-    void accept(unsigned int iterations, double error = 0., double longest = std::numeric_limits<double>::infinity());
-
-    /// So it was by a last resort, which solves what shorter increments do not: their cuts are taken back.
-    void accept_last_resort(double error = 0., double longest = std::numeric_limits<double>::infinity());
+    /**
+     * The increment was accepted.
+     * @param iterations it took; nothing: it was solved by a last resort, which does what shorter increments do not, so
+     *                   that their cuts are taken back
+     * @param error      if it is controlled
+     * @param longest    increment that would have been as large as allowed, in strain and rotation, at its rate
+     */
+    void accept(std::optional<unsigned int> iterations,
+                double error = 0.,
+                double longest = std::numeric_limits<double>::infinity());
 
     /// The increment failed: a shorter one is next; at the smallest one, some longer ones. @return false if nothing is
     /// left to try
@@ -90,8 +95,7 @@ namespace deltaform
     void restore(const State &state);
 
   private:
-    /// No longer than @p longest, with a margin.
-    void limit(double longest);
+    void take_back_cuts();
 
     /// What the iterations and the error of an accepted increment make of the next one.
     void resize(unsigned int iterations, double error);
