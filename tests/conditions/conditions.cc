@@ -114,6 +114,15 @@ BOOST_AUTO_TEST_CASE(an_element_that_bends_too_much_is_told)
   BOOST_TEST(one_has(fixture.warnings(), "the element at R0 = 7 bends by 15.47 degrees, at time 1"));
   fixture.increment.sharpest_bend_ = SharpestBend{.1, 8.};
   BOOST_TEST(one_has(fixture.warnings(), "R0 = 7"));
+  // By more than a radian it is no result.
+  const auto ends = [&]() { return fixture.conditions.failure(fixture.scene.actors.stages.front()); };
+  fixture.increment.sharpest_bend_ = SharpestBend{1.04, 7.};
+  fixture.observe();
+  BOOST_TEST(ends().empty());
+  fixture.increment.sharpest_bend_ = SharpestBend{1.05, 9.};
+  fixture.observe();
+  BOOST_TEST(ends().find("the element at R0 = 9 bends by 60.16 degrees") == 0u, ends());
+  BOOST_TEST(fixture.warnings().empty()); // it is said once
 }
 
 BOOST_AUTO_TEST_CASE(a_mesh_that_folds_over_is_told_and_then_ends_the_run)
