@@ -46,7 +46,7 @@ namespace
     const auto increment = [&](const double time, const double share) {
       problem.blank->begin_increment(time - last, last > 0. ? 1. : 0.);
       last = time;
-      const NewtonResult newton = problem.increment(time, share * pressure);
+      NewtonResult newton = problem.increment(time, share * pressure);
       const double plastic = problem.blank->energy().plastic;
       shown.flow = std::fmax(shown.flow, (plastic - work) / volume);
       work = plastic;
