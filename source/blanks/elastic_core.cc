@@ -10,14 +10,22 @@ namespace deltaform
   {
     if (!follows_)
       return;
-    Ends whole;
-    for (unsigned int side = 0; side < 2; ++side)
-      whole[side].position = (side == 0 ? -.5 : .5) * points.thickness();
-    ends_.assign(points.size(), whole);
+    set_up();
     VirginMetal::Answer unstrained{};
     virgin_.evaluate(Mandel{}, 0., unstrained);
     elastic_ = unstrained.moduli;
     enough_ = 1e-12 * material.initial_flow_stress() / material.law().young_modulus();
+  }
+
+
+  void ElasticCore::set_up()
+  {
+    if (!follows_)
+      return;
+    Ends whole;
+    for (unsigned int side = 0; side < 2; ++side)
+      whole[side].position = (side == 0 ? -.5 : .5) * points_.thickness();
+    ends_.assign(points_.size(), whole);
   }
 
 

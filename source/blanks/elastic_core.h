@@ -25,6 +25,9 @@ namespace deltaform
     /// @param follows: else there is nothing to correct
     ElasticCore(const ShellPoints &points, MaterialPoints &material, bool follows);
 
+    /// The mesh is another one: all of the metal is virgin.
+    void set_up();
+
     bool follows() const
     {
       return follows_;

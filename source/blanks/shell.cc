@@ -27,7 +27,8 @@ namespace deltaform
       material_(section, ThirdDirection::stress_given, settings_.axisymmetric),
       core_(points_, material_, points_.with_elastic_core()),
       kernel_(settings_, space_, points_, state_, material_, core_),
-      fields_(space_, points_, state_, surface_, material_)
+      fields_(space_, points_, state_, surface_, material_),
+      parts_(space_, points_, state_, surface_, material_, core_), refinement_(section.sub("Refinement"), parts_)
   {
     material_.reset(static_cast<std::size_t>(points_.size()) * points_.n_layers());
   }
@@ -48,6 +49,18 @@ namespace deltaform
   const Fields &Shell::fields() const
   {
     return fields_;
+  }
+
+
+  Adaptive *Shell::adaptive()
+  {
+    return refinement_.active() ? &refinement_ : nullptr;
+  }
+
+
+  const Adaptive *Shell::adaptive() const
+  {
+    return refinement_.active() ? &refinement_ : nullptr;
   }
 
 
@@ -280,6 +293,7 @@ namespace deltaform
     material_.commit();
     state_.commit(material_.strains(), surface_.modulus());
     surface_.update(q);
+    refinement_.update(q);
   }
 
 
@@ -315,31 +329,24 @@ namespace deltaform
 
   KeyedArrays Shell::state() const
   {
-    KeyedArrays state;
-    material_.put(state);
-    ShellState::each_array(state_, PutInto(state));
-    ElasticCore::each_array(core_, PutInto(state));
-    ShellSurface::each_array(surface_, PutInto(state));
+    KeyedArrays state = parts_.whole_state();
+    refinement_.put(state);
     return state;
   }
 
 
   void Shell::set_state(const KeyedArrays &state)
   {
-    material_.take(state);
-    ShellState::each_array(state_, TakeFrom(state));
-    ElasticCore::each_array(core_, TakeFrom(state));
-    state_.renew();
-    ShellSurface::each_array(surface_, TakeFrom(state));
-    for (unsigned int i = 0; i < material_.size(); ++i)
-      material_.strain(i) = state_.strain(i);
+    refinement_.take(state);
+    parts_.set_state(state);
   }
 
 
   KeyedArrays Shell::formed(const Vector &q)
   {
     KeyedArrays result = Blank::formed(q);
-    ShellTransfer(space_, points_, material_).describe(q, result);
+    result.put("undeformed places of nodes", refinement_.first_places());
+    ShellTransfer(space_, points_, material_, ShellTransfer::Correspondence::place).describe(q, result);
     return result;
   }
 
@@ -349,25 +356,18 @@ namespace deltaform
     if (formed.has("elastic core") != core_.follows())
       throw SceneError("the earlier operation had another Blank/Layer rule: it must stay");
     // Where this blank touches is its own: the areas of the contact points are those of the mesh as it comes over.
-    if (has_nodes_of(formed))
+    if (has_nodes_of(formed) && (refinement_.active() || !ShellRefinement::is_refined(formed)))
     {
+      refinement_.take(formed);
       KeyedArrays whole = formed;
       ShellSurface::each_array(surface_, PutInto(whole));
+      whole.put("undeformed places of nodes", space_.mesh().nodes());
       TakenOver taken = Blank::take_formed(whole);
       surface_.update(taken.unknowns);
       return taken;
     }
-    const ShellTransfer transfer(space_, points_, material_);
-    KeyedArrays own;
-    material_.put(own);
-    ShellState::each_array(state_, PutInto(own));
-    ElasticCore::each_array(core_, PutInto(own));
-    Vector q(n_dofs());
-    transfer.set_unknowns(formed, q);
-    transfer.set_state(formed, q, own);
-    ShellSurface::each_array(surface_, PutInto(own));
-    set_state(own);
-    surface_.update(q);
+    const ShellTransfer transfer(space_, points_, material_, ShellTransfer::Correspondence::place);
+    const Vector q = parts_.come_over(transfer, formed);
     BlankEnergy sum;
     for (unsigned int place = 0; place < points_.size(); ++place)
       add_energy(q, place / points_.per_cell(), place, state_.thickness_ratio(place), sum);

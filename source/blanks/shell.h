@@ -5,7 +5,9 @@
 #include "shell_boundary.h"
 #include "shell_fields.h"
 #include "shell_kernel.h"
+#include "shell_parts.h"
 #include "shell_points.h"
+#include "shell_refinement.h"
 #include "shell_space.h"
 #include "shell_state.h"
 #include "shell_surface.h"
@@ -29,6 +31,8 @@ namespace deltaform
     const ContactSurface &surface() const override;
     const Boundary &boundary() const override;
     const Fields &fields() const override;
+    Adaptive *adaptive() override;
+    const Adaptive *adaptive() const override;
     unsigned int n_dofs() const override;
     void add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
     std::vector<DofIndex> fixed_dofs() const override;
@@ -89,5 +93,7 @@ namespace deltaform
     ElasticCore core_;
     ShellKernel kernel_;
     ShellFields fields_;
+    ShellParts parts_;
+    ShellRefinement refinement_;
   };
 } // namespace deltaform

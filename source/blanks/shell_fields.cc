@@ -143,19 +143,11 @@ namespace deltaform
   SharpestBend ShellFields::sharpest_bend(const Vector &q) const
   {
     SharpestBend result;
-    for (const auto &cell : space_.mesh().cells())
-    {
-      const double a = space_.rotation(q, cell.nodes[0]), b = space_.rotation(q, cell.nodes[1]);
-      double angle = std::abs(b - a);
-      if (space_.degree() == 2)
-      {
-        const double middle = space_.rotation(q, cell.nodes[2]);
-        angle = std::max(std::abs(middle - a), std::abs(b - middle));
-      }
-      if (angle > result.angle)
-        result = {angle,
-                  .5 * (space_.mesh().nodes()[cell.nodes[0]][0] + space_.mesh().nodes()[cell.nodes[1]][0])};
-    }
+    const auto &nodes = space_.mesh().nodes();
+    const auto &cells = space_.mesh().cells();
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      if (const double angle = std::abs(space_.bend(q, c)); angle > result.angle)
+        result = {angle, .5 * (nodes[cells[c].nodes[0]][0] + nodes[cells[c].nodes[1]][0])};
     return result;
   }
 

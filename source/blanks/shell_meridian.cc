@@ -30,8 +30,15 @@ namespace deltaform
   ShellMeridian::ShellMeridian(const ShellSpace &space)
     : space_(space)
   {
-    for (const auto &cell : space.mesh().cells())
-      if (space.degree() == 1)
+    set_up();
+  }
+
+
+  void ShellMeridian::set_up()
+  {
+    pieces_.clear();
+    for (const auto &cell : space_.mesh().cells())
+      if (space_.degree() == 1)
         pieces_.push_back({{{cell.nodes[0], cell.nodes[1]}}, {{cell.angle[0], cell.angle[1]}}});
       else
       {
@@ -39,7 +46,7 @@ namespace deltaform
         pieces_.push_back({{{cell.nodes[2], cell.nodes[1]}}, {{cell.angle[2], cell.angle[1]}}});
       }
     length_.assign(pieces_.size(), 0.);
-    directions_.resize(pieces_.size());
+    directions_.assign(pieces_.size(), {});
   }
 
 

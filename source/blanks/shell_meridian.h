@@ -20,6 +20,9 @@ namespace deltaform
   public:
     explicit ShellMeridian(const ShellSpace &space);
 
+    /// The mesh is another one.
+    void set_up();
+
     /// Between two neighbouring nodes: an element of degree 1, half of one of degree 2.
     unsigned int n_pieces() const
     {

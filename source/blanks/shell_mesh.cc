@@ -87,28 +87,27 @@ namespace deltaform
                    "needs one radius per point: " + std::to_string(points.size()) + ", not " +
                      std::to_string(radii.size()));
     memory::require(section, "Elements", n_cells, "elements", element_bytes);
-    std::vector<MeridianPiece> pieces;
     try
     {
-      pieces = build_meridian(points, radii);
+      pieces_ = build_meridian(points, radii);
     }
     catch (const std::invalid_argument &error)
     {
       section.fail("Points", error.what());
     }
-    if (pieces.size() > static_cast<unsigned int>(n_cells))
+    if (pieces_.size() > static_cast<unsigned int>(n_cells))
       section.fail("Elements",
-                   "must be at least the number of straight and curved pieces, " + std::to_string(pieces.size()));
+                   "must be at least the number of straight and curved pieces, " + std::to_string(pieces_.size()));
 
-    const double total = pieces.back().arc_start + pieces.back().length;
+    const double total = pieces_.back().arc_start + pieces_.back().length;
     std::vector<double> weights;
     try
     {
-      for (const auto &piece : pieces)
+      for (const auto &piece : pieces_)
         weights.push_back(density(grading, piece.arc_start / total, (piece.arc_start + piece.length) / total));
       const auto shares = share(weights, n_cells);
-      for (unsigned int i = 0; i < pieces.size(); ++i)
-        mesh_piece(pieces[i], shares[i], grading, total, degree);
+      for (unsigned int i = 0; i < pieces_.size(); ++i)
+        mesh_piece(i, shares[i], grading, total, degree);
     }
     catch (const std::invalid_argument &error)
     {
@@ -117,12 +116,13 @@ namespace deltaform
   }
 
 
-  void ShellMesh::mesh_piece(const MeridianPiece &piece,
+  void ShellMesh::mesh_piece(const unsigned int number,
                              const unsigned int n_cells,
                              const TimeFunction &grading,
                              const double total_length,
                              const unsigned int degree)
   {
+    const MeridianPiece &piece = pieces_[number];
     // Fractions of the piece.
     std::vector<double> ends(n_cells + 1, 1.);
     for (unsigned int c = 0; c < n_cells; ++c)
@@ -136,25 +136,70 @@ namespace deltaform
         1.,
         n_cells);
 
-    const auto add_node = [&](const double fraction) {
-      nodes_.push_back(piece.point_at(fraction * piece.length));
-      arc_length_.push_back(piece.arc_start + fraction * piece.length);
-      return static_cast<unsigned int>(nodes_.size() - 1);
+    const auto at = [&](const double fraction) {
+      const double s = fraction * piece.length;
+      return Place{piece.point_at(s), piece.arc_start + s, piece.angle_at(s)};
     };
     if (nodes_.empty())
-      add_node(0.);
+      add_node(at(0.));
     for (unsigned int c = 0; c < n_cells; ++c)
     {
       const double middle = .5 * (ends[c] + ends[c + 1]);
       Cell cell;
       cell.nodes[0] = nodes_.size() - 1;
       if (degree == 2)
-        cell.nodes[2] = add_node(middle);
-      cell.nodes[1] = add_node(ends[c + 1]);
-      cell.angle = {{piece.angle_at(ends[c] * piece.length),
-                     piece.angle_at(ends[c + 1] * piece.length),
-                     piece.angle_at(middle * piece.length)}};
+        cell.nodes[2] = add_node(at(middle));
+      cell.nodes[1] = add_node(at(ends[c + 1]));
+      cell.angle = {{at(ends[c]).angle, at(ends[c + 1]).angle, at(middle).angle}};
+      cell.piece = number;
       cells_.push_back(cell);
     }
+  }
+
+
+  unsigned int ShellMesh::add_node(const Place &place)
+  {
+    nodes_.push_back(place.point);
+    arc_length_.push_back(place.arc_length);
+    return nodes_.size() - 1;
+  }
+
+
+  ShellMesh::Place ShellMesh::place(const Cell &cell, const double share) const
+  {
+    const auto node = [&](const unsigned int a) {
+      return Place{nodes_[cell.nodes[a]], arc_length_[cell.nodes[a]], cell.angle[a]};
+    };
+    if (share == 0. || share == 1.)
+      return node(share == 0. ? 0 : 1);
+    if (share == .5 && cell.nodes[2] != invalid_index)
+      return node(2);
+    const MeridianPiece &piece = pieces_[cell.piece];
+    const double begin = arc_length_[cell.nodes[0]], end = arc_length_[cell.nodes[1]];
+    const double arc_length = begin + share * (end - begin), s = arc_length - piece.arc_start;
+    return {piece.point_at(s), arc_length, piece.angle_at(s)};
+  }
+
+
+  ShellMesh ShellMesh::divided(const std::vector<Part> &parts) const
+  {
+    ShellMesh result;
+    result.pieces_ = pieces_;
+    result.add_node(place(cells_.front(), 0.));
+    for (const Part &part : parts)
+    {
+      const Cell &from = cells_[part.cell];
+      const Place begin = place(from, part.begin), end = place(from, part.end);
+      const Place middle = place(from, .5 * (part.begin + part.end));
+      Cell cell;
+      cell.nodes[0] = result.nodes_.size() - 1;
+      if (from.nodes[2] != invalid_index)
+        cell.nodes[2] = result.add_node(middle);
+      cell.nodes[1] = result.add_node(end);
+      cell.angle = part.whole() ? from.angle : std::array<double, 3>{{begin.angle, end.angle, middle.angle}};
+      cell.piece = from.piece;
+      result.cells_.push_back(cell);
+    }
+    return result;
   }
 } // namespace deltaform

@@ -32,24 +32,31 @@ namespace deltaform
       layer_weight_.push_back(thickness_ * layers.weight(l));
     }
 
-    const dealii::FE_Q<1> shapes(space.degree());
+    set_up();
+  }
+
+
+  void ShellPoints::set_up()
+  {
+    const dealii::FE_Q<1> shapes(space_.degree());
     const dealii::QGauss<1> quadrature(n_points_per_cell_);
-    node_weight_.assign(space.n_nodes(), 0.);
-    for (const auto &cell : space.mesh().cells())
+    points_.clear();
+    node_weight_.assign(space_.n_nodes(), 0.);
+    for (const auto &cell : space_.mesh().cells())
       for (unsigned int p = 0; p < quadrature.size(); ++p)
       {
         std::array<double, 3> shape{}, gradient{};
-        for (unsigned int a = 0; a < space.n_nodes_per_cell(); ++a)
+        for (unsigned int a = 0; a < space_.n_nodes_per_cell(); ++a)
         {
           shape[a] = shapes.shape_value(a, quadrature.point(p));
           gradient[a] = shapes.shape_grad(a, quadrature.point(p))[0];
         }
         points_.push_back(make_point(cell, shape, gradient, quadrature.weight(p)));
       }
-    for (unsigned int c = 0; c < space.mesh().cells().size(); ++c)
-      for (unsigned int a = 0; a < space.n_nodes_per_cell(); ++a)
+    for (unsigned int c = 0; c < space_.mesh().cells().size(); ++c)
+      for (unsigned int a = 0; a < space_.n_nodes_per_cell(); ++a)
         for (unsigned int p = c * n_points_per_cell_; p < (c + 1) * n_points_per_cell_; ++p)
-          node_weight_[space.mesh().cells()[c].nodes[a]] +=
+          node_weight_[space_.mesh().cells()[c].nodes[a]] +=
             std::abs(points_[p].shape[a]) * points_[p].weight * points_[p].radius;
   }
 

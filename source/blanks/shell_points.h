@@ -33,6 +33,9 @@ namespace deltaform
     /// Read how layers are placed.
     ShellPoints(Section &section, const ShellSettings &settings, const ShellSpace &space);
 
+    /// The mesh is another one.
+    void set_up();
+
     const ShellPoint &operator[](const std::size_t point) const
     {
       return points_[point];

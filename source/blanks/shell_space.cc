@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace deltaform
 {
@@ -36,6 +37,15 @@ namespace deltaform
   }
 
 
+  void ShellSpace::set_mesh(ShellMesh mesh)
+  {
+    dof_handler_.clear();
+    triangulation_.clear();
+    mesh_ = std::move(mesh);
+    number();
+  }
+
+
   void ShellSpace::number()
   {
     // One cell of the triangulation per element; for degree 2 only the ends of an element are vertices.
@@ -52,6 +62,7 @@ namespace deltaform
     triangulation_.create_triangulation(vertices, cells, dealii::SubCellData());
 
     element_ = std::make_unique<dealii::FESystem<1, 2>>(dealii::FE_Q<1, 2>(degree_), 3);
+    dof_handler_.reinit(triangulation_);
     dof_handler_.distribute_dofs(*element_);
 
     dofs_.resize(mesh_.nodes().size());
@@ -102,6 +113,17 @@ namespace deltaform
     const unsigned int before = node > 0 ? node - 1 : node, after = std::min(node + 1, n_nodes() - 1);
     const Tensor1 chord = position(q, after) - position(q, before);
     return std::atan2(chord[1], chord[0]);
+  }
+
+
+  double ShellSpace::bend(const Vector &q, const unsigned int cell) const
+  {
+    const auto &nodes = mesh_.cells()[cell].nodes;
+    const double start = rotation(q, nodes[0]), end = rotation(q, nodes[1]);
+    if (degree_ == 1)
+      return end - start;
+    const double middle = rotation(q, nodes[2]);
+    return std::abs(middle - start) > std::abs(end - middle) ? middle - start : end - middle;
   }
 
 

@@ -54,6 +54,9 @@ namespace deltaform
       return membrane_;
     }
 
+    /// Take another mesh of the same meridian, and number the unknowns anew.
+    void set_mesh(ShellMesh mesh);
+
     const ShellMesh &mesh() const
     {
       return mesh_;
@@ -99,6 +102,9 @@ namespace deltaform
 
     /// Angle of the deformed meridian at a node, by its neighbours (the director of a membrane).
     double chord_angle(const Vector &q, unsigned int node) const;
+
+    /// By how much a cell has bent (degree 2: the half of it that has bent more), positive towards the top (rad).
+    double bend(const Vector &q, unsigned int cell) const;
 
     /// Areas that belong to the nodes at @p q: 2 pi r ds (plane strain: ds), weighted by the shape functions.
     std::vector<double> areas(const Vector &q) const;

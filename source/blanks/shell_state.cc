@@ -6,13 +6,23 @@
 namespace deltaform
 {
   ShellState::ShellState(const ShellSettings &settings, const ShellSpace &space, const ShellPoints &points)
-    : space_(space), points_(points), transverse_normal_stress_(settings.transverse_normal_stress),
-      strain_(static_cast<std::size_t>(points.size()) * points.n_layers(), Mandel{}),
-      thickness_ratio_(points.size(), 1.), node_thickness_(space.n_nodes(), points.thickness()),
-      node_recovery_(space.n_nodes(), 0.), thickness_change_(space.n_nodes(), 0.), face_thickness_(node_thickness_),
-      third_stress_(strain_.size(), 0.)
+    : space_(space), points_(points), transverse_normal_stress_(settings.transverse_normal_stress)
   {
-    contact_pressure_.fill(std::vector<double>(space.n_nodes(), 0.));
+    set_up();
+  }
+
+
+  void ShellState::set_up()
+  {
+    const unsigned int n = space_.n_nodes();
+    strain_.assign(static_cast<std::size_t>(points_.size()) * points_.n_layers(), Mandel{});
+    thickness_ratio_.assign(points_.size(), 1.);
+    node_thickness_.assign(n, points_.thickness());
+    node_recovery_.assign(n, 0.);
+    thickness_change_.assign(n, 0.);
+    face_thickness_ = node_thickness_;
+    third_stress_.assign(strain_.size(), 0.);
+    contact_pressure_.fill(std::vector<double>(n, 0.));
     present_pressure_ = contact_pressure_;
   }
 

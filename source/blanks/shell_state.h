@@ -17,6 +17,9 @@ namespace deltaform
   public:
     ShellState(const ShellSettings &settings, const ShellSpace &space, const ShellPoints &points);
 
+    /// The mesh is another one: that of a new shell.
+    void set_up();
+
     /// Strain of a material point.
     const Mandel &strain(const std::size_t point) const
     {

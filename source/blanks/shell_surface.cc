@@ -12,15 +12,22 @@ namespace deltaform
                              const ShellPoints &points,
                              const MaterialPoints &material,
                              const ShellState &state)
-    : BlankSurface(material), space_(space), points_(points), state_(state), meridian_(space),
-      angle_(space.n_nodes(), 0.), weightless_(space.n_nodes(), false)
+    : BlankSurface(material), space_(space), points_(points), state_(state), meridian_(space)
   {
     read(section);
+    set_up();
+  }
 
+
+  void ShellSurface::set_up()
+  {
+    meridian_.set_up();
     // At a kink the contact director is the mean of its neighbours'; angles of one node differ by less than pi.
-    std::vector<unsigned int> count(space.n_nodes(), 0);
-    for (const auto &cell : space.mesh().cells())
-      for (unsigned int a = 0; a <= space.degree(); ++a)
+    angle_.assign(space_.n_nodes(), 0.);
+    weightless_.assign(space_.n_nodes(), false);
+    std::vector<unsigned int> count(space_.n_nodes(), 0);
+    for (const auto &cell : space_.mesh().cells())
+      for (unsigned int a = 0; a <= space_.degree(); ++a)
       {
         angle_[cell.nodes[a]] += cell.angle[a];
         ++count[cell.nodes[a]];
@@ -28,9 +35,9 @@ namespace deltaform
     for (unsigned int i = 0; i < angle_.size(); ++i)
       angle_[i] /= count[i];
 
-    const auto areas = space.areas(Vector(space.n_dofs()));
+    const auto areas = space_.areas(Vector(space_.n_dofs()));
     for (unsigned int i = 0; i < areas.size(); ++i)
-      weightless_[i] = areas[i] < 1e-9 * points.node_weight(i);
+      weightless_[i] = areas[i] < 1e-9 * points_.node_weight(i);
     set_edges();
   }
 

@@ -45,6 +45,9 @@ namespace deltaform
                           unsigned int edge,
                           const std::array<double, ContactPoint::max_dofs> &change) const override;
 
+    /// The mesh is another one.
+    void set_up();
+
     /// See Blank::touch_inside().
     void touch_inside();
 
@@ -81,7 +84,6 @@ namespace deltaform
 
     /// Where they are is known: the edges between nodes.
     void set_edges();
-
 
     std::vector<double> nodal_flow_stress(Side side) const override;
     unsigned int n_contact_nodes(Side side) const override;

@@ -18,7 +18,8 @@ namespace deltaform
     std::pair<Point2, Tensor1> cubic(const double (&ends)[2][2], const double (&angle)[2], const double t)
     {
       const Point2 a(ends[0][0], ends[0][1]), b(ends[1][0], ends[1][1]);
-      const double length = a.distance(b);
+      // As ShellMeridian has it.
+      const double quarter = std::cos(.25 * (angle[1] - angle[0])), length = a.distance(b) / (quarter * quarter);
       const Tensor1 m = length * Tensor1({std::cos(angle[0]), std::sin(angle[0])});
       const Tensor1 n = length * Tensor1({std::cos(angle[1]), std::sin(angle[1])});
       const Tensor1 chord = b - a;
@@ -91,7 +92,23 @@ namespace deltaform
   }
 
 
-  ShellTransfer::Place ShellTransfer::find(const std::vector<Interval> &intervals, const Point2 &X) const
+  ShellTransfer::Place
+  ShellTransfer::find(const std::vector<Interval> &intervals, const Point2 &X, const double arc_length) const
+  {
+    return by_ == Correspondence::place ? find_place(intervals, X) : find_arc_length(intervals, arc_length);
+  }
+
+
+  ShellTransfer::Place ShellTransfer::find_arc_length(const std::vector<Interval> &intervals, const double arc_length)
+  {
+    const auto ends_before = [](const Interval &interval, const double s) { return interval.s[1] < s; };
+    const auto found = std::lower_bound(intervals.begin(), intervals.end() - 1, arc_length, ends_before);
+    const double share = (arc_length - found->s[0]) / (found->s[1] - found->s[0]);
+    return {static_cast<std::size_t>(found - intervals.begin()), std::clamp(share, 0., 1.), arc_length};
+  }
+
+
+  ShellTransfer::Place ShellTransfer::find_place(const std::vector<Interval> &intervals, const Point2 &X) const
   {
     Place best{0, 0., 0.};
     double nearest = std::numeric_limits<double>::infinity();
@@ -124,7 +141,7 @@ namespace deltaform
       {
         const unsigned int node = cell.nodes[a];
         const Point2 &X = mesh.nodes()[node];
-        const Place place = find(intervals, X);
+        const Place place = find(intervals, X, mesh.arc_length()[node]);
         const Interval &interval = intervals[place.interval];
         const auto [curve, slope] = cubic(interval.after, interval.angle, place.share);
         const Point2 x = space_.membrane() ? between(interval.after, place.share) : curve;
@@ -170,11 +187,11 @@ namespace deltaform
     if (!same_layers)
       throw SceneError("the earlier operation had other layers (Blank/Layers, Layer rule): they must stay");
     const auto intervals = intervals_of(formed);
-    std::vector<double> to_points, to_nodes;
+    std::vector<double> to_points = arc_lengths_of_points(), to_nodes = space_.mesh().arc_length();
     for (unsigned int p = 0; p < points_.size(); ++p)
-      to_points.push_back(find(intervals, place_of_point(p)).arc_length);
+      to_points[p] = find(intervals, place_of_point(p), to_points[p]).arc_length;
     for (unsigned int i = 0; i < space_.n_nodes(); ++i)
-      to_nodes.push_back(find(intervals, space_.mesh().nodes()[i]).arc_length);
+      to_nodes[i] = find(intervals, space_.mesh().nodes()[i], to_nodes[i]).arc_length;
     const auto &points = formed.at("arc length of points"), &nodes = formed.at("arc length of nodes");
     const KeyedArrays sizes = own;
     for (const auto &[name, values] : sizes.all())
@@ -200,21 +217,27 @@ namespace deltaform
     {
       const ShellPoint &point = points_[p];
       const ShellStrain now = points_.strain(q, p / points_.per_cell(), p);
-      double thickness = 0.;
-      for (unsigned int l = 0; l < n_layers; ++l)
+      // The layers lie where the new thickness has them, which follows from their strains: a contraction by the bending
+      // strain.
+      for (unsigned int i = 0; i < 4; ++i)
       {
-        const double position = points_.layer_position(l), zeta = ratio[p] * position;
-        double *const e = &strain[4 * (p * n_layers + l)], *const d = &change[4 * (p * n_layers + l)];
-        d[0] = std::log((now.lambda - zeta * now.theta_prime) / (point.lambda - position * point.angle_prime)) - e[0];
-        if (space_.axisymmetric())
-          d[1] = std::log((now.r + zeta * now.d_r()) / (point.radius - position * std::sin(point.angle))) - e[1];
-        d[2] = plastic != nullptr ? -d[0] - d[1] : 0.;
-        for (unsigned int k = 0; k < 3; ++k)
-          e[k] += d[k];
-        thickness += points_.layer_weight(l) / points_.thickness() * std::exp(e[2]);
+        double thickness = 0.;
+        for (unsigned int l = 0; l < n_layers; ++l)
+        {
+          const double position = points_.layer_position(l), zeta = ratio[p] * position;
+          const double *const e = &strain[4 * (p * n_layers + l)];
+          double *const d = &change[4 * (p * n_layers + l)];
+          d[0] = std::log((now.lambda - zeta * now.theta_prime) / (point.lambda - position * point.angle_prime)) - e[0];
+          if (space_.axisymmetric())
+            d[1] = std::log((now.r + zeta * now.d_r()) / (point.radius - position * std::sin(point.angle))) - e[1];
+          d[2] = plastic != nullptr ? -d[0] - d[1] : 0.;
+          thickness += points_.layer_weight(l) / points_.thickness() * std::exp(e[2] + d[2]);
+        }
+        ratio[p] = thickness;
       }
-      ratio[p] = thickness;
     }
+    for (std::size_t i = 0; i < strain.size(); ++i)
+      strain[i] += change[i];
     own.put("strain", strain);
     own.put("thickness ratio", ratio);
     if (plastic == nullptr)

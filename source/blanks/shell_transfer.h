@@ -11,17 +11,25 @@
 namespace deltaform
 {
   /**
-   * From the formed shell of an earlier operation to another mesh on the same undeformed meridian, or on a part of it.
-   * Between two nodes the formed meridian is the cubic with their directors' normals as tangents, so that nodes of a
-   * finer mesh lie on it without shear. What is known at points is interpolated linearly over the initial arc length,
-   * layer by layer. The plastic strain is then corrected by what the strain of the new mesh differs from the
-   * interpolated one, so that the stress is the interpolated one.
+   * From a formed shell to another mesh on the same undeformed meridian, or on a part of it: that of a later operation,
+   * or a finer one. Between two nodes the formed meridian is the cubic with their directors' normals as tangents, as
+   * contact sees it, so that nodes of a finer mesh lie on it without shear. What is known at points is interpolated
+   * linearly over the initial arc length, layer by layer. The plastic strain is then corrected by what the strain of
+   * the new mesh differs from the interpolated one, so that the stress is the interpolated one.
    */
   class ShellTransfer
   {
   public:
-    ShellTransfer(const ShellSpace &space, const ShellPoints &points, const MaterialPoints &material)
-      : space_(space), points_(points), material_(material)
+    /// How a point of this mesh finds itself on the other one.
+    enum class Correspondence : unsigned char
+    {
+      place, ///< undeformed: the meridian may begin elsewhere
+      arc_length ///< the meridian is the same
+    };
+
+    ShellTransfer(const ShellSpace &space, const ShellPoints &points, const MaterialPoints &material,
+                  const Correspondence by)
+      : space_(space), points_(points), material_(material), by_(by)
     {
     }
 
@@ -50,7 +58,9 @@ namespace deltaform
     };
 
     static std::vector<Interval> intervals_of(const KeyedArrays &formed);
-    Place find(const std::vector<Interval> &intervals, const Point2 &X) const;
+    Place find(const std::vector<Interval> &intervals, const Point2 &X, double arc_length) const;
+    Place find_place(const std::vector<Interval> &intervals, const Point2 &X) const;
+    static Place find_arc_length(const std::vector<Interval> &intervals, double arc_length);
     std::vector<double> arc_lengths_of_points() const;
     Point2 place_of_point(unsigned int point) const;
     void keep_stress(const Vector &q, KeyedArrays &own) const;
@@ -58,5 +68,6 @@ namespace deltaform
     const ShellSpace &space_;
     const ShellPoints &points_;
     const MaterialPoints &material_;
+    Correspondence by_;
   };
 } // namespace deltaform

@@ -20,7 +20,8 @@ namespace deltaform
 
       void observe(const AcceptedIncrement &increment) override
       {
-        if (!has_tools_)
+        // An element that is halved at once has bent by less in all but this increment.
+        if (!has_tools_ || !increment.is_last_here)
           return;
         const SharpestBend &now = increment.sharpest_bend();
         if (now.angle <= angle_)

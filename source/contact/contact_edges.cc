@@ -41,7 +41,9 @@ namespace deltaform
           }
           contact_ends = any_touches && any_is_free;
         }
-        const Tensor1 way = contact.point(q, outermost[0]).x - points[outermost[0]].position;
+        const ContactPoint first = contact.point(q, outermost[0]);
+        const Tensor1 way = first.x - points[outermost[0]].position;
+        offset = first.offset;
         std::array<Point2, 2> X;
         for (const unsigned int k : {0, 1})
         {
@@ -65,12 +67,13 @@ namespace deltaform
       std::array<bool, 2> touching;
       bool any_touches = false, contact_ends = false;
       double undeformed_length, length;
+      double offset; ///< of the face from the middle of a sheet, on which the edge lies
     };
 
 
     /// Smallest radius of the tool that an edge touches or is about to touch, also between its ends; 0: a sharp corner;
     /// infinity: none.
-    double radius_along(const ContactInterface &contact, const EdgeOverTool &edge)
+    double radius_along(const ContactInterface &contact, const EdgeOverTool &edge, const bool smooth)
     {
       double radius = std::numeric_limits<double>::infinity();
       for (const unsigned int k : {0, 1})
@@ -78,15 +81,19 @@ namespace deltaform
         const Projection &closest = edge.closest[k];
         // Twice the height of the arc over the edge: before the nodes come so near, the middle may have touched.
         const double near = .25 * edge.length * edge.length * std::abs(closest.curvature);
-        if (closest.curvature != 0. && (edge.touching[k] || closest.distance < near))
-          radius = std::min(radius, 1. / std::abs(closest.curvature));
+        // That of the curve through the end of the edge; of one around a sharp corner the distance to it.
+        const double own = 1. / std::abs(closest.curvature);
+        if (smooth && own <= closest.distance * (1. + 1e-9))
+          continue;
+        if (closest.curvature != 0. && (edge.touching[k] || closest.distance - edge.offset < near))
+          radius = std::min(radius, own);
       }
       // Ends on the straights beside an arc do not see it, nor do those on large arcs beside a small one.
       if (!std::isfinite(edge.closest[0].distance) || !std::isfinite(edge.closest[1].distance))
         return radius;
       const double between =
         smallest_radius(contact.tool().shape(), edge.closest[0].arc_length, edge.closest[1].arc_length);
-      if (!(between < radius))
+      if (!(between + edge.offset < radius) || (between == 0. && smooth))
         return radius;
       const double nearness = .25 * edge.length * std::min(1., edge.length / between);
       bool near = edge.touching[0] && edge.touching[1];
@@ -94,20 +101,20 @@ namespace deltaform
       for (unsigned int k = 1; k < n_samples && !near; ++k)
       {
         const Projection closest = contact.tool().project(edge.at(k / static_cast<double>(n_samples)), 0.);
-        near = closest.curvature != 0. && closest.distance < nearness;
+        near = closest.curvature != 0. && closest.distance - edge.offset < nearness;
       }
-      return near ? between : radius;
+      return near ? between + edge.offset : radius;
     }
 
 
-    /// Does an edge of a solid overlap with the tool although none of its points touches?
+    /// Does a straight edge overlap with the tool although none of its points touches?
     bool missed(const ContactInterface &contact, const EdgeOverTool &edge)
     {
       if (edge.any_touches || edge.closest[0].distance > edge.length)
         return false;
       constexpr unsigned int n_samples = 8;
       for (unsigned int k = 0; k <= n_samples; ++k)
-        if (contact.tool().project(edge.at(k / static_cast<double>(n_samples)), 0.).distance < 0)
+        if (contact.tool().project(edge.at(k / static_cast<double>(n_samples)), 0.).distance < edge.offset)
           return true;
       return false;
     }
@@ -116,23 +123,25 @@ namespace deltaform
 
   void shorten_edges(const ContactInterface &contact,
                      const Vector &q,
-                     const double share,
-                     const bool rim,
+                     const EdgeWishes &wishes,
                      std::vector<double> &longest)
   {
     longest.resize(contact.projector().edges().size(), std::numeric_limits<double>::infinity());
     const Vector undeformed(contact.projector().surface().n_contact_dofs());
+    const double sharpest = wishes.share * smallest_radius(contact.tool().shape());
     for (unsigned int e = 0; e < longest.size(); ++e)
     {
+      if (e < wishes.lengths.size() && wishes.lengths[e] < sharpest)
+        continue;
       const EdgeOverTool edge(contact, undeformed, q, e);
-      if ((rim && edge.contact_ends) || missed(contact, edge))
+      if ((wishes.at_rim && edge.contact_ends) || (!wishes.smooth && missed(contact, edge)))
         longest[e] = 0.;
-      if (share == 0. || longest[e] == 0.)
+      if (wishes.share == 0. || longest[e] == 0.)
         continue;
       // The tool's radius is to be compared with the length that the edge has now; forging stretches it many times.
-      const double radius = radius_along(contact, edge);
+      const double radius = radius_along(contact, edge, wishes.smooth);
       if (radius < std::numeric_limits<double>::infinity())
-        longest[e] = std::min(longest[e], share * radius * edge.undeformed_length / edge.length);
+        longest[e] = std::min(longest[e], wishes.share * radius * edge.undeformed_length / edge.length);
     }
   }
 } // namespace deltaform

@@ -25,6 +25,12 @@ namespace deltaform
 
   void NeckingWatch::observe(std::vector<SheetSection> sections)
   {
+    if (sections.size() != now_.size())
+    {
+      // The first increment, or the new equilibrium after a refinement, at the same time: no increment to judge.
+      before_ = now_ = std::move(sections);
+      return;
+    }
     before_ = std::move(now_);
     now_ = std::move(sections);
     ++n_since_;

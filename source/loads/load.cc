@@ -1,4 +1,5 @@
 #include <deltaform/assembly/collector.h>
+#include <deltaform/blanks/refinement.h>
 
 #include <deltaform/loads/boundary_entries.h>
 #include <deltaform/loads/load.h>
@@ -41,7 +42,7 @@ namespace deltaform
       section.names("Stages", "", "Stages in which the load acts (empty: all). Release of the next says how it ends.");
     if (control != "arc length")
       return;
-    if (blank.adaptive() != nullptr)
+    if (blank.adaptive() != nullptr && blank.adaptive()->settings().asked_for)
       section.fail("Control", "the nodes of a path stay the same: no arc length with Blank/Refinement");
     path_.emplace(blank);
   }

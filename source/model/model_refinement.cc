@@ -1,5 +1,6 @@
 // A finer mesh between two increments: all that hangs on the unknowns follows.
 #include <deltaform/blanks/refinement.h>
+#include <deltaform/contact/contact_measures.h>
 #include <deltaform/model/model.h>
 
 #include <algorithm>
@@ -31,7 +32,16 @@ namespace deltaform
     Adaptive *blank = actors_.blank->adaptive();
     if (blank == nullptr || state_.released.any)
       return false;
-    return blank->mark(contact_.longest_edges(state_.unknowns, blank->settings().edge_share, blank->settings().rim));
+    const RefinementSettings &settings = blank->settings();
+    // Moments alone bend elements evenly, and these are exact then.
+    if (!settings.asked_for && actors_.tools.empty())
+      return false;
+    // The nodes of a path stay the same.
+    for (const auto &load : actors_.loads)
+      if (load->follows_path())
+        return false;
+    const EdgeWishes wishes{settings.edge_share, settings.rim, settings.smooth, blank->edge_lengths()};
+    return blank->mark(contact_.longest_edges(state_.unknowns, wishes));
   }
 
 

@@ -1,6 +1,7 @@
 // What happens between the increments: stages begin, states are accepted.
 #include <deltaform/model/model.h>
 #include <deltaform/model/workspace.h>
+#include <deltaform/parameters/scene_error.h>
 
 namespace deltaform
 {
@@ -21,7 +22,12 @@ namespace deltaform
 
   void Model::start_from(const KeyedArrays &formed)
   {
+    const unsigned int n_before = actors_.blank->n_dofs();
     const TakenOver taken = actors_.blank->take_formed(formed);
+    for (const auto &load : actors_.loads)
+      if (load->follows_path() && taken.unknowns.size() != n_before)
+        throw SceneError("the earlier operation has refined the blank, and the nodes of a path stay the same: no arc "
+                         "length with its mesh. Set Blank/Refinement/Largest bend = 0");
     contact_.resize();
     renumber();
     formed_start_.begin(taken);

@@ -1,4 +1,5 @@
 // Which columns the history of a scene has.
+#include <deltaform/blanks/refinement.h>
 #include <deltaform/reports/condition_numbers.h>
 #include <deltaform/reports/history_columns.h>
 #include <deltaform/reports/reported_columns.h>
@@ -23,12 +24,13 @@ namespace deltaform
     {
       const Actors &actors = model.actors();
       const HeatFlow *const heat = actors.heat.get();
+      const Adaptive *const mesh = model.blank().adaptive();
       return {reported_names(actors),
               actors.blank->fields().largest_criteria(),
               condition,
               condition != nullptr,
               model.discretization().linear_solver().iterative(),
-              model.blank().adaptive() != nullptr,
+              mesh != nullptr && mesh->settings().asked_for,
               actors.wrinkling != nullptr,
               energies,
               heat != nullptr,

@@ -48,8 +48,8 @@ namespace deltaform
       root.fail("Units", objection);
     start_from = root.text("Start from", Default<std::string>(""),
                            "Folder with the results of an earlier operation; the blank begins as that run left it. "
-                           "Section Blank must be that of the earlier scene, but for the mesh (Elements, Grading; of a "
-                           "solid Degree and Refinement too), Contact points, and Points that end earlier (trimmed).");
+                           "Section Blank must be that of the earlier scene, but for Elements, Grading, Refinement, "
+                           "Degree of a solid, Contact points, and Points that end earlier (trimmed).");
 
     Section blank = root.sub("Blank");
     supply_material(root);

@@ -221,11 +221,11 @@ namespace deltaform
 
 
   std::array<std::vector<double>, 2>
-  ContactSet::longest_edges(const Vector &committed, const double share, const bool rim) const
+  ContactSet::longest_edges(const Vector &committed, const EdgeWishes &wishes) const
   {
     std::array<std::vector<double>, 2> longest;
     for (const auto *interface : active_)
-      shorten_edges(*interface, committed, share, rim, longest[static_cast<unsigned int>(interface->tool().side())]);
+      shorten_edges(*interface, committed, wishes, longest[static_cast<unsigned int>(interface->tool().side())]);
     return longest;
   }
 

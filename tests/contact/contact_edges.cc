@@ -37,7 +37,7 @@ namespace
     fixture.converge(q);
     fixture.contact.commit(q);
     std::vector<double> result;
-    shorten_edges(fixture.contact, q, .1, false, result);
+    shorten_edges(fixture.contact, q, {.1}, result);
     BOOST_TEST_REQUIRE(result.size() == 1u);
     return result.front();
   }

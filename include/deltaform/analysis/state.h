@@ -13,8 +13,8 @@ namespace deltaform
 {
   /**
    * The state of a run after an accepted increment: a value. It can be copied and kept, saved and loaded, and an
-   * analysis goes on from it, as often as one likes. Cells are not joined again: no analysis goes back
-   * over a refinement.
+   * analysis goes on from it, as often as one likes. Cells of a solid are not joined again: no
+   * analysis goes back over their refinement.
    */
   struct State
   {

@@ -20,6 +20,12 @@ namespace deltaform
     /// When to refine.
     virtual const RefinementSettings &settings() const = 0;
 
+    /// Of the contact edges of both sides, accepted, if they are known.
+    virtual std::vector<double> edge_lengths() const
+    {
+      return {};
+    }
+
     /// Mark what is to be refined in the accepted state: by the settings, and every contact edge of a side that is
     /// longer than @p longest_edges (undeformed). @return is anything marked?
     virtual bool mark(const std::array<std::vector<double>, 2> &longest_edges) = 0;
@@ -27,6 +33,17 @@ namespace deltaform
     /// Refine what is marked. @p fields are values of the unknowns: in, on the old mesh; out, on the new one (the first
     /// is the accepted state).
     virtual void refine(std::vector<Vector> &fields) = 0;
+
+    /// Can it go back to a state before a refinement?
+    virtual bool goes_back() const
+    {
+      return false;
+    }
+
+    /// It went back, as no equilibrium was found with what was refined last: leave that alone for the time being.
+    virtual void leave_marked()
+    {
+    }
 
     /// Relative error in energy as estimated by the last mark(); NaN if it was not.
     virtual double estimated_error() const = 0;

@@ -4,9 +4,12 @@ namespace deltaform
 {
   class Section;
 
-  /// When and where a solid is refined during a run; section Blank/Refinement. Every pass halves the marked cells once.
+  /// When and where a blank is refined during a run; section Blank/Refinement. Every pass halves the marked cells once.
   struct RefinementSettings
   {
+    RefinementSettings() = default;
+
+    /// Of a solid.
     explicit RefinementSettings(Section section);
 
     bool active = false; ///< is anything refined at all? If not, nothing else is read
@@ -18,5 +21,8 @@ namespace deltaform
     unsigned levels = 0; ///< cells are halved at most so many times
     double edge_share = 0; ///< longest edge in contact over the tool's radius; 0: any
     bool rim = false; ///< refine at the rim of the contact zone
+    bool smooth = false; ///< do the edges make up a smooth curve?
+    bool asked_for = true; ///< does the scene ask for it? Else results are those of a mesh that stays, and without
+      ///< columns about it
   };
 } // namespace deltaform

@@ -32,9 +32,19 @@ namespace deltaform
     return node.offset - (state.touching ? node.compliance * state.force : 0.);
   }
 
+  /// Where contact wants short edges.
+  struct EdgeWishes
+  {
+    double share = 0.; ///< of the radius of the tool that an edge touches or is about to touch; 0: any length
+    bool at_rim = false; ///< where contact ends inside the edge, as short as possible
+    bool smooth = false; ///< do edges make up a smooth curve? It goes around a sharp corner in a radius of its own
+    std::vector<double> lengths = {}; ///< of the edges now, if known: those that are short enough for every radius of the
+      ///< tool are not looked at
+  };
+
   /// Lower the longest allowed undeformed length of each edge of the side where it touches, or is about to touch, a
-  /// round part of the tool, so that its present length is @p share of the radius at most (0: nowhere). To 0 where no
-  /// point has noticed the tool yet, and, if @p rim, where contact ends inside the edge. @p q: committed
+  /// round part of the tool, so that its present length is a share of the radius at most: of that at the middle of a
+  /// sheet. To 0 where no point of a straight edge has noticed the tool, or a sharp corner, yet. @p q: committed
   void shorten_edges(
-    const ContactInterface &contact, const Vector &q, double share, bool rim, std::vector<double> &longest);
+    const ContactInterface &contact, const Vector &q, const EdgeWishes &wishes, std::vector<double> &longest);
 } // namespace deltaform

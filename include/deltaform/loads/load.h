@@ -86,6 +86,12 @@ namespace deltaform
 
     bool acts_in(const std::string &stage) const;
 
+    /// Is it controlled by the length of a path, of which the nodes stay the same?
+    bool follows_path() const
+    {
+      return path_.has_value();
+    }
+
     Status assemble(const Vector &q, double time, AssemblyTarget &target) const override;
 
     void accept(const Vector &q, const double time, double /*duration*/) override

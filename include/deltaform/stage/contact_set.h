@@ -10,6 +10,8 @@
 
 namespace deltaform
 {
+  struct EdgeWishes;
+
   /**
    * The contact interfaces of a stage as one part of the equations. What is found out while these are solved is
    * ContactSolve's.
@@ -65,7 +67,7 @@ namespace deltaform
     std::string broken_promise(const Vector &committed) const;
 
     /// Longest allowed undeformed edges of both sides of the blank in the committed state, edge by edge.
-    std::array<std::vector<double>, 2> longest_edges(const Vector &committed, double share, bool rim) const;
+    std::array<std::vector<double>, 2> longest_edges(const Vector &committed, const EdgeWishes &wishes) const;
 
     /// @name Term
     ///@{

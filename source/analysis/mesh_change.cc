@@ -1,0 +1,57 @@
+#include <deltaform/analysis/mesh_change.h>
+#include <deltaform/parameters/text.h>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// @param n_cells, energy before
+    std::string change_in_words(const unsigned int n_cells, const double energy, const Model &model)
+    {
+      return std::to_string(n_cells) + " cells to " + std::to_string(model.blank().adaptive()->n_cells()) + ", " +
+             std::to_string(model.committed().size()) + " unknowns, elastic energy " + text::format(energy) + " to " +
+             text::format(model.blank().energy().elastic);
+    }
+  } // namespace
+
+
+  MeshChange::MeshChange(State &state, Model &model, Workspace &workspace, Journal &journal)
+    : state_(state), model_(model), workspace_(workspace), journal_(journal)
+  {
+    if (blank().goes_back())
+      before_ = model_.state();
+  }
+
+
+  Adaptive &MeshChange::blank()
+  {
+    return *model_.actors().blank->adaptive();
+  }
+
+
+  void MeshChange::refine()
+  {
+    const unsigned int n_cells = blank().n_cells();
+    const double energy = model_.blank().energy().elastic;
+    model_.refine();
+    journal_.detail("refined after increment " + std::to_string(state_.n_increments) + ": " +
+                    change_in_words(n_cells, energy, model_));
+    // No extrapolation over a change of the mesh.
+    state_.before = model_.committed();
+    state_.last_length = 0.;
+  }
+
+
+  bool MeshChange::go_back(const Stage &stage, const Rejected &why)
+  {
+    if (!blank().goes_back())
+      return false;
+    model_.set_state(before_, stage);
+    workspace_.begin(model_.time());
+    state_.before = model_.committed();
+    blank().leave_marked();
+    journal_.detail("no equilibrium with it: " + why.sentence + ". Back to " + std::to_string(blank().n_cells()) +
+                    " cells");
+    return true;
+  }
+} // namespace deltaform

@@ -1,0 +1,352 @@
+// Halving the elements of a shell: where the new nodes lie, what they know, and the way back.
+#include "any_blank.h"
+
+#include <deltaform/blanks/refinement.h>
+
+#include <limits>
+
+using namespace deltaform;
+using namespace deltaform::testing;
+
+namespace
+{
+  Entries strip(const std::string &elements, const Entries &more = {})
+  {
+    Entries result = {"Blank/Symmetry=plane strain",
+                      "Blank/Points=0 0; 4 0",
+                      "Blank/Thickness=.1",
+                      "Blank/Elements=" + elements,
+                      "Blank/Layers=5",
+                      "Blank/Contact points=gauss",
+                      "Material/Young's modulus=2e3"};
+    result.insert(result.end(), plastic.begin(), plastic.end());
+    result.insert(result.end(), more.begin(), more.end());
+    return result;
+  }
+
+  /// Unknown @p k (u_r, u_z, rotation) of every node from its undeformed place.
+  Vector state(const Blank &blank, const std::function<double(unsigned int k, const Point2 &X)> &value)
+  {
+    const auto role = roles(blank);
+    const auto X = blank.positions(Vector(blank.n_dofs()));
+    Vector q(blank.n_dofs());
+    for (unsigned int i = 0; i < q.size(); ++i)
+      for (unsigned int n = 0; n < X.size(); ++n)
+      {
+        const std::string node = "node " + std::to_string(n) + " ", name = blank.describe_dof(i);
+        if (name.rfind(node, 0) == 0)
+          q[i] = value(role[i].node == invalid_index ? 2 : role[i].axis, X[n]);
+      }
+    return q;
+  }
+
+  /// Wound up on a circle about (0, 1/curvature), and stretched.
+  Vector wound(const Blank &blank, const double curvature, const double stretch)
+  {
+    return state(blank, [&](const unsigned int k, const Point2 &X) {
+      const double angle = curvature * stretch * X[0], R = 1. / curvature;
+      return k == 0 ? R * std::sin(angle) - X[0] : k == 1 ? R * (1. - std::cos(angle)) : angle;
+    });
+  }
+
+  void accept(Blank &blank, const Vector &q)
+  {
+    blank.begin_increment(0., 0.);
+    residual(blank, q);
+    blank.commit(q);
+  }
+
+  /// Longest allowed edges of a side: those of the elements named have to be shorter.
+  std::array<std::vector<double>, 2> short_edges(const Blank &blank, const std::vector<unsigned int> &elements)
+  {
+    std::array<std::vector<double>, 2> longest;
+    longest[1].assign(blank.surface().contact_edges(Side::top).size(), std::numeric_limits<double>::infinity());
+    for (const unsigned int e : elements)
+      longest[1][e] = 0.;
+    return longest;
+  }
+
+  Vector refined(Blank &blank, const Vector &q, const std::array<std::vector<double>, 2> &longest = {})
+  {
+    std::vector<Vector> fields{q};
+    BOOST_TEST_REQUIRE(blank.adaptive()->mark(longest));
+    blank.adaptive()->refine(fields);
+    BOOST_TEST_REQUIRE(fields.front().size() == blank.n_dofs());
+    return fields.front();
+  }
+
+  std::vector<double> column(const Blank &blank, const Vector &q, const std::string &name)
+  {
+    const Table profile = blank.fields().profile(q);
+    const auto at = std::find(profile.names.begin(), profile.names.end(), name) - profile.names.begin();
+    std::vector<double> result;
+    for (const auto &row : profile.rows)
+      result.push_back(row.at(static_cast<std::size_t>(at)));
+    return result;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(shell_refinement)
+
+BOOST_AUTO_TEST_CASE(new_nodes_lie_on_the_undeformed_meridian)
+{
+  for (const std::string degree : {"1", "2"})
+    BOOST_TEST_CONTEXT("degree " << degree)
+    {
+      // A line, a quarter of a circle about (1, 1) of radius 1, a line
+      const auto blank = make_blank("shell",
+                                    strip("6", {"Blank/Points=0 0; 2 0; 2 3", "Blank/Fillet radii=0, 1, 0",
+                                                "Blank/Degree=" + degree}));
+      const auto before = blank->positions(Vector(blank->n_dofs()));
+      std::vector<unsigned int> all(blank->surface().contact_edges(Side::top).size());
+      for (unsigned int e = 0; e < all.size(); ++e)
+        all[e] = e;
+      const Vector q = refined(*blank, Vector(blank->n_dofs()), short_edges(*blank, all));
+      BOOST_TEST(q.linfty_norm() < 1e-14);
+      const auto X = blank->positions(q);
+      BOOST_TEST_REQUIRE(X.size() == 2 * before.size() - 1);
+      for (unsigned int i = 0; i < before.size(); ++i)
+        BOOST_TEST(X[2 * i].distance(before[i]) < 1e-14);
+      for (const Point2 &x : X)
+      {
+        const Point2 center(1., 1.);
+        const double distance = x[0] < 1. ? std::abs(x[1]) : x[1] > 1. ? std::abs(x[0] - 2.) : x.distance(center) - 1.;
+        BOOST_TEST(std::abs(distance) < 1e-14);
+      }
+      // Free of stress: so are the angles of the director.
+      BOOST_TEST(residual(*blank, q).norm() < 1e-12);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(stress_and_strain_come_over)
+{
+  // Four elements of 14 degrees each; the chords of their halves are longer by 1/cos(14/4) than theirs.
+  const auto blank = make_blank("shell", strip("4"));
+  const double curvature = .25, half = std::cos(.25 * curvature * 1.02);
+  const Vector q = wound(*blank, curvature, 1.02);
+  accept(*blank, q);
+  const char *const kept[] = {"equivalent_plastic_strain", "stress_meridional_bottom", "stress_meridional_top",
+                              "stress_hoop_mid"};
+  std::vector<double> values;
+  for (const char *const name : kept)
+    values.push_back(column(*blank, q, name).front());
+  const double thickness = column(*blank, q, "thickness").front();
+  BOOST_TEST(values.front() > .01);
+  const double energy = blank->energy().elastic;
+
+  const Vector finer = refined(*blank, q, short_edges(*blank, {0, 1, 2, 3}));
+  for (unsigned int k = 0; k < 4; ++k)
+    for (const double value : column(*blank, finer, kept[k]))
+      BOOST_TEST(value == values[k], boost::test_tools::tolerance(1e-12));
+  for (const double value : column(*blank, finer, "thickness"))
+    BOOST_TEST(value == thickness * half, boost::test_tools::tolerance(1e-4));
+  // So are the stresses of the equations, and what is stored: the increment at rest dissipates nothing.
+  const double plastic_before = blank->energy().plastic;
+  accept(*blank, finer);
+  BOOST_TEST(blank->energy().plastic == plastic_before, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(blank->energy().elastic == energy, boost::test_tools::tolerance(.01));
+  for (unsigned int k = 0; k < 4; ++k)
+    for (const double value : column(*blank, finer, kept[k]))
+      BOOST_TEST(value == values[k], boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(contact_sees_the_same_face)
+{
+  const auto blank = make_blank("shell", strip("4"));
+  const double curvature = .25;
+  const Vector q = wound(*blank, curvature, 1.);
+  accept(*blank, q);
+  const Vector finer = refined(*blank, q, short_edges(*blank, {0, 1, 2, 3}));
+  const Point2 center(0., 1. / curvature);
+  double off = 0.;
+  for (unsigned int i = 0; i < blank->surface().n_contact_points(Side::top); ++i)
+  {
+    ContactPoint point;
+    blank->surface().contact_point(finer, Side::top, i, ContactThickness::initial, point);
+    off = std::max(off, std::abs(point.x.distance(center) - 1. / curvature));
+  }
+  BOOST_TEST(off < 1e-6 * .1); // of the thickness
+  const auto &origins = blank->adaptive()->point_origins(Side::top);
+  BOOST_TEST_REQUIRE(origins.size() == blank->surface().n_contact_points(Side::top));
+  const unsigned int n_old = origins.size() / 2;
+  for (const auto &[a, b, share] : origins)
+    BOOST_TEST((a < n_old && b < n_old && share >= 0. && share <= 1.));
+}
+
+BOOST_AUTO_TEST_CASE(elements_that_bend_are_halved_until_none_bends_or_they_are_short)
+{
+  const auto blank = make_blank("shell", strip("8", {"Blank/Refinement/Largest bend=10",
+                                                     "Blank/Refinement/Shortest element=.5"}));
+  // All of the bend in the second element: a fifth of a radian.
+  Vector q = state(*blank, [&](const unsigned int k, const Point2 &X) {
+    const double angle = X[0] < .75 ? 0. : .2, height = X[0] < .75 ? 0. : .05 + .2 * (X[0] - 1.);
+    return k == 2 ? angle : k == 1 ? height : 0.;
+  });
+  accept(*blank, q);
+  BOOST_TEST(blank->adaptive()->settings().edge_share == 1.5 * 10. * dealii::numbers::PI / 180.);
+  // It, and the three on either side that are as long.
+  q = refined(*blank, q);
+  BOOST_TEST(blank->adaptive()->n_cells() == 13u);
+  const auto places = column(*blank, q, "R0");
+  BOOST_TEST(places[10] == 2.5);
+  BOOST_TEST(places[11] == 3.);
+  // The last halves would be a quarter as long as the next element: that is halved, too, and what is beyond is not.
+  q = refined(*blank, q, short_edges(*blank, {9}));
+  const auto finer = column(*blank, q, "R0");
+  const auto at = [&](const double place) { return std::find(finer.begin(), finer.end(), place) != finer.end(); };
+  BOOST_TEST(at(2.375));
+  BOOST_TEST(at(1.625));
+  BOOST_TEST(!at(1.375));
+  BOOST_TEST(at(2.75));
+  BOOST_TEST(at(3.25));
+  BOOST_TEST(at(3.75));
+  // .5 of the thickness is .05, an eighth of .5 is .0625, and half of that is less.
+  for (unsigned int k = 0; k < 20; ++k)
+  {
+    std::vector<unsigned int> all(blank->adaptive()->n_cells());
+    for (unsigned int e = 0; e < all.size(); ++e)
+      all[e] = e;
+    std::vector<Vector> fields{q};
+    if (!blank->adaptive()->mark(short_edges(*blank, all)))
+      break;
+    blank->adaptive()->refine(fields);
+    q = fields.front();
+  }
+  BOOST_TEST(blank->adaptive()->n_cells() == 64u);
+}
+
+BOOST_AUTO_TEST_CASE(a_flat_element_at_a_radius_is_halved_if_it_could_not_follow)
+{
+  const auto longest = [](const double length) {
+    std::array<std::vector<double>, 2> result;
+    result[0] = {length, 10., 10., 10.};
+    return result;
+  };
+  const auto blank = make_blank("shell", strip("4"));
+  accept(*blank, Vector(blank->n_dofs()));
+  BOOST_TEST(!blank->adaptive()->mark(longest(.6)));
+  BOOST_TEST(blank->adaptive()->mark(longest(.4)));
+  // One that begins to bend, away from the tool and towards it
+  accept(*blank, wound(*blank, .08, 1.)); // 4.6 degrees an element
+  BOOST_TEST(!blank->adaptive()->mark(longest(.6)));
+  accept(*blank, wound(*blank, -.08, 1.));
+  BOOST_TEST(blank->adaptive()->mark(longest(.6)));
+  BOOST_TEST(!blank->adaptive()->mark(longest(1.1)));
+}
+
+BOOST_AUTO_TEST_CASE(what_found_no_equilibrium_is_left_alone)
+{
+  const auto blank = make_blank("shell", strip("4"));
+  const auto bent = [&](const double angle) {
+    return state(*blank, [&](const unsigned int k, const Point2 &X) { return k == 2 && X[0] > 1.5 ? angle : 0.; });
+  };
+  const Vector q = bent(.3);
+  accept(*blank, q);
+  const KeyedArrays before = blank->state();
+  Adaptive &mesh = *blank->adaptive();
+  refined(*blank, q);
+  BOOST_TEST(mesh.n_cells() == 8u);
+  BOOST_TEST_REQUIRE(mesh.goes_back());
+  blank->set_state(before);
+  BOOST_TEST(mesh.n_cells() == 4u);
+  BOOST_TEST((blank->state() == before));
+  mesh.leave_marked();
+  accept(*blank, q);
+  BOOST_TEST(!mesh.mark({}));
+  BOOST_TEST(!mesh.mark(short_edges(*blank, {1})));
+  // Saved, and so in another run
+  const auto other = make_blank("shell", strip("4"));
+  other->set_state(blank->state());
+  for (Blank *const one : {blank.get(), other.get()})
+  {
+    accept(*one, bent(.37));
+    BOOST_TEST(!one->adaptive()->mark({}));
+    accept(*one, bent(.38)); // 1.25 times as much
+    BOOST_TEST(one->adaptive()->mark({}));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_refined_state_is_saved_and_loaded)
+{
+  const auto blank = make_blank("shell", strip("4")), other = make_blank("shell", strip("4"));
+  Vector q = wound(*blank, .25, 1.02);
+  accept(*blank, q);
+  const KeyedArrays coarse = blank->state();
+  q = refined(*blank, q, short_edges(*blank, {1, 2}));
+  accept(*blank, q);
+  q = refined(*blank, q, short_edges(*blank, {2}));
+  accept(*blank, q);
+  const KeyedArrays fine = blank->state();
+  other->set_state(fine);
+  BOOST_TEST((other->state() == fine));
+  BOOST_TEST(other->adaptive()->n_cells() == blank->adaptive()->n_cells());
+  BOOST_TEST((residual(*other, q) - residual(*blank, q)).norm() == 0.);
+  other->set_state(coarse);
+  BOOST_TEST((other->state() == coarse));
+  BOOST_TEST(other->adaptive()->n_cells() == 4u);
+}
+
+BOOST_AUTO_TEST_CASE(a_damaged_mesh_is_refused)
+{
+  const auto blank = make_blank("shell", strip("2"));
+  const auto is_told = [](const SceneError &error) {
+    return std::string(error.what()).find("no whole mesh: it is damaged") != std::string::npos;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> wrong[] = {{},
+                                       {0, 0, 1},
+                                       {0, 0, 1, 1, 0},
+                                       {0, 0, 1, 2, 0, 1},
+                                       {0, 0, .5, 1, 0, 1},
+                                       {0, 0, .5, 0, .25, 1, 1, 0, 1},
+                                       {0, 0, 1, 1, 0, 2},
+                                       {0, 0, nan, 1, 0, 1},
+                                       {nan, 0, 1, 1, 0, 1},
+                                       {0, 0, 1, 1, 0, 1, 2, 0, 1},
+                                       {0, 0, 0, 0, 0, 1, 1, 0, 1}};
+  for (const auto &numbers : wrong)
+  {
+    KeyedArrays state = blank->state();
+    state.put("elements of the first mesh", numbers);
+    BOOST_CHECK_EXCEPTION(blank->set_state(state), SceneError, is_told);
+  }
+  BOOST_TEST(blank->adaptive()->n_cells() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(a_later_operation_goes_on_with_the_mesh)
+{
+  const auto blank = make_blank("shell", strip("4"));
+  Vector q = wound(*blank, .25, 1.02);
+  accept(*blank, q);
+  q = refined(*blank, q, short_edges(*blank, {1, 2}));
+  accept(*blank, q);
+  const KeyedArrays formed = blank->formed(q);
+
+  const auto same = make_blank("shell", strip("4", {"Blank/Contact points=nodes"}));
+  const Vector taken = same->take_formed(formed).unknowns;
+  BOOST_TEST_REQUIRE(taken.size() == q.size());
+  BOOST_TEST((residual(*same, taken) - residual(*blank, q)).norm() < 1e-12 * residual(*blank, q).norm());
+
+  // One that keeps its mesh, and one that begins with another, take what lies there.
+  for (const auto &[elements, largest] : {std::pair("4", "0"), {"10", "15"}})
+  {
+    const auto other = make_blank("shell",
+                                  strip(elements, {std::string("Blank/Refinement/Largest bend=") + largest}));
+    const unsigned int n_dofs = other->n_dofs();
+    const Vector own = other->take_formed(formed).unknowns;
+    BOOST_TEST(own.size() == n_dofs);
+    for (const Point2 &x : other->positions(own))
+      BOOST_TEST(std::abs(x.distance(Point2(0., 4.)) - 4.) < 1e-6);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(some_shells_keep_their_mesh)
+{
+  BOOST_TEST(make_blank("shell", strip("4"))->adaptive() != nullptr);
+  BOOST_TEST(!make_blank("shell", strip("4"))->adaptive()->settings().asked_for);
+  BOOST_TEST(make_blank("shell", strip("4", {"Blank/Refinement/Largest bend=0"}))->adaptive() == nullptr);
+  BOOST_TEST(make_blank("shell", strip("4", {"Blank/Membrane=true", "Blank/Contact points=nodes"}))->adaptive() ==
+             nullptr);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
