@@ -103,12 +103,13 @@ namespace deltaform
     for (const unsigned int side : {0, 1})
     {
       const std::vector<double> &longest = longest_edges[side];
-      for (unsigned int e = 0; e < longest.size(); ++e)
+      for (std::size_t e = 0; e < longest.size(); ++e)
       {
-        const unsigned int per_element = longest.size() / n, c = e / per_element;
+        const std::size_t c = e * n / longest.size(); // the halves of one of degree 2 are edges
+        const double length = lengths[c] * n / longest.size();
         const double towards = static_cast<Side>(side) == Side::top ? bends_[c] : -bends_[c];
         const double allowed = (towards > begins * largest_bend_ ? 1. : flat) * longest[e];
-        if (lengths[c] / per_element > allowed && !marked_[c])
+        if (length > allowed && !marked_[c])
           marked_[c] = !left_alone(c, true);
       }
     }

@@ -73,8 +73,8 @@ namespace deltaform
     /// The state after the last accepted increment, as a value.
     State state() const;
 
-    /// Go to @p state, forwards or back, but not back over a refinement of a solid; also to that of another analysis whose scene
-    /// has the same entries. Observers are told by moved(). @throws SceneError if it does not fit
+    /// Go to @p state, forwards or back, but not back over a refinement of a solid; also to that of another analysis
+    /// whose scene has the same entries. Observers are told by moved(). @throws SceneError if it does not fit
     void set_state(const State &state);
 
     /// All stages. @return exit status: done, not_converged or promise_broken

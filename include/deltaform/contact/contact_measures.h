@@ -38,8 +38,8 @@ namespace deltaform
     double share = 0.; ///< of the radius of the tool that an edge touches or is about to touch; 0: any length
     bool at_rim = false; ///< where contact ends inside the edge, as short as possible
     bool smooth = false; ///< do edges make up a smooth curve? It goes around a sharp corner in a radius of its own
-    std::vector<double> lengths = {}; ///< of the edges now, if known: those that are short enough for every radius of the
-      ///< tool are not looked at
+    std::vector<double> lengths = {}; ///< of the edges now, if known: those that are short enough for every radius of
+      ///< the tool are not looked at
   };
 
   /// Lower the longest allowed undeformed length of each edge of the side where it touches, or is about to touch, a
