@@ -92,8 +92,11 @@ namespace deltaform
     // A sheet may touch a round part and not bend around it, as the edge of a holder: wait until it begins to bend
     // towards it, if the element can follow that far.
     constexpr double begins = .3, flat = 2.;
+    constexpr unsigned int most = 20000; // whatever a scene asks for
     const ShellMesh &mesh = parts_.space().mesh();
     const unsigned int n = elements_.size();
+    if (n > most)
+      return false;
     std::vector<double> lengths;
     for (const auto &cell : mesh.cells())
       lengths.push_back(mesh.arc_length()[cell.nodes[1]] - mesh.arc_length()[cell.nodes[0]]);

@@ -122,6 +122,29 @@ BOOST_AUTO_TEST_CASE(torn_is_what_necks_for_some_increments_and_loses_its_force)
   BOOST_TEST(torn_after(.21, .001, 100));
 }
 
+BOOST_AUTO_TEST_CASE(a_neck_goes_on_over_a_refinement)
+{
+  // After every other increment the mesh is refined at the end of the bar, at the same time.
+  NeckingWatch watch;
+  unsigned int n_more = 0;
+  for (unsigned int k = 0; k <= 5; ++k)
+  {
+    BOOST_TEST(!watch.torn());
+    auto sections = bar(.2, .15, .3 + k * .01);
+    sections.insert(sections.end(), n_more, sections.back());
+    watch.observe(sections);
+    if (k % 2 == 1 && k < 5)
+    {
+      sections.push_back(sections.back());
+      ++n_more;
+      watch.observe(sections);
+      BOOST_TEST(watch.finding() == "");
+    }
+  }
+  BOOST_TEST(watch.torn());
+  BOOST_TEST(watch.finding().find("node 3 at R0 = 0.3 necks") == 0U);
+}
+
 BOOST_AUTO_TEST_CASE(a_neck_that_stops_is_not_torn)
 {
   NeckingWatch watch;
