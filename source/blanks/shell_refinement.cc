@@ -185,6 +185,7 @@ namespace deltaform
     elements_ = elements;
     parts_.set_mesh(first_.divided(elements_));
     bends_.assign(elements_.size(), 0.);
+    edge_lengths_.clear(); // not known before the next update()
   }
 
 
