@@ -78,6 +78,8 @@ namespace deltaform
                                Range::positive(),
                                "thickness",
                                "None becomes shorter than this.");
+    elastic_curvature_ = 2. * parts.material().initial_flow_stress() /
+                         (parts.material().law().young_modulus() * parts.points().thickness());
     settings_.active = active();
     settings_.passes = 30;
     settings_.edge_share = 1.5 * largest_bend_;
@@ -102,7 +104,8 @@ namespace deltaform
       lengths.push_back(mesh.arc_length()[cell.nodes[1]] - mesh.arc_length()[cell.nodes[0]]);
     marked_.assign(n, false);
     for (unsigned int c = 0; c < n; ++c)
-      marked_[c] = std::abs(bends_[c]) > largest_bend_ && !left_alone(c, false);
+      marked_[c] = std::abs(bends_[c]) > largest_bend_ * share_of_bend(std::abs(bends_[c]) / lengths[c]) &&
+                   !left_alone(c, false);
     for (const unsigned int side : {0, 1})
     {
       const std::vector<double> &longest = longest_edges[side];
@@ -111,11 +114,15 @@ namespace deltaform
         const std::size_t c = e * n / longest.size(); // the halves of one of degree 2 are edges
         const double length = lengths[c] * n / longest.size();
         const double towards = static_cast<Side>(side) == Side::top ? bends_[c] : -bends_[c];
-        const double allowed = (towards > begins * largest_bend_ ? 1. : flat) * longest[e];
+        const double allowed = (towards > begins * largest_bend_ ? 1. : flat) * longest[e] *
+                               share_of_bend(settings_.edge_share / longest[e]);
         if (length > allowed && !marked_[c])
           marked_[c] = !left_alone(c, true);
       }
     }
+    for (unsigned int c = 0; c < n; ++c)
+      if (!marked_[c] && will_bend(c, lengths))
+        marked_[c] = !left_alone(c, true);
     bool any = false;
     for (unsigned int c = 0; c < n; ++c)
     {
@@ -127,6 +134,29 @@ namespace deltaform
     if (any)
       mark_neighbours(lengths);
     return any;
+  }
+
+
+  bool ShellRefinement::will_bend(const unsigned int element, const std::vector<double> &lengths) const
+  {
+    constexpr unsigned int reach = 3;
+    constexpr double much_longer = 1.5;
+    const unsigned int end = std::min<unsigned int>(element + reach + 1, lengths.size());
+    for (unsigned int k = std::max(element, reach) - reach; k < end; ++k)
+    {
+      const double curvature = std::abs(bends_[k]) / lengths[k];
+      if (lengths[element] > much_longer * lengths[k] &&
+          curvature * lengths[element] > largest_bend_ * share_of_bend(curvature))
+        return true;
+    }
+    return false;
+  }
+
+
+  double ShellRefinement::share_of_bend(const double curvature) const
+  {
+    constexpr double least = .1;
+    return curvature > elastic_curvature_ ? std::sqrt(std::max(least, 1. - elastic_curvature_ / curvature)) : 1.;
   }
 
 

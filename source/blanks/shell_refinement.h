@@ -64,6 +64,13 @@ namespace deltaform
     /// end of one that cannot. @param lengths of the elements, halved where they are marked
     void mark_neighbours(std::vector<double> &lengths);
 
+    /// Would it bend too much if it came to bend as sharply as one of its neighbours that are much shorter?
+    bool will_bend(unsigned int element, const std::vector<double> &lengths) const;
+
+    /// Of the bend that an element may have, at a curvature of the sheet. Elements bend by a share of their angle squared
+    /// too much, which matters most where the sheet hardly yields (doc/theory/shell.md).
+    double share_of_bend(double curvature) const;
+
     /// Did halving it fail, and has it not bent much more since? @param by_contact: or is it contact that asks?
     bool left_alone(unsigned int element, bool by_contact) const;
 
@@ -71,6 +78,7 @@ namespace deltaform
 
     RefinementSettings settings_;
     double largest_bend_; ///< rad
+    double elastic_curvature_; ///< of the sheet where its faces begin to yield (1/length)
     double shortest_; ///< undeformed (length)
     ShellParts parts_;
     ShellMesh first_; ///< as read

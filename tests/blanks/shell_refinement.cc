@@ -237,6 +237,48 @@ BOOST_AUTO_TEST_CASE(a_flat_element_at_a_radius_is_halved_if_it_could_not_follow
   BOOST_TEST(!blank->adaptive()->mark(longest(1.1)));
 }
 
+BOOST_AUTO_TEST_CASE(a_long_element_beside_short_ones_that_bend_is_halved_before_it_does)
+{
+  // Eight halves, and eight that are twice as long; the last but two of the halves bends.
+  const auto blank = make_blank("shell", strip("12"));
+  refined(*blank, Vector(blank->n_dofs()), short_edges(*blank, {0}));
+  BOOST_TEST_REQUIRE(blank->adaptive()->n_cells() == 16u);
+  const auto bent = [&](const double angle) {
+    return state(*blank, [&](const unsigned int k, const Point2 &X) {
+      return k == 2 && X[0] > 5.9 / 6. ? angle : 0.;
+    });
+  };
+  const double degree = dealii::numbers::PI / 180.;
+  accept(*blank, bent(7. * degree));
+  BOOST_TEST(!blank->adaptive()->mark({}));
+  accept(*blank, bent(7.6 * degree));
+  const Vector finer = refined(*blank, bent(7.6 * degree));
+  // The first of the long ones is the third from it; three more go with it.
+  const auto places = column(*blank, finer, "R0");
+  BOOST_TEST(places[9] == 1.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(blank->adaptive()->n_cells() == 20u);
+}
+
+BOOST_AUTO_TEST_CASE(where_the_sheet_hardly_yields_elements_are_shorter)
+{
+  // Yields at a curvature of 2 * 2/(2e3 * .1) = .02; at twice that the square root of a half.
+  const double degree = dealii::numbers::PI / 180.;
+  const Entries stiff = {"Blank/Points=0 0; 40 0", "Material/Hardening/Initial flow stress=2"};
+  const auto is_halved = [&](const double curvature, const double bend) {
+    const long n = std::lround(40. * curvature / (bend * degree));
+    const auto blank = make_blank("shell", strip(std::to_string(n), stiff));
+    const double own = n * bend * degree / 40.;
+    accept(*blank, wound(*blank, own, 1.));
+    return blank->adaptive()->mark({});
+  };
+  BOOST_TEST(!is_halved(.04, 10.3));
+  BOOST_TEST(is_halved(.04, 10.9));
+  BOOST_TEST(!is_halved(.0195, 14.5));
+  BOOST_TEST(is_halved(.0195, 15.5));
+  BOOST_TEST(!is_halved(.0205, 4.6)); // a third at least
+  BOOST_TEST(is_halved(.0205, 4.9));
+}
+
 BOOST_AUTO_TEST_CASE(what_found_no_equilibrium_is_left_alone)
 {
   const auto blank = make_blank("shell", strip("4"));
