@@ -245,7 +245,7 @@ namespace deltaform
     ++state_.since_refinement;
     const bool refined = refinement_marked();
     AcceptedIncrement increment = accepted(std::exchange(cost_, IncrementCost()));
-    increment.snap_rotation = result.snap_rotation;
+    increment.snap = result.snap;
     increment.is_last_here = !refined;
     conditions_.observe(increment);
     ends_.observe(increment);

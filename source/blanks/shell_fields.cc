@@ -147,7 +147,11 @@ namespace deltaform
     const auto &cells = space_.mesh().cells();
     for (unsigned int c = 0; c < cells.size(); ++c)
       if (const double angle = std::abs(space_.bend(q, c)); angle > result.angle)
-        result = {angle, .5 * (nodes[cells[c].nodes[0]][0] + nodes[cells[c].nodes[1]][0])};
+      {
+        const unsigned int a = cells[c].nodes[0], b = cells[c].nodes[1];
+        const auto &s = space_.mesh().arc_length();
+        result = {angle, .5 * (nodes[a][0] + nodes[b][0]), (s[b] - s[a]) / points_.thickness()};
+      }
     return result;
   }
 

@@ -140,13 +140,13 @@ namespace deltaform
   bool ShellRefinement::will_bend(const unsigned int element, const std::vector<double> &lengths) const
   {
     constexpr unsigned int reach = 3;
-    constexpr double much_longer = 1.5;
+    constexpr double much_longer = 1.5, nearly = .75;
     const unsigned int end = std::min<unsigned int>(element + reach + 1, lengths.size());
     for (unsigned int k = std::max(element, reach) - reach; k < end; ++k)
     {
       const double curvature = std::abs(bends_[k]) / lengths[k];
       if (lengths[element] > much_longer * lengths[k] &&
-          curvature * lengths[element] > largest_bend_ * share_of_bend(curvature))
+          curvature * lengths[element] > nearly * largest_bend_ * share_of_bend(curvature))
         return true;
     }
     return false;

@@ -67,8 +67,8 @@ namespace deltaform
     /// Would it bend too much if it came to bend as sharply as one of its neighbours that are much shorter?
     bool will_bend(unsigned int element, const std::vector<double> &lengths) const;
 
-    /// Of the bend that an element may have, at a curvature of the sheet. Elements bend by a share of their angle squared
-    /// too much, which matters most where the sheet hardly yields (doc/theory/shell.md).
+    /// Of the bend that an element may have, at a curvature of the sheet. Elements bend by a share of their angle
+    /// squared too much, which matters most where the sheet hardly yields (doc/theory/shell.md).
     double share_of_bend(double curvature) const;
 
     /// Did halving it fail, and has it not bent much more since? @param by_contact: or is it contact that asks?

@@ -24,33 +24,29 @@ namespace deltaform
         if (!has_tools_ || !increment.is_last_here)
           return;
         const SharpestBend &now = increment.sharpest_bend();
-        if (now.angle <= angle_)
+        if (now.angle <= worst_.angle)
           return;
-        angle_ = now.angle;
-        place_ = now.place;
+        worst_ = now;
         time_ = increment.time;
       }
 
       std::string failure(const Stage &) override
       {
-        return angle_ > unusable ? sentence() + ", and forces may be wrong by any factor. Take shorter elements "
-                                                "(Blank/Elements, Grading)"
-                                 : "";
+        return worst_.angle > unusable ? sentence() + ", and forces may be wrong by any factor. " + advice() : "";
       }
 
       std::vector<std::string> warnings(bool) const override
       {
-        if (angle_ <= doubtful || angle_ > unusable) // which ended the run
+        if (worst_.angle <= doubtful || worst_.angle > unusable) // which ended the run
           return {};
-        return {"sharp bend: " + sentence() +
-                ": forces may be a fifth off, thickness and draw-in as well. Take shorter elements (Blank/Elements, "
-                "Grading)."};
+        return {"sharp bend: " + sentence() + ": forces may be a fifth off, thickness and draw-in as well. " +
+                advice() + "."};
       }
 
       template <class Archive>
       void serialize(Archive &archive, unsigned int)
       {
-        archive &angle_ &place_ &time_;
+        archive &worst_.angle &worst_.place &worst_.length &time_;
       }
 
     private:
@@ -58,15 +54,35 @@ namespace deltaform
       // to the second the forces of most random scenes within a fifth; of those above half cannot be used
       // (doc/stress.md).
       static constexpr double degree = dealii::numbers::PI / 180., doubtful = 15. * degree, unusable = 60. * degree;
+      // In thicknesses: what is shorter is not too long for any radius that a shell can follow.
+      static constexpr double shortest = .5;
+
+      bool is_short() const
+      {
+        return worst_.length <= shortest;
+      }
 
       std::string sentence() const
       {
-        return "the element at R0 = " + text::rounded(place_) + " bends by " + text::rounded(angle_ / degree) +
-               " degrees, at time " + text::rounded(time_) + ". It is too long for the radius there";
+        const std::string angle = text::rounded(worst_.angle / degree), place = text::rounded(worst_.place),
+                          time = text::rounded(time_);
+        if (is_short())
+          return "the sheet bends by " + angle + " degrees within " + text::rounded(worst_.length) +
+                 " of its thickness at R0 = " + place + ", at time " + time +
+                 ". The corner there is too sharp for a shell";
+        return "the element at R0 = " + place + " bends by " + angle + " degrees, at time " + time +
+               ". It is too long for the radius there";
+      }
+
+      std::string advice() const
+      {
+        return is_short() ? "Give the tool a larger radius, or model the blank as a solid (Blank/Kind = solid)"
+                          : "Take shorter elements (Blank/Elements, Grading)";
       }
 
       bool has_tools_; ///< moments alone bend elements evenly, and these are exact then
-      double angle_ = 0., place_ = 0., time_ = 0.; ///< of the worst increment
+      SharpestBend worst_;
+      double time_ = 0.; ///< of the worst bend
     };
 
     const ConditionMakers::Entry

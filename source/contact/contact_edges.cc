@@ -11,6 +11,18 @@ namespace deltaform
 {
   namespace
   {
+    /// Does an edge touch the tool in the accepted state?
+    bool touches(const ContactInterface &contact, const unsigned int e)
+    {
+      const auto &points = contact.committed();
+      const unsigned int n = contact.projector().surface().points_per_edge();
+      if (n > 0)
+        return std::any_of(&points[e * n], &points[e * n] + n, [](const auto &point) { return point.touching; });
+      const auto [a, b, m] = contact.projector().edges()[e];
+      return points[a].touching || points[b].touching || (m != invalid_index && points[m].touching);
+    }
+
+
     /// An edge of the blank over the tool in the accepted state, from end to end.
     struct EdgeOverTool
     {
@@ -23,11 +35,11 @@ namespace deltaform
         const ContactProjector &projector = contact.projector();
         const unsigned int n = projector.surface().points_per_edge();
         std::array<unsigned int, 2> outermost{{e * n, (e + 1) * n - 1}};
+        any_touches = touches(contact, e);
         if (n == 0)
         {
-          const auto [a, b, m] = projector.edges()[e];
+          const auto &[a, b, m] = projector.edges()[e];
           outermost = {{a, b}};
-          any_touches = points[a].touching || points[b].touching || (m != invalid_index && points[m].touching);
           // A node without area has no contact: on the axis contact does not end.
           contact_ends = points[a].area > 0 && points[b].area > 0 && points[a].touching != points[b].touching;
         }
@@ -35,10 +47,7 @@ namespace deltaform
         {
           bool any_is_free = false;
           for (unsigned int i = e * n; i < (e + 1) * n; ++i)
-          {
-            any_touches |= points[i].touching;
             any_is_free |= points[i].area > 0 && !points[i].touching;
-          }
           contact_ends = any_touches && any_is_free;
         }
         const ContactPoint first = contact.point(q, outermost[0]);
@@ -121,6 +130,17 @@ namespace deltaform
   } // namespace
 
 
+  void clamp_edges(const ContactInterface &contact, std::vector<bool> &clamped)
+  {
+    const unsigned int n = contact.projector().edges().size();
+    clamped.resize(n, false);
+    for (unsigned int e = 0; e < n; ++e)
+      if (touches(contact, e))
+        for (unsigned int k = std::max(e, 1U) - 1; k < std::min(e + 2, n); ++k)
+          clamped[k] = true;
+  }
+
+
   void shorten_edges(const ContactInterface &contact,
                      const Vector &q,
                      const EdgeWishes &wishes,
@@ -128,10 +148,12 @@ namespace deltaform
   {
     longest.resize(contact.projector().edges().size(), std::numeric_limits<double>::infinity());
     const Vector undeformed(contact.projector().surface().n_contact_dofs());
+    constexpr double share_of_clamped = .6;
     const double sharpest = wishes.share * smallest_radius(contact.tool().shape());
     for (unsigned int e = 0; e < longest.size(); ++e)
     {
-      if (e < wishes.lengths.size() && wishes.lengths[e] < sharpest)
+      const double share = e < wishes.clamped.size() && wishes.clamped[e] ? share_of_clamped : 1.;
+      if (e < wishes.lengths.size() && wishes.lengths[e] < share * sharpest)
         continue;
       const EdgeOverTool edge(contact, undeformed, q, e);
       if ((wishes.at_rim && edge.contact_ends) || (!wishes.smooth && missed(contact, edge)))
@@ -141,7 +163,7 @@ namespace deltaform
       // The tool's radius is to be compared with the length that the edge has now; forging stretches it many times.
       const double radius = radius_along(contact, edge, wishes.smooth);
       if (radius < std::numeric_limits<double>::infinity())
-        longest[e] = std::min(longest[e], wishes.share * radius * edge.undeformed_length / edge.length);
+        longest[e] = std::min(longest[e], share * wishes.share * radius * edge.undeformed_length / edge.length);
     }
   }
 } // namespace deltaform

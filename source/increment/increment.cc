@@ -115,17 +115,19 @@ namespace deltaform
       result.strain_at_rest = strain > settings_.largest_strain ? strain : 0.;
       return std::nullopt;
     }
-    if (strain > settings_.largest_strain)
+    // Where the blank snaps through, a shorter increment does not make the way shorter; but what is strained much too
+    // far in one step has been on another path.
+    constexpr double far = 3.;
+    if (strain > (may_snap ? far : 1.) * settings_.largest_strain)
       return refused("strain", strain, settings_.largest_strain);
-    if (rotation <= settings_.largest_rotation)
-    {
-      result.size = std::max(strain / settings_.largest_strain, rotation / settings_.largest_rotation);
-      return std::nullopt;
-    }
-    // Where the blank snaps through, a shorter increment does not make the way shorter.
-    if (!may_snap)
+    if (rotation > settings_.largest_rotation && !may_snap)
       return refused("rotation", rotation, settings_.largest_rotation);
-    result.snap_rotation = rotation;
+    if (strain > settings_.largest_strain)
+      result.snap.strain = strain;
+    if (rotation > settings_.largest_rotation)
+      result.snap.rotation = rotation;
+    if (result.snap.strain == 0. && result.snap.rotation == 0.)
+      result.size = std::max(strain / settings_.largest_strain, rotation / settings_.largest_rotation);
     return std::nullopt;
   }
 

@@ -223,9 +223,16 @@ namespace deltaform
   std::array<std::vector<double>, 2>
   ContactSet::longest_edges(const Vector &committed, const EdgeWishes &wishes) const
   {
+    std::array<EdgeWishes, 2> of_sides{{wishes, wishes}};
+    for (const auto *interface : active_)
+      if (wishes.smooth && !interface->tool().force_driven())
+        clamp_edges(*interface, of_sides[interface->tool().side() == Side::top ? 1 : 0].clamped);
     std::array<std::vector<double>, 2> longest;
     for (const auto *interface : active_)
-      shorten_edges(*interface, committed, wishes, longest[static_cast<unsigned int>(interface->tool().side())]);
+    {
+      const auto side = static_cast<unsigned int>(interface->tool().side());
+      shorten_edges(*interface, committed, of_sides[side], longest[side]);
+    }
     return longest;
   }
 

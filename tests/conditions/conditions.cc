@@ -116,13 +116,25 @@ BOOST_AUTO_TEST_CASE(an_element_that_bends_too_much_is_told)
   BOOST_TEST(one_has(fixture.warnings(), "R0 = 7"));
   // By more than a radian it is no result.
   const auto ends = [&]() { return fixture.conditions.failure(fixture.scene.actors.stages.front()); };
-  fixture.increment.sharpest_bend_ = SharpestBend{1.04, 7.};
+  fixture.increment.sharpest_bend_ = SharpestBend{1.04, 7., 2.};
   fixture.observe();
   BOOST_TEST(ends().empty());
   fixture.increment.sharpest_bend_ = SharpestBend{1.05, 9.};
   fixture.observe();
   BOOST_TEST(ends().find("the element at R0 = 9 bends by 60.16 degrees") == 0u, ends());
   BOOST_TEST(fixture.warnings().empty()); // it is said once
+}
+
+BOOST_AUTO_TEST_CASE(a_corner_that_is_too_sharp_is_told)
+{
+  Fixture fixture;
+  fixture.increment.sharpest_bend_ = SharpestBend{1.05, 9., .4};
+  fixture.observe();
+  const std::string said = fixture.conditions.failure(fixture.scene.actors.stages.front());
+  BOOST_TEST(said.find("the sheet bends by 60.16 degrees within 0.4 of its thickness at R0 = 9, at time 1. The corner "
+                       "there is too sharp for a shell") == 0u,
+             said);
+  BOOST_TEST(said.find("Give the tool a larger radius") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_mesh_that_folds_over_is_told_and_then_ends_the_run)
@@ -243,13 +255,21 @@ BOOST_AUTO_TEST_CASE(snaps_are_counted)
   Fixture fixture;
   for (const double rotation : {.4, .5, .45})
   {
-    fixture.increment.snap_rotation = rotation;
+    fixture.increment.snap.rotation = rotation;
     fixture.observe();
     fixture.increment.time += 1.;
   }
   const auto said = fixture.said();
   BOOST_TEST(one_has(said, "in 3 increments"));
   BOOST_TEST(one_has(said, "by up to 0.5 rad (the most at time 2)"));
+}
+
+BOOST_AUTO_TEST_CASE(strain_of_a_snap_is_said)
+{
+  Fixture fixture;
+  fixture.increment.snap.strain = .2;
+  BOOST_TEST(one_has(fixture.warnings(), "strain of a snap: in 1 increments"));
+  BOOST_TEST(one_has(fixture.said(), "points strained by up to 0.2 (the most at time 1)"));
 }
 
 BOOST_AUTO_TEST_CASE(strain_of_a_refinement_is_said)

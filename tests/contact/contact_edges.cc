@@ -24,7 +24,8 @@ namespace
   double longest(const Point2 &A,
                  const Point2 &B,
                  const Entries &tool = corner,
-                 const std::vector<double> &u = {0., 0., 0., 0.})
+                 const std::vector<double> &u = {0., 0., 0., 0.},
+                 const bool clamped = false)
   {
     FakeSurface surface(2);
     surface.X = {A, B};
@@ -37,7 +38,9 @@ namespace
     fixture.converge(q);
     fixture.contact.commit(q);
     std::vector<double> result;
-    shorten_edges(fixture.contact, q, {.1}, result);
+    EdgeWishes wishes{.1};
+    wishes.clamped = {clamped};
+    shorten_edges(fixture.contact, q, wishes, result);
     BOOST_TEST_REQUIRE(result.size() == 1u);
     return result.front();
   }
@@ -83,6 +86,27 @@ BOOST_AUTO_TEST_CASE(a_stretched_edge_counts_as_it_is_now)
   const Point2 A(-.8, -1e-4), B(-1e-4, -.8);
   const Tensor1 shift = .75 * (A - B);
   BOOST_TEST(longest(A, Point2(B + shift), corner, {0., 0., -shift[0], -shift[1]}) == .0125, near);
+}
+
+BOOST_AUTO_TEST_CASE(a_clamped_edge_is_allowed_less)
+{
+  BOOST_TEST(longest(Point2(-.8, -1e-4), Point2(-1e-4, -.8), corner, {0., 0., 0., 0.}, true) == .03, near);
+  BOOST_TEST(longest(Point2(-3., -1e-4), Point2(-1., -1e-4), corner, {0., 0., 0., 0.}, true) == infinity);
+}
+
+BOOST_AUTO_TEST_CASE(what_a_tool_touches_is_clamped_and_what_is_next_to_it)
+{
+  FakeSurface surface(6);
+  surface.X = {{-5., 1.}, {-4., 1.}, {-3., -1e-4}, {-2., 1.}, {-1., 1.}, {0., 1.}};
+  InterfaceFixture fixture(surface, {"Enforcement=penalty"}, corner);
+  const Vector q(fixture.n);
+  fixture.contact.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., 1e3);
+  fixture.converge(q);
+  fixture.contact.commit(q);
+  std::vector<bool> clamped;
+  clamp_edges(fixture.contact, clamped);
+  BOOST_TEST((clamped == std::vector<bool>{true, true, true, true, false}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(the_plain_strategy_is_enough_for_most)
   const double u = result.q[0];
   BOOST_TEST(std::abs(u * (u - 1.) * (u - 2.) - .1) < 1e-6);
   BOOST_TEST(fixture.problem.n_begun == 1u);
-  BOOST_TEST(result.snap_rotation == 0.);
+  BOOST_TEST(result.snap.rotation == 0.);
   BOOST_TEST(result.cost.iterations == result.iterations_to_equilibrium);
   // What was found is the caller's to accept.
   BOOST_TEST(fixture.problem.q[0] == 0.);
@@ -95,10 +95,18 @@ BOOST_AUTO_TEST_CASE(a_snap_needs_the_last_resorts)
   const auto all = fixture.to(.4049, Effort::all);
   BOOST_TEST(!all.rejected);
   BOOST_TEST(all.q[0] > 2.);
-  BOOST_TEST(all.snap_rotation == all.q[0] - .4, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(all.snap.rotation == all.q[0] - .4, boost::test_tools::tolerance(1e-12));
 
-  // However it came about, what is strained too far is refused.
-  fixture.problem.strain = 1.1;
+  BOOST_TEST(all.snap.strain == 0.);
+
+  // It may strain a point by more, too, but not by much more.
+  fixture.problem.strain = 2.9;
+  BOOST_TEST(fixture.to(.4049, Effort::last_resorts).rejected.has_value());
+  const auto further = fixture.to(.4049, Effort::all);
+  BOOST_TEST(!further.rejected);
+  BOOST_TEST(further.snap.strain == 2.9);
+  BOOST_TEST(further.size == 0.);
+  fixture.problem.strain = 3.1;
   const auto strained = fixture.to(.4049, Effort::all);
   BOOST_REQUIRE(strained.rejected.has_value());
   BOOST_TEST(strained.rejected->sentence.find("Largest strain increment") != std::string::npos);

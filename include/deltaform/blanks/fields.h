@@ -26,6 +26,7 @@ namespace deltaform
   {
     double angle = 0; ///< rad
     double place = 0; ///< R0 of the middle of the element (length)
+    double length = std::numeric_limits<double>::infinity(); ///< of the element of a shell, over the thickness
   };
 
   /// Cells of a solid that are turned inside out at a corner.

@@ -11,8 +11,8 @@ namespace deltaform
     /// The next value. Swings of less than a twentieth of the largest magnitude so far are lost.
     void add(double value);
 
-    /// What lies between one turn and the next, of swings of at least @p least; neither the first way nor the last, which
-    /// are not over.
+    /// What lies between one turn and the next, of swings of at least @p least; neither the first way nor the last,
+    /// which are not over.
     std::vector<double> swings(double least) const;
 
     template <class Archive>

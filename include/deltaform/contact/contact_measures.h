@@ -40,7 +40,12 @@ namespace deltaform
     bool smooth = false; ///< do edges make up a smooth curve? It goes around a sharp corner in a radius of its own
     std::vector<double> lengths = {}; ///< of the edges now, if known: those that are short enough for every radius of
       ///< the tool are not looked at
+    std::vector<bool> clamped = {}; ///< edges that a tool at a gap holds from the other side, if any, see clamp_edges():
+      ///< they cannot give way as a long one has to that comes to a radius (doc/theory/shell.md)
   };
+
+  /// Set the edges that the tool touches, and the next ones on either side.
+  void clamp_edges(const ContactInterface &contact, std::vector<bool> &clamped);
 
   /// Lower the longest allowed undeformed length of each edge of the side where it touches, or is about to touch, a
   /// round part of the tool, so that its present length is a share of the radius at most: of that at the middle of a

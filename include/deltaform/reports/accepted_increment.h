@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/assembly/accounts.h>
+#include <deltaform/blanks/increment_size.h>
 #include <deltaform/increment/increment_cost.h>
 #include <deltaform/model/model.h>
 #include <deltaform/reports/checkpoint.h>
@@ -21,7 +22,7 @@ namespace deltaform
     unsigned int number; ///< counts from 1
     IncrementCost cost;
     double strain_at_rest = 0; ///< of a point, if more than allowed, where a refinement had left no equilibrium
-    double snap_rotation = 0; ///< rad; by how much a node has turned, if more than allowed because the blank snapped
+    IncrementSize snap; ///< what is more than allowed elsewhere, because the blank snapped
     bool is_last_here = true; ///< else the mesh is refined, and another one ends at the same time
     bool ends_stage = false;
     std::function<Checkpoint()> checkpoint = {}; ///< makes what a run can go on from
