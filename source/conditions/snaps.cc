@@ -12,7 +12,7 @@ namespace deltaform
     }
 
 
-    /// Has the blank snapped to another equilibrium, and a node turned by more than is allowed?
+    /// Has the blank snapped to another equilibrium, and a node turned by much?
     class Snaps : public WorstCondition
     {
       double value(const AcceptedIncrement &increment) const override
@@ -23,14 +23,14 @@ namespace deltaform
       std::string sentence(const Worst &worst) const override
       {
         return "snap: " + snapped(worst) + "nodes turned by up to " + text::rounded(worst.value) +
-               " rad (the most at time " + text::rounded(worst.time) +
-               "), more than Solver/Largest rotation increment. Look at the pictures before and after: which "
+               " rad at once (the most at time " + text::rounded(worst.time) +
+               "). Look at the pictures before and after: which "
                "equilibrium the blank snaps to is not certain.";
       }
     };
 
 
-    /// And has a point strained by more?
+    /// And has a point strained by much?
     class StrainOfSnaps : public WorstCondition
     {
       double value(const AcceptedIncrement &increment) const override
@@ -41,12 +41,12 @@ namespace deltaform
       std::string sentence(const Worst &worst) const override
       {
         return "strain of a snap: " + snapped(worst) + "points strained by up to " + text::rounded(worst.value) +
-               " (the most at time " + text::rounded(worst.time) +
-               "), more than Solver/Largest strain increment. Their stresses are those of a straight way.";
+               " at once (the most at time " + text::rounded(worst.time) +
+               "). Their stresses are those of a straight way, and a spot may be thin that another mesh does not have.";
       }
     };
 
     const ConditionMakers::Entry entry("snaps", "the blank has snapped to another equilibrium", make_condition<Snaps>),
-      strain("snaps, strain", "and has strained a point by more than is allowed", make_condition<StrainOfSnaps>);
+      strain("snaps, strain", "and has strained a point", make_condition<StrainOfSnaps>);
   } // namespace
 } // namespace deltaform

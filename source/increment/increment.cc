@@ -122,11 +122,13 @@ namespace deltaform
       return refused("strain", strain, settings_.largest_strain);
     if (rotation > settings_.largest_rotation && !may_snap)
       return refused("rotation", rotation, settings_.largest_rotation);
-    if (strain > settings_.largest_strain)
+    // What a last resort has led to is another equilibrium if it is far, allowed or not.
+    const double near = result.by_last_resort ? .5 : 1.;
+    if (strain > near * settings_.largest_strain)
       result.snap.strain = strain;
-    if (rotation > settings_.largest_rotation)
+    if (rotation > near * settings_.largest_rotation)
       result.snap.rotation = rotation;
-    if (result.snap.strain == 0. && result.snap.rotation == 0.)
+    if (strain <= settings_.largest_strain && rotation <= settings_.largest_rotation)
       result.size = std::max(strain / settings_.largest_strain, rotation / settings_.largest_rotation);
     return std::nullopt;
   }

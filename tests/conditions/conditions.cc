@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(snaps_are_counted)
   }
   const auto said = fixture.said();
   BOOST_TEST(one_has(said, "in 3 increments"));
-  BOOST_TEST(one_has(said, "by up to 0.5 rad (the most at time 2)"));
+  BOOST_TEST(one_has(said, "by up to 0.5 rad at once (the most at time 2)"));
 }
 
 BOOST_AUTO_TEST_CASE(strain_of_a_snap_is_said)
@@ -269,7 +269,7 @@ BOOST_AUTO_TEST_CASE(strain_of_a_snap_is_said)
   Fixture fixture;
   fixture.increment.snap.strain = .2;
   BOOST_TEST(one_has(fixture.warnings(), "strain of a snap: in 1 increments"));
-  BOOST_TEST(one_has(fixture.said(), "points strained by up to 0.2 (the most at time 1)"));
+  BOOST_TEST(one_has(fixture.said(), "points strained by up to 0.2 at once (the most at time 1)"));
 }
 
 BOOST_AUTO_TEST_CASE(strain_of_a_refinement_is_said)

@@ -40,7 +40,7 @@ namespace deltaform
     bool smooth = false; ///< do edges make up a smooth curve? It goes around a sharp corner in a radius of its own
     std::vector<double> lengths = {}; ///< of the edges now, if known: those that are short enough for every radius of
       ///< the tool are not looked at
-    std::vector<bool> clamped = {}; ///< edges that a tool at a gap holds from the other side, if any, see clamp_edges():
+    std::vector<bool> clamped = {}; ///< edges that a tool at a gap holds from the other side, if any (clamp_edges()):
       ///< they cannot give way as a long one has to that comes to a radius (doc/theory/shell.md)
   };
 

@@ -35,7 +35,7 @@ namespace deltaform
     unsigned int iterations_to_equilibrium = 0; ///< of these, without the corrections of the last solve
     bool by_last_resort = false; ///< solved by a strategy that is tried where shorter increments do not help
     double size = 0; ///< largest strain or rotation over the one that is allowed; 0 of a snap
-    IncrementSize snap; ///< of a snap that is accepted, what is more than allowed elsewhere
+    IncrementSize snap; ///< of a snap that is accepted, what is more than allowed, or half as much
     double strain_at_rest = 0; ///< of a point, if more than allowed, in a new equilibrium at the same time
 
     /// Those that say how long the next increment should be; nothing of a last resort, which does not depend on it.

@@ -22,7 +22,7 @@ namespace deltaform
     unsigned int number; ///< counts from 1
     IncrementCost cost;
     double strain_at_rest = 0; ///< of a point, if more than allowed, where a refinement had left no equilibrium
-    IncrementSize snap; ///< what is more than allowed elsewhere, because the blank snapped
+    IncrementSize snap; ///< where the blank snapped to another equilibrium, if it is large
     bool is_last_here = true; ///< else the mesh is refined, and another one ends at the same time
     bool ends_stage = false;
     std::function<Checkpoint()> checkpoint = {}; ///< makes what a run can go on from
