@@ -71,7 +71,8 @@ namespace deltaform
                                    Range::between(0., 60.),
                                    "degree",
                                    "An element that bends by more while tools form the sheet is halved, and so is one "
-                                   "that would on the round part of a tool that it comes to; 0: none is.");
+                                   "that would on the round part of a tool that it comes to; less where the sheet "
+                                   "hardly yields; 0: none is.");
     shortest_ = parts.points().thickness() *
                 section.number("Shortest element",
                                .25,
