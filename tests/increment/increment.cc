@@ -112,6 +112,19 @@ BOOST_AUTO_TEST_CASE(a_snap_needs_the_last_resorts)
   BOOST_TEST(strained.rejected->sentence.find("Largest strain increment") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_last_resort_snaps_from_half_of_the_limits_on)
+{
+  for (const auto &[limit, is_snap] : {std::pair("2", true), {"3", true}, {"5", false}})
+  {
+    ArchFixture fixture({"Largest strain increment=1", std::string("Largest rotation increment=") + limit});
+    fixture.problem.q[0] = .4;
+    const auto result = fixture.to(.4049, Effort::last_resorts);
+    BOOST_TEST_REQUIRE(!result.rejected, limit);
+    BOOST_TEST(result.snap.rotation == (is_snap ? result.q[0] - .4 : 0.), boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(result.size > 0.);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_signal_ends_the_ladder)
 {
   // As in the case before, but that no other strategy is tried after a signal has come.
