@@ -148,7 +148,7 @@ namespace deltaform
   {
     longest.resize(contact.projector().edges().size(), std::numeric_limits<double>::infinity());
     const Vector undeformed(contact.projector().surface().n_contact_dofs());
-    constexpr double share_of_clamped = .6;
+    constexpr double share_of_clamped = .6; // doc/decisions, Elements that are too long
     const double sharpest = wishes.share * smallest_radius(contact.tool().shape());
     for (unsigned int e = 0; e < longest.size(); ++e)
     {
