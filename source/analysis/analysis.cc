@@ -125,7 +125,10 @@ namespace deltaform
   int Analysis::end()
   {
     journal_.detail(effort_in_words(model_.discretization(), workspace_.system()));
-    warn(conditions_.warnings(outcome_.exit_status == exit_status::done));
+    const bool done = outcome_.exit_status == exit_status::done;
+    warn(conditions_.warnings(done));
+    if (done)
+      observers_.tell([&](const Observer &observer) { warn(observer.missing(model_)); });
     const Timers::Scope timer(timers_, timer_output_);
     outcome_.increments = state_.n_increments;
     observers_.tell([&](Observer &observer) { observer.ended(model_, outcome_); });

@@ -11,6 +11,10 @@ namespace deltaform
   {
     /// Columns of the profile that are averages of all scenes.
     constexpr std::size_t n_averages = 11;
+
+    /// Those of them, the first ones, that are known at a free edge as well: thickness, strains, equivalent plastic strain.
+    /// Stresses change with the elastic core from point to point: they stay those of the points.
+    constexpr std::size_t n_at_edges = 5;
   } // namespace
 
 
@@ -92,8 +96,15 @@ namespace deltaform
       for (unsigned int k = 0; k < n_criteria; ++k)
         values[n_averages + k][p] = criterion(p, k);
     }
-    for (auto &column : values)
-      column = points_.to_nodes(column);
+    for (std::size_t k = 0; k < values.size(); ++k)
+    {
+      const std::vector<double> at_points = values[k];
+      values[k] = points_.to_nodes(at_points);
+      if (k < n_at_edges)
+        points_.to_edges(at_points, values[k]);
+    }
+    for (double &plastic : values[4])
+      plastic = std::max(plastic, 0.);
     return values;
   }
 

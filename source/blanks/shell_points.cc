@@ -137,4 +137,28 @@ namespace deltaform
       result[i] /= node_weight_[i];
     return result;
   }
+
+
+  void ShellPoints::to_edges(const std::vector<double> &point_values, std::vector<double> &node_values) const
+  {
+    const ShellMesh &mesh = space_.mesh();
+    const unsigned int n = size();
+    if (mesh.cells().size() < 2)
+      return;
+    const auto arc = [&](const unsigned int p) {
+      const auto &nodes = mesh.cells()[p / n_points_per_cell_].nodes;
+      double result = 0.;
+      for (unsigned int a = 0; a <= space_.degree(); ++a)
+        result += points_[p].shape[a] * mesh.arc_length()[nodes[a]];
+      return result;
+    };
+    const auto continue_to = [&](const unsigned int node, const unsigned int last, const unsigned int before) {
+      if (std::abs(mesh.nodes()[node][0]) < 1e-9 * thickness_)
+        return;
+      const double slope = (point_values[last] - point_values[before]) / (arc(last) - arc(before));
+      node_values[node] = point_values[last] + slope * (mesh.arc_length()[node] - arc(last));
+    };
+    continue_to(mesh.cells().front().nodes[0], 0, 1);
+    continue_to(mesh.cells().back().nodes[1], n - 1, n - 2);
+  }
 } // namespace deltaform

@@ -28,6 +28,11 @@ namespace deltaform
         return {{"bend_angle", turn}, {"included_angle", 180. - std::abs(turn)}};
       }
 
+      std::string needs() const override
+      {
+        return "each of First leg and Second leg needs two nodes of the blank between its ends";
+      }
+
     private:
       static std::vector<double> read_leg(Section &section, const std::string &entry, const std::string &example)
       {

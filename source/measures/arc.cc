@@ -28,6 +28,11 @@ namespace deltaform
         return circle ? std::vector<Result>{{"radius", circle->radius}} : std::vector<Result>();
       }
 
+      std::string needs() const override
+      {
+        return "between From and To it needs three nodes of the blank that are not on a line";
+      }
+
     private:
       double from_, to_;
     };

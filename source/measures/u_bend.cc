@@ -55,6 +55,12 @@ namespace deltaform
                 {"flange_length", flange_length(wall.back(), upper, flange, rim)}};
       }
 
+      std::string needs() const override
+      {
+        return "it needs five nodes in the wall, that is between the two margins (Margin), two in each leg (Leg), and a "
+               "mesh that stays in the last stage";
+      }
+
     private:
       /// From where the tangents of wall and flange meet to the end of the blank.
       static double flange_length(const Point2 &wall, const double upper, const std::vector<Point2> &flange,

@@ -73,6 +73,23 @@ namespace deltaform
   }
 
 
+  std::vector<Measure::Result> RunSummary::measured(const Measure &measure, const Model &model) const
+  {
+    const Table now = model.blank().fields().profile(model.committed());
+    return measure.of(now, formed_.rows.empty() ? now : formed_);
+  }
+
+
+  std::vector<std::string> RunSummary::missing(const Model &model) const
+  {
+    std::vector<std::string> result;
+    for (const auto &measure : output_.measures)
+      if (measured(*measure, model).empty())
+        result.push_back("nothing to measure: Output/Measures/" + measure->name() + ": " + measure->needs() + ".");
+    return result;
+  }
+
+
   std::string RunSummary::json(const Model &model, const RunOutcome &outcome, const std::string &title,
                                const std::string &units_label, const double seconds) const
   {
@@ -101,9 +118,8 @@ namespace deltaform
                                                            {"max_force_travel", i < forces_.size() ? travels_[i] : 0.}};
     for (const auto &measure : output_.measures)
     {
-      const Table now = model.blank().fields().profile(model.committed());
       auto &results = summary["measures"][measure->name()] = nlohmann::ordered_json::object();
-      for (const auto &[name, value] : measure->of(now, formed_.rows.empty() ? now : formed_))
+      for (const auto &[name, value] : measured(*measure, model))
         results[name] = value;
     }
     summary["min_thickness"] = thinnest_;

@@ -31,6 +31,9 @@ namespace deltaform
     std::string json(const Model &model, const RunOutcome &outcome, const std::string &title,
                      const std::string &units_label, double seconds) const;
 
+    /// Measures that find nothing on the part.
+    std::vector<std::string> missing(const Model &model) const;
+
     /// The last line for the user.
     std::string last_line(const Model &model, const RunOutcome &outcome, double seconds) const;
 
@@ -49,6 +52,7 @@ namespace deltaform
   private:
     void remember(const AcceptedIncrement &increment);
     void remember_forces(const Model &model);
+    std::vector<Measure::Result> measured(const Measure &measure, const Model &model) const;
 
     const OutputSettings &output_;
     IncrementCost cost_; ///< of the run

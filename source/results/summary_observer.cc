@@ -33,6 +33,11 @@ namespace deltaform
         summary_.moved(increment);
       }
 
+      std::vector<std::string> missing(const Model &model) const override
+      {
+        return summary_.missing(model);
+      }
+
       void ended(const Model &model, const RunOutcome &outcome) override
       {
         folder_.writer().wait();

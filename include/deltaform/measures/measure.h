@@ -38,6 +38,9 @@ namespace deltaform
      */
     virtual std::vector<Result> of(const Table &now, const Table &before) const = 0;
 
+    /// What the part must have, said where of() finds nothing.
+    virtual std::string needs() const = 0;
+
   private:
     std::string name_;
   };

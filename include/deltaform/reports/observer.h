@@ -93,6 +93,12 @@ namespace deltaform
     {
     }
 
+    /// The run is done: what was asked for and cannot be said, each with what to do about it. Before ended().
+    virtual std::vector<std::string> missing(const Model & /*model*/) const
+    {
+      return {};
+    }
+
     virtual void ended(const Model & /*model*/, const RunOutcome & /*outcome*/)
     {
     }
