@@ -57,8 +57,8 @@ namespace deltaform
 
       std::string needs() const override
       {
-        return "it needs five nodes in the wall, that is between the two margins (Margin), two in each leg (Leg), and a "
-               "mesh that stays in the last stage";
+        return "it needs five nodes in the wall, that is between the two margins (Margin), two in each leg (Leg), and "
+               "a mesh that stays in the last stage";
       }
 
     private:

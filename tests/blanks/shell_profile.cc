@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_SUITE(shell_profile)
 
 BOOST_AUTO_TEST_CASE(strains_are_those_of_the_edge)
 {
-  // Half an element away they are off by .004 and .002 (meridional, at either edge) and by .0017 (hoop, at the outer one).
+  // Half an element away they are off by .004 and .002 (meridional, at either edge), and by .0017 (hoop, outer edge).
   for (const std::string degree : {"1", "2"})
     for (const std::string grading : {"1", "1+2*t", "3-2*t"})
       BOOST_TEST_CONTEXT("degree " << degree << ", lengths of elements " << grading)
