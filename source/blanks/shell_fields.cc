@@ -12,7 +12,7 @@ namespace deltaform
     /// Columns of the profile that are averages of all scenes.
     constexpr std::size_t n_averages = 11;
 
-    /// Those of them, the first ones, that are known at a free edge as well: thickness, strains, equivalent plastic strain.
+    /// Those of them, the first ones, that are continued to a free edge: thickness, strains, equivalent plastic strain.
     /// Stresses change with the elastic core from point to point: they stay those of the points.
     constexpr std::size_t n_at_edges = 5;
   } // namespace

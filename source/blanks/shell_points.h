@@ -97,8 +97,8 @@ namespace deltaform
     std::vector<double> to_nodes(const std::vector<double> &point_values) const;
 
     /**
-     * At the two ends of the meridian to_nodes() has the value half an element away from the edge. Continues the values of
-     * the last two points to the edge by a straight line. An end on the axis, or in the plane R = 0 of a symmetric
+     * At the two ends of the meridian to_nodes() has the value half an element away from the edge. Continues the values
+     * of the last two points to the edge by a straight line. An end on the axis, or in the plane R = 0 of a symmetric
      * strip, keeps its average: what is symmetric has no slope there.
      */
     void to_edges(const std::vector<double> &point_values, std::vector<double> &node_values) const;
