@@ -162,6 +162,7 @@ namespace deltaform
             regain_equilibrium();
           else if (const std::string left = model_.formed_start().left_over(); !left.empty())
             journal_.note(left);
+          refine_unstressed();
           const Timers::Scope timer(timers_, timer_output_);
           observers_.tell([&](Observer &observer) { observer.begin(model_, stage()); });
         }

@@ -85,6 +85,7 @@ namespace deltaform
     settings_.passes = 30;
     settings_.edge_share = 1.5 * largest_bend_;
     settings_.smooth = true;
+    settings_.from_the_start = true;
     settings_.asked_for = false;
     bends_.assign(elements_.size(), 0.);
   }

@@ -33,6 +33,7 @@ sys.path.insert(0, str(ROOT / "tests" / "scenes"))
 sys.path.append(str(ROOT / "scripts" / "studies"))
 import check_run
 import resume
+import torn
 from measured import MeasuredTable
 from run_files import CsvFile, NoRun, Run, not_finite
 
@@ -85,6 +86,14 @@ def wrong_results(folder):
     if thinnest < THINNEST * thickness:
         report.wrong.append(f"thinnest: {thinnest:.3g} is left of a thickness of {thickness:g}")
     return "; ".join(report.wrong)
+
+
+def torn_by(folder):
+    """How the sheet of a run that stopped has failed, judged by its files."""
+    try:
+        return torn.why(Run(folder))
+    except NoRun:
+        return ""
 
 
 def shorten(message):
@@ -184,6 +193,8 @@ def run_one(program, work, seed, limit, interrupt, keep, increments):
         elif not keep:
             shutil.rmtree(killed)
     tags["warnings"] = warnings_of(folder)
+    if kind == "stopped":
+        tags["torn"] = torn_by(folder)
     if not keep and kind not in BAD:
         shutil.rmtree(folder, ignore_errors=True)
         scene.unlink()
@@ -219,6 +230,11 @@ def summary(results, arguments):
         f"Without the {len(draw.AFTERWARDS)} clauses that were added to the rule when a failure had shown what it had forgotten "
         f"({'; '.join(sorted(draw.AFTERWARDS))}): {first_complete} of {len(first_rule)} "
         f"({100 * first_complete / max(1, len(first_rule)):.1f} %)."]
+    failed = [r for r in results if r["outcome"] == "necks" or r["outcome"] == "stopped" and (r.get("torn") or "iron the sheet" in r["message"])]
+    can = len(results) - len(failed) - sum(r["outcome"] == "refused" for r in results)
+    done = sum(r["outcome"] == "done" for r in results)
+    sentences.append(f"{len(failed)} sheets neck, are ironed, or stopped when they were torn by the curve of their metal ({sum(bool(r.get('torn')) for r in results)}). "
+                     f"Of the others that were not refused {done} of {can} are done ({100 * done / max(1, can):.1f} %; aim: 95 %).")
     resumed = [r for r in results if r.get("resumed")]
     if resumed:
         sentences.append(f"{len(resumed)} scenes were killed at random moments ({sum(r['resumed'] for r in resumed)} times) and resumed; "

@@ -22,6 +22,7 @@ namespace deltaform
     double edge_share = 0; ///< longest edge in contact over the tool's radius; 0: any
     bool rim = false; ///< refine at the rim of the contact zone
     bool smooth = false; ///< do the edges make up a smooth curve?
+    bool from_the_start = false; ///< also before the first increment
     bool asked_for = true; ///< does the scene ask for it? Else results are those of a mesh that stays, and without
       ///< columns about it
   };
