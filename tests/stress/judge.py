@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """The judge of the stress test against results made up to be wrong: judge.py FOLDER."""
 import json
+import math
 import pathlib
 import shutil
 import struct
 import sys
 
 import stress
+import torn
 
 folder = pathlib.Path(sys.argv[1])
 STOPPED = "warning: stage 'form' stopped at time 0.5, in increment 3: Newton did not converge"
@@ -90,6 +92,36 @@ expect("done", 0, scene=HELD, die_force_z="0", rim_z_reaction="-2")
 expect("wrong without a word", 0, scene=HELD, die_force_z="0", rim_z_reaction="-1.9")
 # Stopped runs say that they are not whole: they are not judged by it.
 expect("stopped", 2, STOPPED, die_force_z="2.01")
+
+# Is the sheet of a run that stopped torn? Swift's curve K (e0 + e)^n: uniform strain n - e0, strength K n^n exp(e0 - n).
+SWIFT = {"Law": "swift", "Strength coefficient": "500", "Prestrain": "0.01", "Hardening exponent": "0.2"}
+uniform, strength = torn.tension(torn.flow_curve(SWIFT))
+if abs(uniform - .19) > 1e-9 or abs(strength / (500 * .2 ** .2 * math.exp(-.19)) - 1) > 1e-9:
+    failures += 1
+    print(f"of Swift's curve uniform strain and strength are said to be {uniform}, {strength}")
+STRIP = """subsection Blank
+  set Thickness = 1
+  set Symmetry = plane strain
+end
+subsection Material
+  subsection Hardening
+    set Law = swift
+    set Strength coefficient = 500
+    set Prestrain = 0.01
+    set Hardening exponent = 0.2
+  end
+end
+""" + SCENE[SCENE.index("subsection Tools"):]
+WALL = 2 / math.sqrt(3) * strength
+for is_torn, changes in ((False, {}), (False, dict(min_thickness="0.63")), (True, dict(min_thickness="0.61")),
+                         (False, dict(punch_force_z=f"{-.96 * WALL}")), (True, dict(punch_force_z=f"{-.98 * WALL}"))):
+    expect("stopped", 2, STOPPED, scene=STRIP, **changes)
+    if bool(stress.torn_by(folder)) != is_torn:
+        failures += 1
+        print(f"a strip with {changes} is {'not ' if is_torn else ''}torn, says '{stress.torn_by(folder)}'")
+if torn.tension(torn.flow_curve({"Law": "perfectly plastic", "Flow stress": "3"})) != (0., 3.):
+    failures += 1
+    print("a perfectly plastic bar necks at once, at its flow stress")
 
 # What the tables count.
 for text, kind in (("thinnest point .2 of the initial thickness", "thinnest point"), ("forces: out of balance", "forces"),
