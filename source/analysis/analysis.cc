@@ -1,4 +1,5 @@
 #include <deltaform/analysis/analysis.h>
+#include <deltaform/analysis/mesh_change.h>
 #include <deltaform/checks/tool_placement.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/text.h>
@@ -162,7 +163,7 @@ namespace deltaform
             regain_equilibrium();
           else if (const std::string left = model_.formed_start().left_over(); !left.empty())
             journal_.note(left);
-          refine_unstressed();
+          MeshChange::refine_unstressed(state_, model_, workspace_, journal_);
           const Timers::Scope timer(timers_, timer_output_);
           observers_.tell([&](Observer &observer) { observer.begin(model_, stage()); });
         }

@@ -16,17 +16,6 @@ namespace deltaform
   }
 
 
-  void Analysis::refine_unstressed()
-  {
-    Adaptive *blank = actors_.blank->adaptive();
-    if (blank == nullptr || !blank->settings().from_the_start || model_.committed().linfty_norm() > 0.)
-      return;
-    for (unsigned int pass = 0; pass < blank->settings().passes && model_.mark(); ++pass)
-      MeshChange(state_, model_, workspace_, journal_).refine();
-    workspace_.follow_mesh();
-  }
-
-
   bool Analysis::refine()
   {
     Checkpoint unrefined = checkpoint();

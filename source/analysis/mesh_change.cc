@@ -1,5 +1,8 @@
 #include <deltaform/analysis/mesh_change.h>
+#include <deltaform/blanks/refinement.h>
 #include <deltaform/parameters/text.h>
+
+#include <utility>
 
 namespace deltaform
 {
@@ -39,6 +42,17 @@ namespace deltaform
     // No extrapolation over a change of the mesh.
     state_.before = model_.committed();
     state_.last_length = 0.;
+  }
+
+
+  void MeshChange::refine_unstressed(State &state, Model &model, Workspace &workspace, Journal &journal)
+  {
+    const Adaptive *blank = std::as_const(*model.actors().blank).adaptive();
+    if (blank == nullptr || !blank->settings().from_the_start || model.committed().linfty_norm() > 0.)
+      return;
+    for (unsigned int pass = 0; pass < blank->settings().passes && model.mark(); ++pass)
+      MeshChange(state, model, workspace, journal).refine();
+    workspace.follow_mesh();
   }
 
 

@@ -122,9 +122,6 @@ namespace deltaform
     /// Refine what is marked, pass by pass, each an increment at the same time. @return false if the run has stopped
     bool refine();
 
-    /// The same before the first increment, where a blank without stress needs no new equilibrium.
-    void refine_unstressed();
-
     bool refinement_marked();
     void regain_equilibrium();
 

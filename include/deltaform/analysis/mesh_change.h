@@ -18,6 +18,9 @@ namespace deltaform
     /// Refine what is marked.
     void refine();
 
+    /// Refine what is marked before the first increment, where a blank without stress needs no new equilibrium.
+    static void refine_unstressed(State &state, Model &model, Workspace &workspace, Journal &journal);
+
     /// The state before, with what was marked left alone. @param why there is no equilibrium @return can the blank go
     /// back?
     bool go_back(const Stage &stage, const Rejected &why);
