@@ -12,9 +12,9 @@ namespace deltaform
     /// Columns of the profile that are averages of all scenes.
     constexpr std::size_t n_averages = 11;
 
-    /// Those of them, the first ones, that are continued to a free edge: thickness, strains, equivalent plastic strain.
-    /// Stresses change with the elastic core from point to point: they stay those of the points.
-    constexpr std::size_t n_at_edges = 5;
+    /// From the second to this one they are continued to a free edge: strains, equivalent plastic strain. The thickness
+    /// follows from its strain; stresses, which change with the elastic core, stay those of the points.
+    constexpr std::size_t last_at_edges = 4;
   } // namespace
 
 
@@ -100,9 +100,12 @@ namespace deltaform
     {
       const std::vector<double> at_points = values[k];
       values[k] = points_.to_nodes(at_points);
-      if (k < n_at_edges)
+      if (k > 0 && k <= last_at_edges)
         points_.to_edges(at_points, values[k]);
     }
+    const auto &cells = space_.mesh().cells();
+    for (const unsigned int edge : {cells.front().nodes[0], cells.back().nodes[1]})
+      values[0][edge] = points_.thickness() * std::exp(values[3][edge]);
     for (double &plastic : values[4])
       plastic = std::max(plastic, 0.);
     return values;

@@ -245,24 +245,25 @@ def stand(scene):
         scene.tool("base", "bottom", Shape="plate", Position_z=-1e-6)
 
 
+def between_plates(scene, height):
+    scene.stages = [("press", 1, {})]
+    stand(scene)
+    scene.tool("punch", "top", Shape="plate", Position_z=height + 1e-6, Motion=f"{scene.chance.uniform(.2, .6) * height:.12g}*t")
+    return scene
+
+
 def upsetting(chance):
     width = log_uniform(chance, 4, 20)
     height = log_uniform(chance, .4, 1.5) * width
     scene = bulk(chance, width, height, chance.uniform(10, 20))
-    scene.stages = [("press", 1, {})]
-    stand(scene)
-    scene.tool("punch", "top", Shape="plate", Position_z=height + 1e-6, Motion=f"{chance.uniform(.2, .6) * height:.12g}*t")
-    return scene
+    return between_plates(scene, height)
 
 
 def ring_compression(chance):
     width = chance.uniform(4, 10)
     height = log_uniform(chance, .4, 1.5) * width
     scene = bulk(chance, width, height, chance.uniform(10, 20), False, chance.uniform(4, 10), "start, top, end")
-    scene.stages = [("press", 1, {})]
-    stand(scene)
-    scene.tool("punch", "top", Shape="plate", Position_z=height + 1e-6, Motion=f"{chance.uniform(.2, .6) * height:.12g}*t")
-    return scene
+    return between_plates(scene, height)
 
 
 def forging(chance):

@@ -7,17 +7,15 @@ Wrong answers that no balance shows: largest force or pressure, smallest thickne
 The exit status is 1 if a scene stops, if its files show it to be wrong without a warning, or if the largest force or pressure of one
 without a warning differs by more than --worst. --again judges earlier shop.jsonl, and runs nothing. --write renews doc/measured/stress_shop.csv.
 """
-import argparse
-import concurrent.futures
 import json
 import math
-import pathlib
 import re
 import shutil
 import sys
 
 import draw_shop
 from stress import MeasuredTable, csv_rows, run_limited, warnings_of, wrong_results
+from study import options, results_of
 
 LARGEST = .02  # default of Largest increment, of a stage
 
@@ -114,28 +112,10 @@ def complaints(result, worst):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--count", type=int, default=150)
-    parser.add_argument("--seconds", type=float, default=90.)
-    parser.add_argument("--jobs", type=int, default=1)
+    parser = options(__doc__, 150)
     parser.add_argument("--worst", type=float, default=math.inf)
-    parser.add_argument("--again", type=pathlib.Path, nargs="*")
-    parser.add_argument("--write", action="store_true")
     arguments = parser.parse_args()
-    arguments.folder.mkdir(parents=True, exist_ok=True)
-    results = []
-    if arguments.again:
-        results = [json.loads(line) for file in arguments.again for line in file.read_text().splitlines()]
-    else:
-        with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool, open(arguments.folder / "shop.jsonl", "w", encoding="utf-8") as log:
-            seeds = range(arguments.first, arguments.first + arguments.count)
-            for result in pool.map(lambda seed: run(arguments.program, arguments.folder, seed, arguments.seconds), seeds):
-                results.append(result)
-                log.write(json.dumps(result) + "\n")
-                log.flush()
+    results = results_of(arguments, run, "shop.jsonl")
     print(table_of(results))
     bad = [(result, complaint) for result in results for complaint in complaints(result, arguments.worst)]
     for result, complaint in bad:

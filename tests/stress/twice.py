@@ -7,16 +7,13 @@ Of every scene that is done on both meshes within --seconds of processor time ea
 force of the punch and the smallest thickness at the end on both, and whether the program warned on the mesh as drawn.
 --again judges such files, and runs nothing. --write renews doc/measured/stress_twice.csv.
 """
-import argparse
-import concurrent.futures
-import json
-import pathlib
 import re
 import shutil
 import sys
 
 import draw
 from stress import MeasuredTable, csv_rows, run_limited, warnings_of
+from study import options, results_of
 
 
 def measures(folder):
@@ -62,28 +59,8 @@ def table_of(results):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--count", type=int, default=1000)
-    parser.add_argument("--seconds", type=float, default=90.)
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--again", type=pathlib.Path, nargs="*")
-    parser.add_argument("--write", action="store_true")
-    arguments = parser.parse_args()
-    arguments.folder.mkdir(parents=True, exist_ok=True)
-    results = []
-    if arguments.again:
-        results = [json.loads(line) for file in arguments.again for line in file.read_text().splitlines()]
-    else:
-        with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool, open(arguments.folder / "twice.jsonl", "w", encoding="utf-8") as log:
-            seeds = range(arguments.first, arguments.first + arguments.count)
-            for result in pool.map(lambda seed: run_twice(arguments.program, arguments.folder, seed, arguments.seconds), seeds):
-                if result:
-                    results.append(result)
-                    log.write(json.dumps(result) + "\n")
-                    log.flush()
+    arguments = options(__doc__, 1000).parse_args()
+    results = results_of(arguments, run_twice, "twice.jsonl")
     table, left = table_of(results)
     print(table)
     print(f"{left} scenes were not done with twice the elements within their time")
