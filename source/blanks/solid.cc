@@ -28,7 +28,7 @@ namespace deltaform
       material_(section, ThirdDirection::strain_given, axisymmetric_),
       kernel_(body_, material_, motion_), transfer_(body_, material_, motion_, kernel_),
       refinement_(refinement_settings_, body_, surface_, material_, transfer_),
-      fields_(body_, surface_, material_, motion_)
+      fields_(body_, surface_, material_, motion_, flow_)
   {
     if (ranks::count() > 1 && surface_.points_per_edge() > 0)
       section.fail("Contact points", "points inside the edges want all of the solid in one process: use 'nodes'");
@@ -247,6 +247,7 @@ namespace deltaform
       kernel_.update_stress(q);
     const bool may_flow = material_.plastic();
     double elastic = 0., plastic = 0.;
+    flow_.assign(may_flow ? material_.size() : 0, Mandel{});
     for (unsigned int i = 0; i < material_.size(); ++i)
     {
       const double volume = body_.points()[i].weight;
@@ -260,12 +261,14 @@ namespace deltaform
       const Mandel after = material_.trial_plastic_strain(i);
       if (before == after)
         continue;
+      for (unsigned int k = 0; k < 4; ++k)
+        flow_[i][k] = after[k] - before[k];
       if (material_.account().counts())
       {
         // The flow takes place in the axes of now: the last stress is turned along.
         const Mandel start = start_stress(i, turn);
         for (unsigned int k = 0; k < 4; ++k)
-          plastic += .5 * volume * (material_.stress(i)[k] + start[k]) * (after[k] - before[k]);
+          plastic += .5 * volume * (material_.stress(i)[k] + start[k]) * flow_[i][k];
       }
       if (motion_.finite())
         motion_.flow_to(i, material_.law().elastic_strain(material_.stress(i)));

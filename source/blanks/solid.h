@@ -13,6 +13,7 @@
 #include <deltaform/blanks/blank.h>
 
 #include <optional>
+#include <vector>
 
 namespace deltaform
 {
@@ -95,6 +96,7 @@ namespace deltaform
     SolidKernel kernel_;
     SolidTransfer transfer_;
     SolidRefinement refinement_;
+    std::vector<Mandel> flow_; ///< plastic strain of the last increment, of every own point
     SolidFields fields_;
     std::optional<SolidHeat> heat_; ///< of a metal that conducts
     double outermost_ = 0; ///< radius

@@ -3,6 +3,8 @@
 #include "material_points.h"
 #include "solid_discretization.h"
 
+#include <deltaform/blanks/fields.h>
+
 #include <vector>
 
 namespace deltaform
@@ -16,9 +18,19 @@ namespace deltaform
 
 
   /**
-   * Where the mesh of a solid is too coarse: committed stresses and equivalent plastic strain against recovered ones,
-   * fitted by polynomials on the cells around every vertex and blended between the vertices of a cell (O.C.
-   * Zienkiewicz, J.Z. Zhu, Int. J. Numer. Methods Eng. 33 (1992) 1331 and 1365); doc/theory/solid.md.
+   * Where the mesh of a solid is too coarse: committed stresses and equivalent plastic strain against recovered ones
+   * (SolidRecovery); doc/theory/solid.md, Refinement during the run.
    */
   ErrorEstimate estimate_error(const SolidDiscretization &body, const MaterialPoints &material);
+
+
+  /**
+   * Does the mesh resolve how the metal flows? Plastic work of the last increment, and the integral of |dt : de|, the
+   * differences of stresses and plastic strains to recovered ones (L. Fourment, J.L. Chenot, Eng. Comput. 12 (1995)
+   * 469, for rates); doc/theory/solid.md, Is the mesh fine enough?
+   * @param flow plastic strain of the last increment, of every own point
+   */
+  MeshError error_of_flow(const SolidDiscretization &body,
+                          const MaterialPoints &material,
+                          const std::vector<Mandel> &flow);
 } // namespace deltaform

@@ -1,4 +1,5 @@
 #include "solid_fields.h"
+#include "solid_error.h"
 #include "solid_folds.h"
 #include "solid_picture.h"
 #include "solid_profile.h"
@@ -57,6 +58,14 @@ namespace deltaform
     private:
       std::vector<Point2> places_;
     };
+
+
+    /// Is it a sheet, by its undeformed middle line?
+    bool is_slender(const MiddleLine &undeformed, const double thickness)
+    {
+      constexpr double thicknesses = 10.;
+      return undeformed.length() >= thicknesses * thickness;
+    }
   } // namespace
 
 
@@ -123,12 +132,11 @@ namespace deltaform
 
   SharpestBend SolidFields::sharpest_bend(const Vector &q) const
   {
-    constexpr double slender = 10.; // thicknesses: what is shorter is no sheet
     const SolidSpace &space = body_.space();
     const Vector undeformed(q.size());
     const MiddleLine before(body_, undeformed), now(body_, q);
     SharpestBend result;
-    if (before.length() < slender * space.mesh().thickness())
+    if (!is_slender(before, space.mesh().thickness()))
       return result;
     for (unsigned int i = 1; i + 1 < now.size(); ++i)
     {
@@ -157,6 +165,15 @@ namespace deltaform
   {
     Vector storage;
     return find_folded_cells(body_.space(), body_.space().hanging().with_hanging(state, storage));
+  }
+
+
+  MeshError SolidFields::mesh_error(const Vector &q) const
+  {
+    const bool unknown = ranks::max(flow_.size() == material_.size() ? 0. : 1.) > 0.;
+    if (unknown || is_slender(MiddleLine(body_, Vector(q.size())), body_.space().mesh().thickness()))
+      return {};
+    return error_of_flow(body_, material_, flow_);
   }
 
 

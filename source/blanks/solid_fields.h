@@ -6,6 +6,8 @@
 
 #include <deltaform/blanks/fields.h>
 
+#include <vector>
+
 namespace deltaform
 {
   /// What can be seen of the accepted state of a solid. All processes together, each with its own cells.
@@ -15,8 +17,9 @@ namespace deltaform
     SolidFields(const SolidDiscretization &body,
                 const SolidSurface &surface,
                 const MaterialPoints &material,
-                const SolidMotion &motion)
-      : body_(body), surface_(surface), material_(material), motion_(motion)
+                const SolidMotion &motion,
+                const std::vector<Mandel> &flow)
+      : body_(body), surface_(surface), material_(material), motion_(motion), flow_(flow)
     {
     }
 
@@ -27,11 +30,13 @@ namespace deltaform
     SharpestBend sharpest_bend(const Vector &q) const override;
     InnermostPlace innermost_place(const Vector &q) const override;
     FoldedCells folded_cells(const Vector &q) const override;
+    MeshError mesh_error(const Vector &q) const override;
 
   private:
     const SolidDiscretization &body_;
     const SolidSurface &surface_;
     const MaterialPoints &material_;
     const SolidMotion &motion_;
+    const std::vector<Mandel> &flow_; ///< plastic strain of the last increment, of every own point; none if unknown
   };
 } // namespace deltaform

@@ -34,6 +34,7 @@ namespace deltaform
     promise_ = std::max(promise_, increment.contact().max_penetration_over_delta);
     between_ = std::max(between_, increment.contact().max_penetration_between_nodes);
     deepest_ = std::max(deepest_, increment.contact().deepest.over_delta);
+    mesh_error_.add(increment);
     remember(increment);
     remember_forces(increment.model);
     const bool last_stage = &increment.stage == &increment.model.actors().stages.back();
@@ -128,6 +129,8 @@ namespace deltaform
     summary["max_penetration_between_nodes_over_delta"] = deepest_;
     if (output_.energies)
       summary["energy_error"] = energy_error_;
+    if (mesh_error_.share() >= 0.)
+      summary["mesh_error"] = mesh_error_.share();
     summary["seconds"] = seconds;
     // Names of scenes may be in another encoding than UTF-8: their bytes must not spoil the file.
     return summary.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

@@ -1,6 +1,7 @@
 #pragma once
 // What summary.json says; private to the results.
 #include <deltaform/reports/accepted_increment.h>
+#include <deltaform/reports/mesh_error_sum.h>
 #include <deltaform/reports/observer.h>
 #include <deltaform/results/output_settings.h>
 
@@ -40,13 +41,15 @@ namespace deltaform
     void save(boost::archive::binary_oarchive &archive) const
     {
       archive << cost_.rounds << cost_.correction_iterations << cost_.cutbacks << promise_ << between_ << deepest_
-              << forces_ << travels_ << formed_.names << formed_.units << formed_.rows << cost_.rejected_iterations;
+              << forces_ << travels_ << formed_.names << formed_.units << formed_.rows << cost_.rejected_iterations
+              << mesh_error_;
     }
 
     void load(boost::archive::binary_iarchive &archive)
     {
       archive >> cost_.rounds >> cost_.correction_iterations >> cost_.cutbacks >> promise_ >> between_ >> deepest_ >>
-        forces_ >> travels_ >> formed_.names >> formed_.units >> formed_.rows >> cost_.rejected_iterations;
+        forces_ >> travels_ >> formed_.names >> formed_.units >> formed_.rows >> cost_.rejected_iterations >>
+        mesh_error_;
     }
 
   private:
@@ -60,6 +63,7 @@ namespace deltaform
     double deepest_ = 0.; ///< the same over delta, but for edges over sharp corners
     std::vector<double> forces_, travels_; ///< of each tool: the largest that it has pressed with, and where
     Table formed_; ///< profile at the end of the last stage but one; empty where nobody asks for it
+    MeshErrorSum mesh_error_;
     bool any_ = false; ///< was any increment accepted?
     double time_ = 0., thinnest_ = 0., energy_error_ = 0.; ///< of the last accepted increment
   };

@@ -434,4 +434,53 @@ BOOST_AUTO_TEST_CASE(the_error_of_a_linear_stress_is_none)
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_error_of_an_even_flow_is_none)
+{
+  const auto flow = [](const auto &u, const std::string &n, const Entries &more = {}) {
+    Entries entries = {"Blank/Kinematics=small",
+                       "Blank/Symmetry=plane strain",
+                       "Blank/Points=0 0; 1 0",
+                       "Blank/Thickness=1",
+                       "Blank/Elements=" + n,
+                       "Blank/Elements through thickness=" + n,
+                       "Material/Young's modulus=1e6",
+                       "Material/Poisson's ratio=.3",
+                       "Material/Hardening/Law=perfectly plastic",
+                       "Material/Hardening/Flow stress=1"};
+    entries.insert(entries.end(), more.begin(), more.end());
+    const auto blank = make_blank("solid", entries);
+    const Vector q = field(*blank, u);
+    assemble(*blank, q, *std::make_unique<DenseTarget>(q.size()));
+    blank->commit(q);
+    return blank->fields().mesh_error(q);
+  };
+  // Pressed by one per cent in plane strain: its work is 2/sqrt(3) of the flow stress.
+  const auto even = [](const unsigned int axis, const Point2 &X) { return (axis == 0 ? .01 : -.01) * X[axis]; };
+  for (const std::string degree : {"1", "2"})
+  {
+    const MeshError error = flow(even, "4", {"Blank/Degree=" + degree});
+    BOOST_TEST(std::abs(error.work / (.01 * 2. / std::sqrt(3.)) - 1.) < 1e-4);
+    BOOST_TEST(error.error < 1e-10 * error.work);
+  }
+  // A flow that turns from place to place: strains of degree 1 are wrong by the length of a cell, the work by its
+  // square.
+  const auto turning = [](const unsigned int axis, const Point2 &X) {
+    return axis == 0 ? .01 * (X[0] + X[0] * X[0]) : -.01 * X[1] * (1. + 2. * X[0]);
+  };
+  std::vector<double> shares;
+  for (const std::string n : {"8", "16", "32"})
+  {
+    const MeshError error = flow(turning, n);
+    shares.push_back(error.error / error.work);
+  }
+  BOOST_TEST_MESSAGE("shares of the work: " << shares[0] << ", " << shares[1] << ", " << shares[2]);
+  BOOST_TEST(std::abs(shares[0] / shares[1] - 4.) < .4);
+  BOOST_TEST(std::abs(shares[1] / shares[2] - 4.) < .2);
+  // None is told of a sheet, and without flow.
+  BOOST_TEST(flow(turning, "8", {"Blank/Points=0 0; 11 0"}).work == 0.);
+  const MeshError elastic = flow(turning, "8", {"Material/Hardening/Flow stress=1e9"});
+  BOOST_TEST(elastic.work == 0.);
+  BOOST_TEST(elastic.error == 0.);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

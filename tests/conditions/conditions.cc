@@ -29,6 +29,7 @@ namespace
       folded_cells_.emplace();
       overlap_.emplace();
       innermost_place_.emplace();
+      mesh_error_.emplace();
     }
 
     EnergyAccount &account()
@@ -40,6 +41,7 @@ namespace
     using AcceptedIncrement::contact_;
     using AcceptedIncrement::folded_cells_;
     using AcceptedIncrement::innermost_place_;
+    using AcceptedIncrement::mesh_error_;
     using AcceptedIncrement::overlap_;
     using AcceptedIncrement::sections_;
     using AcceptedIncrement::sharpest_bend_;
@@ -277,6 +279,25 @@ BOOST_AUTO_TEST_CASE(strain_of_a_refinement_is_said)
   Fixture fixture;
   fixture.increment.strain_at_rest = .3;
   BOOST_TEST(one_has(fixture.warnings(), "after 1 refinements strained a point by up to 0.3"));
+}
+
+BOOST_AUTO_TEST_CASE(a_mesh_that_does_not_resolve_the_flow_is_told)
+{
+  Fixture fixture;
+  fixture.increment.time = .1;
+  fixture.increment.mesh_error_ = MeshError{1., .029};
+  BOOST_TEST(fixture.warnings().empty());
+  // It counts by its work.
+  fixture.increment.time = .2;
+  fixture.increment.mesh_error_ = MeshError{1., .035};
+  BOOST_TEST(one_has(fixture.warnings(), "by 3.2 % of the plastic work"));
+  BOOST_TEST(one_has(fixture.said(), "largest force by 9.6 %"));
+  // What follows within a fiftieth of the stage is not looked at.
+  fixture.increment.time = .21;
+  fixture.increment.mesh_error_ = MeshError{1e3, 0.};
+  BOOST_TEST(fixture.warnings().size() == 1u);
+  fixture.increment.time = .22;
+  BOOST_TEST(fixture.warnings().empty());
 }
 
 BOOST_AUTO_TEST_CASE(an_ironed_shell_ends_the_run_after_two_increments)

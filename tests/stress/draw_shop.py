@@ -289,8 +289,10 @@ def extrusion(chance):
     throat = 10 * (1 - reduction if scene.plane else math.sqrt(1 - reduction))
     length = (10 - throat) / math.tan(angle)
     fillet = min(chance.uniform(2, 5), .4 * length / math.cos(angle) / math.tan(.5 * angle))
-    scene.tool("container", "bottom", Shape="profile", Fillet_radii=f"0, {fillet:.12g}, {fillet:.12g}, 0",
-               Points=points((throat, -80), (throat, -length), (10, 0), (10, 100)), Position_z=-fillet * math.tan(.5 * angle) - .05)
+    # A long land would grip the bar.
+    scene.tool("container", "bottom", Shape="profile", Fillet_radii=f"0, 0.5, 0.5, {fillet:.12g}, {fillet:.12g}, 0",
+               Points=points((throat + .4, -80), (throat + .4, -length - 3), (throat, -length - 2), (throat, -length), (10, 0), (10, 100)),
+               Position_z=-fillet * math.tan(.5 * angle) - .05)
     scene.hold("ram", "top", "z", Value=f"-{chance.uniform(.3, .6) * height:.12g}*t")
     return scene
 

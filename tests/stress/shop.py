@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Runs processes of a press shop that are drawn at random, again with twice the elements, and again with a quarter of the increments.
+"""Runs processes of a press shop that are drawn at random, again with twice the elements, and again with a quarter of the increments;
+bulk also with half the elements, to compare the program's estimate of the error by the mesh.
 
     shop.py PROGRAM FOLDER [--first N] [--count N] [--seconds N] [--jobs N] [--worst SHARE] [--again FILE ...] [--write]
 
 Wrong answers that no balance shows: largest force or pressure, smallest thickness and angles after springback on the three.
 The exit status is 1 if a scene stops, if its files show it to be wrong without a warning, or if the largest force or pressure of one
-without a warning differs by more than --worst. --again judges earlier shop.jsonl, and runs nothing. --write renews doc/measured/stress_shop.csv.
+without a warning differs by more than --worst. --again judges earlier shop.jsonl, and runs nothing. --write renews doc/measured/stress_shop.csv and mesh_error.csv.
 """
 import json
 import math
@@ -20,8 +21,9 @@ from study import options, results_of
 LARGEST = .02  # default of Largest increment, of a stage
 
 
-def twice_the_elements(text):
-    return re.sub(r"(set Elements(?: through thickness)? = )(\d+)", lambda found: found[1] + str(2 * int(found[2])), text)
+def elements(factor):
+    return lambda text: re.sub(r"(set Elements(?: through thickness)? = )(\d+)", lambda found: found[1] + str(max(1, round(factor * int(found[2])))),
+                               text)
 
 
 def quarter_of_increments(text):
@@ -36,7 +38,8 @@ def quarter_of_increments(text):
     return re.sub(r"set End time = (\S+)", shorter, text)
 
 
-VARIANTS = {"drawn": str, "twice": twice_the_elements, "quarter": quarter_of_increments}
+BULK = [make.__name__.replace("_", " ") for make in draw_shop.BULK]
+VARIANTS = {"drawn": str, "twice": elements(2), "quarter": quarter_of_increments, "half": elements(.5)}
 
 
 def measures(folder):
@@ -44,8 +47,11 @@ def measures(folder):
     loads = [k for k, name in enumerate(head) if name.endswith(("_force_z", "_pressure"))]
     largest = {head[k]: max(abs(float(row[k])) for row in rows) for k in loads}
     main = next((name for name in ("punch_force_z", "container_force_z", "oil_pressure") if name in largest), None)
-    found = json.loads((folder / "summary.json").read_text()).get("measures", {}).get("part", {})
-    return {"force": largest.get(main), "thickness": float(rows[-1][head.index("min_thickness")]),
+    summary = json.loads((folder / "summary.json").read_text())
+    found = summary.get("measures", {}).get("part", {})
+    work = sum(float(rows[-1][head.index(name)]) for name in ("tool_work", "load_work"))
+    return {"force": largest.get(main), "work": work, "mesh_error": summary.get("mesh_error"),
+            "thickness": float(rows[-1][head.index("min_thickness")]),
             "angles": [found[name] for name in ("included_angle", "theta1", "theta2") if name in found]}
 
 
@@ -53,6 +59,8 @@ def run(program, work, seed, limit):
     text, kind = draw_shop.draw(seed)
     result = {"seed": seed, "kind": kind}
     for name, change in VARIANTS.items():
+        if name == "half" and kind not in BULK:
+            continue
         scene, folder = work / f"{seed:05d}_{name}.prm", work / f"{seed:05d}_{name}"
         shutil.rmtree(folder, ignore_errors=True)
         scene.write_text(change(text))
@@ -97,6 +105,20 @@ def table_of(results):
     return table
 
 
+def mesh_errors(results):
+    table = MeasuredTable(["process", "seed", "elements", "mesh_error [%]", "work [%]", "largest force [%]", "warned of"])
+    for result in sorted(results, key=lambda r: (r["kind"], r["seed"])):
+        for variant, of_elements in (("half", "half"), ("drawn", "as drawn")):
+            one, fine = result.get(variant, {}), result.get("twice", {})
+            if one.get("mesh_error") is None or fine.get("status") != 0:
+                continue
+            off = [100 * (one[name] / fine[name] - 1) for name in ("work", "force")]
+            warned = any(warning.startswith("coarse mesh") for warning in one["warnings"])
+            table.add(result["kind"], result["seed"], of_elements, f"{100 * one['mesh_error']:.2g}", *(f"{value:.1f}" for value in off),
+                      "yes" if warned else "")
+    return table
+
+
 def complaints(result, worst):
     """What is wrong with a scene, in sentences."""
     drawn = result["drawn"]
@@ -122,6 +144,8 @@ def main():
         print(f"{result['seed']}, {result['kind']}: {complaint}")
     if arguments.write:
         table_of(results).write("stress_shop", "processes drawn at random against finer meshes and shorter increments", script="tests/stress/shop.py")
+        mesh_errors(results).write("mesh_error", "bulk processes drawn at random: the program's estimate of the error by the mesh, and what twice the "
+                                   "elements show", script="tests/stress/shop.py")
     return 1 if bad else 0
 
 

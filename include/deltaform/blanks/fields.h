@@ -36,6 +36,13 @@ namespace deltaform
     Point2 place; ///< middle of the largest of them in the undeformed blank (length)
   };
 
+  /// How the metal flows in the last increment.
+  struct MeshError
+  {
+    double work = 0; ///< plastic (force*length)
+    double error = 0; ///< estimated, of that work, as the mesh is too coarse
+  };
+
   /// Where a sheet lies within itself.
   struct Overlap
   {
@@ -93,6 +100,13 @@ namespace deltaform
 
     /// None of a sheet.
     virtual FoldedCells folded_cells(const Vector & /*q*/) const
+    {
+      return {};
+    }
+
+    /// Of solids that are no sheets: the bends of these are seen by sharpest_bend(). None of an increment that was not
+    /// accepted in this run on this mesh.
+    virtual MeshError mesh_error(const Vector & /*q*/) const
     {
       return {};
     }

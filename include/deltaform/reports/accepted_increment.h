@@ -81,6 +81,14 @@ namespace deltaform
       return *folded_cells_;
     }
 
+    /// See Fields::mesh_error().
+    const MeshError &mesh_error() const
+    {
+      if (!mesh_error_)
+        mesh_error_ = model.blank().fields().mesh_error(model.committed());
+      return *mesh_error_;
+    }
+
     /// Values along the blank, see Fields::profile().
     const Table &profile() const
     {
@@ -136,6 +144,7 @@ namespace deltaform
     mutable std::optional<SharpestBend> sharpest_bend_;
     mutable std::optional<FoldedCells> folded_cells_;
     mutable std::optional<Overlap> overlap_;
+    mutable std::optional<MeshError> mesh_error_;
     mutable std::optional<InnermostPlace> innermost_place_;
     mutable std::optional<Table> profile_;
     mutable std::optional<std::vector<LargestCriterion>> largest_criteria_;
