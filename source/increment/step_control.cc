@@ -130,8 +130,9 @@ namespace deltaform
       increment_ = shorter;
       return true;
     }
-    // At a place where the blank snaps through a longer increment may lead to the equilibrium beyond.
-    if (longer_tries_ == most_longer_tries)
+    // At a place where the blank snaps through a longer increment may lead to the equilibrium beyond. The longest of
+    // all is tried once.
+    if (longer_tries_ == most_longer_tries || (longer_tries_ > 0 && tried >= (1. - 1e-9) * largest_))
       return false;
     ++longer_tries_;
     increment_ = std::min(10. * tried, largest_);
