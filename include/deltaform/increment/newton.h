@@ -109,7 +109,7 @@ namespace deltaform
 
     Equations &equations_;
     System &system_;
-    const NewtonSettings &settings_;
+    NewtonSettings settings_;
     const std::vector<double> &scale_, &size_;
     double smallest_motion_; ///< displacements below are not a scale to measure steps by
     Timers &timers_;
