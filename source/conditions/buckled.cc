@@ -90,18 +90,29 @@ namespace deltaform
             force = now;
             result.tool = actors_.tools[i]->name();
           }
-        const Table &profile = increment.profile();
+        if (!(force > 0.))
+          return {};
         const auto &sections = increment.sections();
-        if (!(force > 0.) || profile.rows.size() != sections.size())
+        const bool axisymmetric = increment.model.blank().axisymmetric();
+        const auto pressed_by = [&](const SheetSection &section, const double radius) {
+          const double width = axisymmetric ? 2. * dealii::numbers::PI * radius : 1.;
+          return -section.stress * section.thickness * width;
+        };
+        // A profile costs a tenth of an increment, and most sheets are pulled.
+        constexpr double widened = 4.; // a radius that grows by more belongs to no wall
+        if (std::none_of(sections.begin(), sections.end(), [&](const SheetSection &section) {
+              return pressed_by(section, section.place) > least_share / widened * force;
+            }))
+          return {};
+        const Table &profile = increment.profile();
+        if (profile.rows.size() != sections.size())
           return {};
         const std::size_t r = column(profile, "r"), z = column(profile, "z"), rotation = column(profile, "rotation");
-        const bool axisymmetric = increment.model.blank().axisymmetric();
         TurningPoints strut;
         for (std::size_t i = 0; i < sections.size(); ++i)
         {
           const auto &row = profile.rows[i];
-          const double width = axisymmetric ? 2. * dealii::numbers::PI * row[r] : 1.;
-          if (-sections[i].stress * sections[i].thickness * width < least_share * force)
+          if (pressed_by(sections[i], row[r]) < least_share * force)
           {
             strut = TurningPoints();
             continue;

@@ -19,16 +19,15 @@ namespace deltaform
 
       std::vector<std::string> warnings(bool) const override
       {
-        // Random extrusions, coinings, forgings, indentations against finer meshes (doc/stress.md): work is at most
-        // one and a half times this too large, the largest force three times.
+        // Random bulk processes against finer meshes (doc/measured/mesh_error.csv): work is at most twice, the largest
+        // force six times this too large.
         constexpr double largest = .03;
         const double share = sum_.share();
         if (share <= largest)
           return {};
         return {"coarse mesh: stresses and flow differ from smoothed ones by " + text::percent(share) +
-                " of the plastic work. The work of the tools may be too large by as much, their largest force by " +
-                text::percent(3. * share) +
-                ". Take shorter elements where the metal flows around an edge (Blank/Elements, Elements through "
+                " of the plastic work. The work of the tools may be too large by up to twice that, their largest force "
+                "by up to six times. Take shorter elements where the metal flows around an edge (Blank/Elements, Elements through "
                 "thickness, Grading), or elements of degree 2 (Blank/Degree)."};
       }
 

@@ -291,7 +291,6 @@ BOOST_AUTO_TEST_CASE(a_mesh_that_does_not_resolve_the_flow_is_told)
   fixture.increment.time = .2;
   fixture.increment.mesh_error_ = MeshError{1., .035};
   BOOST_TEST(one_has(fixture.warnings(), "by 3.2 % of the plastic work"));
-  BOOST_TEST(one_has(fixture.said(), "largest force by 9.6 %"));
   // What follows within a fiftieth of the stage is not looked at.
   fixture.increment.time = .21;
   fixture.increment.mesh_error_ = MeshError{1e3, 0.};
