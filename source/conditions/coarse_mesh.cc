@@ -27,8 +27,8 @@ namespace deltaform
           return {};
         return {"coarse mesh: stresses and flow differ from smoothed ones by " + text::percent(share) +
                 " of the plastic work. The work of the tools may be too large by up to twice that, their largest force "
-                "by up to six times. Take shorter elements where the metal flows around an edge (Blank/Elements, Elements through "
-                "thickness, Grading), or elements of degree 2 (Blank/Degree)."};
+                "by up to six times. Take shorter elements where the metal flows around an edge (Blank/Elements, "
+                "Elements through thickness, Grading), or elements of degree 2 (Blank/Degree)."};
       }
 
       template <class Archive>
