@@ -73,10 +73,18 @@ namespace deltaform
       return reach;
     }
 
+    /// Does the stage end as soon as the gap between two tools is as small as is asked for?
+    bool ends_by_gap(const Tool &a, const Tool &b, const Stage &stage)
+    {
+      const std::string one = text::column_name(a.name()), other = text::column_name(b.name());
+      return stage.ends_when.find(one + "_to_" + other + "_gap") != std::string::npos ||
+             stage.ends_when.find(other + "_to_" + one + "_gap") != std::string::npos;
+    }
+
     bool may_clash(const Tool &a, const Tool &b, const Stage &stage)
     {
       return a.side() != b.side() && !a.force_driven() && !b.force_driven() && a.exists_in(stage.name) &&
-             b.exists_in(stage.name);
+             b.exists_in(stage.name) && !ends_by_gap(a, b, stage);
     }
 
     /// How deep two tools overlap at a time.

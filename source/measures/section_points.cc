@@ -32,14 +32,42 @@ namespace deltaform
   }
 
 
+  namespace
+  {
+    /// Place at an arc length, on the parabola through the three nodes around it (two: on the line).
+    Point2 point_at(const std::vector<double> &s, const std::vector<Point2> &points, const double place)
+    {
+      const auto above = static_cast<std::size_t>(std::upper_bound(s.begin(), s.end(), place) - s.begin());
+      const std::size_t n = std::min<std::size_t>(3, s.size());
+      const std::size_t first = std::min(above > 0 ? above - 1 : 0, s.size() - n);
+      Point2 result;
+      for (std::size_t i = first; i < first + n; ++i)
+      {
+        double share = 1.;
+        for (std::size_t k = first; k < first + n; ++k)
+          if (k != i)
+            share *= (place - s[k]) / (s[i] - s[k]);
+        result += share * (points[i] - Point2());
+      }
+      return result;
+    }
+  } // namespace
+
+
   std::vector<Point2> points_between(const Table &profile, const double from, const double to)
   {
     const auto s = column_of(profile, "S0");
     const auto all = points_of(profile);
-    std::vector<Point2> result;
+    if (s.size() < 2)
+      return {};
+    const double begin = std::max(from, s.front()), end = std::min(to, s.back());
+    if (!(begin < end))
+      return {};
+    std::vector<Point2> result{point_at(s, all, begin)};
     for (std::size_t i = 0; i < s.size(); ++i)
-      if (s[i] >= from && s[i] <= to)
+      if (s[i] > begin && s[i] < end)
         result.push_back(all[i]);
+    result.push_back(point_at(s, all, end));
     return result;
   }
 

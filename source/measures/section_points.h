@@ -14,7 +14,8 @@ namespace deltaform
   /// r and z of the rows.
   std::vector<Point2> points_of(const Table &profile);
 
-  /// Those whose initial arc length lies between two.
+  /// Those whose initial arc length lies between two, with points at both ends between the nodes, so that the mesh does
+  /// not choose them; on the blank only. None if @p from is not before @p to there.
   std::vector<Point2> points_between(const Table &profile, double from, double to);
 
   struct Circle

@@ -5,6 +5,7 @@
 #include <deltaform/parameters/section.h>
 
 #include <cmath>
+#include <utility>
 
 namespace deltaform
 {
@@ -36,14 +37,11 @@ namespace deltaform
         const auto all = points_of(now);
         if (height.size() != all.size())
           return {};
-        const double sign = height.back() > height.front() ? 1. : -1.;
-        std::vector<Point2> wall;
-        for (std::size_t i = 0; i < all.size(); ++i)
-          if (sign * (height[i] - height.front()) > margin_ && sign * (height.back() - height[i]) > margin_)
-            wall.push_back(all[i]);
+        const auto [begin, end] = wall_of(s, height);
+        const auto wall = points_between(now, begin, end);
         const auto bottom = points_between(now, s.front(), s.front() + leg_);
         const auto flange = points_between(now, s.back() - leg_, s.back());
-        const auto circle = wall.size() < 5 ? std::nullopt : fit_circle(wall);
+        const auto circle = wall.size() < 7 ? std::nullopt : fit_circle(wall);
         if (!circle || bottom.size() < 2 || flange.size() < 2)
           return {};
         const double chord = direction(wall.front(), wall.back());
@@ -57,11 +55,30 @@ namespace deltaform
 
       std::string needs() const override
       {
-        return "it needs five nodes in the wall, that is between the two margins (Margin), two in each leg (Leg), and "
+        return "it needs five nodes in the wall, that is between the two margins (Margin), and "
                "a mesh that stays in the last stage";
       }
 
     private:
+      /// Arc lengths between which the sheet is more than the margin away from both ends, by its @p height.
+      std::pair<double, double> wall_of(const std::vector<double> &s, const std::vector<double> &height) const
+      {
+        const auto last = s.size() - 1;
+        const double sign = height[last] > height[0] ? 1. : -1.;
+        const auto above = [&](const std::size_t i) { return sign * (height[i] - height[0]) - margin_; };
+        const auto below = [&](const std::size_t i) { return sign * (height[last] - height[i]) - margin_; };
+        std::size_t first = 0, final = last;
+        while (first < last && above(first) <= 0.)
+          ++first;
+        while (final > 0 && below(final) <= 0.)
+          --final;
+        if (first == 0 || first > final || final == last)
+          return {0., 0.};
+        const double a = above(first - 1) / (above(first - 1) - above(first)), // above(first - 1) <= 0 < above(first)
+          b = below(final) / (below(final) - below(final + 1));
+        return {s[first - 1] + a * (s[first] - s[first - 1]), s[final] + b * (s[final + 1] - s[final])};
+      }
+
       /// From where the tangents of wall and flange meet to the end of the blank.
       static double flange_length(const Point2 &wall, const double upper, const std::vector<Point2> &flange,
                                   const double rim)

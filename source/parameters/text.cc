@@ -126,6 +126,14 @@ namespace deltaform
       return format(std::strtod(fmt::format("{:.3e}", value).c_str(), nullptr));
     }
 
+    std::string column_name(const std::string &name)
+    {
+      std::string result = name;
+      std::replace(result.begin(), result.end(), ' ', '_');
+      return result;
+    }
+
+
     unsigned int edit_distance(const std::string &a, const std::string &b)
     {
       const auto lower = [](const char c) { return std::tolower(static_cast<unsigned char>(c)); };

@@ -1,3 +1,4 @@
+#include <deltaform/parameters/text.h>
 #include <deltaform/reports/accepted_increment.h>
 #include <deltaform/reports/reported_columns.h>
 
@@ -16,14 +17,6 @@ namespace deltaform
       return static_cast<double>(n);
     }
   } // namespace
-
-
-  std::string column_name(const std::string &name)
-  {
-    std::string result = name;
-    std::replace(result.begin(), result.end(), ' ', '_');
-    return result;
-  }
 
 
   ReportedNames reported_names(const Actors &actors)
@@ -60,7 +53,7 @@ namespace deltaform
   {
     for (unsigned int i = 0; i < names.size(); ++i)
     {
-      const std::string tool = column_name(names[i]);
+      const std::string tool = text::column_name(names[i]);
       columns.add({{tool + "_travel", "length",
                     "along the tool's direction of motion, from its initial position"},
                    {tool + "_force_z", "force",
@@ -250,7 +243,7 @@ namespace deltaform
   void describe_supports(const std::vector<std::string> &names, Columns &columns)
   {
     for (unsigned int i = 0; i < names.size(); ++i)
-      columns.add({{column_name(names[i]) + "_reaction", "force",
+      columns.add({{text::column_name(names[i]) + "_reaction", "force",
                     "sum of the forces (moments) of a support on the blank, without loads on its own nodes; "
                     "symmetry at the axis does not count. A corner that two supports hold is in both sums"}},
                   [i](const Increment &increment, Row &row) { row.emplace_back(increment.model.reaction(i)); });
@@ -261,7 +254,7 @@ namespace deltaform
   {
     for (unsigned int i = 0; i < names.size(); ++i)
     {
-      const std::string load = column_name(names[i]);
+      const std::string load = text::column_name(names[i]);
       columns.add({{load + "_force_z", "force", "resultant of a load on the blank"},
                    {load + "_force_r", "force", "resultant of a load on the blank"}},
                   [i](const Increment &increment, Row &row) {

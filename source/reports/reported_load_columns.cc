@@ -1,5 +1,6 @@
 // What loads and probes have to report.
 #include <deltaform/loads/load_way.h>
+#include <deltaform/parameters/text.h>
 #include <deltaform/reports/accepted_increment.h>
 #include <deltaform/reports/reported_columns.h>
 
@@ -43,7 +44,7 @@ namespace deltaform
   void describe_load_sizes(const std::vector<std::string> &names, Columns &columns)
   {
     for (const auto &name : names)
-      columns.add({{column_name(name) + "_size", "load",
+      columns.add({{text::column_name(name) + "_size", "load",
                     "line load or body force: `Value`, or what follows from `Control`; 0 in stages without the load"}},
                   [name](const Increment &increment, Row &row) { row.emplace_back(size_of(increment, name)); });
   }
@@ -52,12 +53,12 @@ namespace deltaform
   void describe_pressures(const std::vector<std::string> &names, Columns &columns)
   {
     for (const auto &name : names)
-      columns.add({{column_name(name) + "_pressure", "stress",
+      columns.add({{text::column_name(name) + "_pressure", "stress",
                     "`Value`, or what follows from `Control`; 0 in stages without the load"},
-                   {column_name(name) + "_volume", "volume",
+                   {text::column_name(name) + "_volume", "volume",
                     "that the pressed face has swept since the start, positive if the pressure does work (plane "
                     "strain: area)"},
-                   {column_name(name) + "_height", "length",
+                   {text::column_name(name) + "_height", "length",
                     "largest displacement along z of a node of the pressed face: the height of a dome"}},
                   [name](const Increment &increment, Row &row) {
                     const Load &load = *find(increment.model, name);
@@ -70,12 +71,12 @@ namespace deltaform
   void describe_beads(const std::vector<std::string> &names, Columns &columns)
   {
     for (const auto &name : names)
-      columns.add({{column_name(name) + "_restraint", "force/length",
+      columns.add({{text::column_name(name) + "_restraint", "force/length",
                     "force of a draw bead on the sheet per length of the bead, positive against a sheet that is drawn "
                     "towards its start"},
-                   {column_name(name) + "_path", "length",
+                   {text::column_name(name) + "_path", "length",
                     "of undeformed sheet that has passed the draw bead, to and fro"},
-                   {column_name(name) + "_work", "force*length",
+                   {text::column_name(name) + "_work", "force*length",
                     "of the sheet against the draw bead; `load_work` holds it with the other sign"}},
                   [name](const Increment &increment, Row &row) {
                     const auto restraint = find(increment.model, name)->restraint().value();
@@ -90,7 +91,7 @@ namespace deltaform
     {
       std::vector<Columns::Column> own;
       for (const auto &field : probe.fields())
-        own.push_back({column_name(probe.name()) + "_" + field.name, field.unit,
+        own.push_back({text::column_name(probe.name()) + "_" + field.name, field.unit,
                        "of the profile, at a probe (`Output/Probes`)"});
       columns.add(own, [probe](const Increment &increment, Row &row) {
         for (const double value : probe.values(increment.profile()))

@@ -60,6 +60,12 @@ BOOST_AUTO_TEST_CASE(who_cannot_clash)
   BOOST_TEST(has(only_then[0], "stage 'two'"));
   const ReadScene pressed(strip(punch_and_die("3.5", "  set Force = 4*t\n")));
   BOOST_TEST(deltaform::overlapping_tools(pressed.scene->actors).empty());
+  // A stage that ends before.
+  std::string text = strip(punch_and_die("3.5", "  set Motion = 4*t\n"));
+  text.replace(text.find("set End time = 1\n"), 0, "set Ends when = punch_to_die_gap < 1.01\n  ");
+  const auto after = deltaform::overlapping_tools(ReadScene(text).scene->actors);
+  BOOST_TEST_REQUIRE(after.size() == 1u);
+  BOOST_TEST(has(after[0], "stage 'two'"));
   // Less than a hundredth of the thickness is none.
   BOOST_TEST(found(punch_and_die("3.5", "  set Motion = 1.009*t/2\n")).empty());
   BOOST_TEST(found(punch_and_die("3.5", "  set Motion = 1.011*t/2\n")).size() == 1u);
@@ -83,7 +89,7 @@ BOOST_AUTO_TEST_CASE(no_shipped_scene_has_any)
 {
   const std::filesystem::path root = DELTAFORM_SOURCE_DIR;
   unsigned int n_scenes = 0, n_pairs = 0;
-  for (const std::string folder : {"prm", "tests/scenes"})
+  for (const std::string folder : {"prm", "prm/shop", "tests/scenes"})
     for (const auto &file : std::filesystem::directory_iterator(root / folder))
     {
       if (file.path().extension() != ".prm")

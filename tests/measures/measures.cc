@@ -82,6 +82,23 @@ BOOST_AUTO_TEST_CASE(angle_between_two_legs)
   BOOST_TEST(angles.at("included_angle") == 180. - 180. / pi, boost::test_tools::tolerance(1e-10));
 }
 
+BOOST_AUTO_TEST_CASE(legs_that_end_between_nodes)
+{
+  // Chords of one arc, of which the nodes nearest to their ends would miss 1.3 degrees.
+  const Table part = Path(.3).go(40, 20.).table;
+  const auto angles = measured("angle", {"gauge/First leg=0 2.4", "gauge/Second leg=20.5 33.3"}, part, part);
+  BOOST_TEST(angles.at("bend_angle") == .5 * (20.5 + 33.3 - 2.4) / 20. * 180. / pi, boost::test_tools::tolerance(1e-4));
+  // A leg ends with the blank, and has to begin on it.
+  const auto measure = [&](const std::string &leg) {
+    return measured("angle", {"gauge/First leg=0 2", "gauge/Second leg=" + leg}, part, part);
+  };
+  BOOST_TEST(measure("30 50").at("bend_angle") == measure("30 40").at("bend_angle"));
+  BOOST_TEST(measure("40 50").empty());
+  // Without a first leg from the direction of r, which is 0.
+  BOOST_TEST(measured("angle", {"gauge/Second leg=30 31"}, part, part).at("bend_angle") == (.3 + 30.5 / 20.) * 180. / pi,
+             boost::test_tools::tolerance(1e-10));
+}
+
 BOOST_AUTO_TEST_CASE(u_bend_with_springback)
 {
   // Bottom, a bend to the wall, the wall as an arc, a bend to the flange. Formed, the wall stood straight.
@@ -91,10 +108,9 @@ BOOST_AUTO_TEST_CASE(u_bend_with_springback)
   const Table sprung = Path(0.).go(40).go(10, 10. / lower).go(80, wall).go(10, -quarter(10)).go(40).table;
   const auto result = measured("u-bend", {"gauge/Margin=15"}, sprung, formed);
   BOOST_TEST(result.at("rho") == wall, boost::test_tools::tolerance(1e-8));
-  // The circle's tangents are taken where the wall began and ended more than a margin from bottom and flange in height:
-  // from the ninth to the 72nd of its 80 units.
-  const double inset = 15. - quarter(10);
-  const double first = std::floor(inset) + 1.;
+  // The circle's tangents are taken where the wall began and ended at a margin from bottom and flange in height, between
+  // two nodes.
+  const double first = 15. - quarter(10);
   BOOST_TEST(result.at("theta1") == 180. - (lower + first / wall) * 180. / pi, boost::test_tools::tolerance(1e-8));
   BOOST_TEST(result.at("theta2") == 180. - (.5 * pi - first / wall) * 180. / pi, boost::test_tools::tolerance(1e-8));
   BOOST_TEST(result.at("flange_length") > 40.);

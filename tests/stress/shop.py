@@ -38,15 +38,18 @@ def quarter_of_increments(text):
     return re.sub(r"set End time = (\S+)", shorter, text)
 
 
+# What a scene has of these shows what its process takes, the first of them.
+MAIN = ("ring_force_z", "punch_force_z", "container_force_z", "oil_pressure", "pull_reaction", "ram_reaction", "upper_force_z", "shoulder_force_z",
+        "plate_force_z")
 BULK = [make.__name__.replace("_", " ") for make in draw_shop.BULK]
 VARIANTS = {"drawn": str, "twice": elements(2), "quarter": quarter_of_increments, "half": elements(.5)}
 
 
 def measures(folder):
     head, *rows = csv_rows(folder / "history.csv")
-    loads = [k for k, name in enumerate(head) if name.endswith(("_force_z", "_pressure"))]
+    loads = [k for k, name in enumerate(head) if name.endswith(("_force_z", "_pressure", "_reaction"))]
     largest = {head[k]: max(abs(float(row[k])) for row in rows) for k in loads}
-    main = next((name for name in ("punch_force_z", "container_force_z", "oil_pressure") if name in largest), None)
+    main = next((name for name in MAIN if name in largest), None)
     summary = json.loads((folder / "summary.json").read_text())
     found = summary.get("measures", {}).get("part", {})
     work = sum(float(rows[-1][head.index(name)]) for name in ("tool_work", "load_work"))

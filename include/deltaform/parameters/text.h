@@ -31,6 +31,9 @@ namespace deltaform
     /// Four significant digits, for places and depths in messages.
     std::string rounded(double value);
 
+    /// The name of a tool, support or load as columns carry it: underscores in place of blanks.
+    std::string column_name(const std::string &name);
+
     /// Number of insertions, deletions, replacements and swaps of neighbours that turn a into b; capitals do not count.
     unsigned int edit_distance(const std::string &a, const std::string &b);
 

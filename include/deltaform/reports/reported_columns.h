@@ -10,9 +10,6 @@
 
 namespace deltaform
 {
-  /// The name of a tool, support or load as columns carry it: underscores in place of blanks.
-  std::string column_name(const std::string &name);
-
   /// Tools, supports, loads and probes that columns carry in their names.
   struct ReportedNames
   {

@@ -1,0 +1,128 @@
+#include <deltaform/conditions/conditions.h>
+#include <deltaform/parameters/percent.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/reports/accepted_increment.h>
+
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace deltaform
+{
+  namespace
+  {
+    /// Travels and forces of a tool in this increment and the two before it, the latest first.
+    struct LastIncrements
+    {
+      std::array<double, 3> travel{}, force{};
+      double time = 0.;
+      double largest = 0.; ///< force of the run
+
+      void add(const double at, const double new_travel, const double new_force)
+      {
+        // Another mesh at the same time
+        if (at != time)
+        {
+          travel = {{new_travel, travel[0], travel[1]}};
+          force = {{new_force, force[0], force[1]}};
+        }
+        travel[0] = new_travel;
+        force[0] = new_force;
+        time = at;
+        largest = std::max(largest, std::abs(new_force));
+      }
+
+      /// What the last increment adds to the force, over the force.
+      double rise() const
+      {
+        return force[0] != 0. ? 1. - force[1] / force[0] : 0.;
+      }
+
+      /// Does the force rise twice as fast with the travel as in the increment before?
+      bool gets_steeper() const
+      {
+        const double now = (force[0] - force[1]) / (travel[0] - travel[1]),
+                     before = (force[1] - force[2]) / (travel[1] - travel[2]);
+        return std::isfinite(now) && std::isfinite(before) && std::abs(now) > 2. * std::abs(before);
+      }
+
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int)
+      {
+        archive &travel &force &time &largest;
+      }
+    };
+
+
+    /// Does a stage end where the force of a tool that has its place rises steeply? The metal fills the gap there, and
+    /// the largest force is as good as the gap.
+    class SteepEnd : public SavedCondition<SteepEnd>
+    {
+    public:
+      explicit SteepEnd(const Actors &actors)
+        : actors_(actors), last_(actors.tools.size()), sentences_(actors.tools.size())
+      {
+      }
+
+      void observe(const AcceptedIncrement &increment) override
+      {
+        // Whether a stage ends with an increment is known when the next one begins.
+        if (increment.stage.name != stage_)
+        {
+          for (unsigned int i = 0; i < last_.size(); ++i)
+            if (const std::string now = sentence(i); !now.empty())
+              sentences_[i] = now;
+          stage_ = increment.stage.name;
+        }
+        for (unsigned int i = 0; i < last_.size(); ++i)
+          if (const Tool &tool = *actors_.tools[i]; !tool.force_driven())
+            last_[i].add(increment.time, increment.model.travel(i),
+                         increment.model.tool_forces()[i] * tool.direction());
+      }
+
+      std::vector<std::string> warnings(bool) const override
+      {
+        std::vector<std::string> result;
+        for (unsigned int i = 0; i < last_.size(); ++i)
+          if (const std::string now = sentence(i), text = now.empty() ? sentences_[i] : now; !text.empty())
+            result.push_back(text);
+        return result;
+      }
+
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int)
+      {
+        archive &last_ &stage_ &sentences_;
+      }
+
+    private:
+      static constexpr double doubtful = .25; // of the force, where random V bends are bottomed (doc/stress.md)
+
+      /// What is doubtful if the stage ends with the last increment; empty: nothing.
+      std::string sentence(const unsigned int i) const
+      {
+        const LastIncrements &last = last_[i];
+        if (!(std::abs(last.force[0]) == last.largest && last.rise() > doubtful && last.gets_steeper()))
+          return "";
+        return "steep end: at the end of stage '" + stage_ + "' the force of tool '" + actors_.tools[i]->name() +
+               "' rises by " + text::percent(last.rise()) + " of itself in the last increment, over " +
+               text::rounded(std::abs(last.travel[0] - last.travel[1])) +
+               " of its travel: it depends more on the gap that is left than on the process. End the stage at a force "
+               "(Ends when), or before; or take shorter elements and a smaller Largest increment.";
+      }
+
+      const Actors &actors_;
+      std::string stage_; ///< of the last increment
+      std::vector<LastIncrements> last_; ///< tool by tool
+      std::vector<std::string> sentences_; ///< of each; empty: none
+    };
+
+    const ConditionMakers::Entry entry("steep end",
+                                       "a stage ends where the force of a tool rises steeply",
+                                       make_condition<SteepEnd>);
+  } // namespace
+} // namespace deltaform
