@@ -11,7 +11,6 @@ import os
 import subprocess
 
 from measured import ROOT, MeasuredTable
-import springback
 
 FINE_STEPS = ["Steps/form/Largest increment=0.005", "Steps/release/Largest increment=0.01"]
 # Name, scene, entries, what the table says.
@@ -48,8 +47,8 @@ def rows(program, folder):
             if summary["exit_status"] != 0:
                 yield holder, f"{name.split('_')[0]}, {sentence}", f"stopped: {summary['message'][:80]}", "", "", ""
                 continue
-            theta1, theta2, rho = springback.measure_run(own)
-            yield (holder, f"{name.split('_')[0]}, {sentence}", f"{theta1:.2f}", f"{theta2:.2f}", f"{rho:.1f}",
+            wall = summary["measures"]["wall"]
+            yield (holder, f"{name.split('_')[0]}, {sentence}", f"{wall['theta1']:.2f}", f"{wall['theta2']:.2f}", f"{wall['rho']:.1f}",
                    summary["newton_iterations"])
 
 

@@ -24,8 +24,8 @@ namespace deltaform
 
       std::vector<Result> of(const Table &now, const Table & /*before*/) const override
       {
-        const auto a = first_.empty() ? std::vector<Point2>{Point2(0., 0.), Point2(1., 0.)} :
-                                        points_between(now, first_[0], first_[1]);
+        const std::vector<Point2> along_r{Point2(0., 0.), Point2(1., 0.)};
+        const auto a = first_.empty() ? along_r : points_between(now, first_[0], first_[1]);
         const auto b = points_between(now, second_[0], second_[1]);
         if (a.empty() || b.empty())
           return {};

@@ -36,7 +36,8 @@ namespace deltaform
     void describe_touching(const Actors &actors, Columns &columns)
     {
       for (const auto &interface : actors.interfaces)
-        columns.add({{text::column_name(interface->tool().name()) + "_touching", "1", "contact points that touch the tool"}},
+        columns.add({{text::column_name(interface->tool().name()) + "_touching", "1",
+                      "contact points that touch the tool"}},
                     [contact = interface.get()](const Increment &, Row &row) {
                       const auto &points = contact->committed();
                       row.emplace_back(static_cast<double>(
@@ -51,7 +52,8 @@ namespace deltaform
       for (unsigned int i = 0; i < tools.size(); ++i)
         for (unsigned int k = 0; k < tools.size(); ++k)
           if (i != k)
-            columns.add({{text::column_name(tools[i]->name()) + "_to_" + text::column_name(tools[k]->name()) + "_gap", "length",
+            columns.add({{text::column_name(tools[i]->name()) + "_to_" + text::column_name(tools[k]->name()) + "_gap",
+                          "length",
                           "between the outlines of two tools"}},
                         [&tools, i, k](const Increment &increment, Row &row) {
                           double reach = 0.;

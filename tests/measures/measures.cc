@@ -95,7 +95,8 @@ BOOST_AUTO_TEST_CASE(legs_that_end_between_nodes)
   BOOST_TEST(measure("30 50").at("bend_angle") == measure("30 40").at("bend_angle"));
   BOOST_TEST(measure("40 50").empty());
   // Without a first leg from the direction of r, which is 0.
-  BOOST_TEST(measured("angle", {"gauge/Second leg=30 31"}, part, part).at("bend_angle") == (.3 + 30.5 / 20.) * 180. / pi,
+  const auto from_r = measured("angle", {"gauge/Second leg=30 31"}, part, part);
+  BOOST_TEST(from_r.at("bend_angle") == (.3 + 30.5 / 20.) * 180. / pi,
              boost::test_tools::tolerance(1e-10));
 }
 
@@ -108,8 +109,8 @@ BOOST_AUTO_TEST_CASE(u_bend_with_springback)
   const Table sprung = Path(0.).go(40).go(10, 10. / lower).go(80, wall).go(10, -quarter(10)).go(40).table;
   const auto result = measured("u-bend", {"gauge/Margin=15"}, sprung, formed);
   BOOST_TEST(result.at("rho") == wall, boost::test_tools::tolerance(1e-8));
-  // The circle's tangents are taken where the wall began and ended at a margin from bottom and flange in height, between
-  // two nodes.
+  // The circle's tangents are taken where the wall began and ended at a margin from bottom and flange in height:
+  // between two nodes.
   const double first = 15. - quarter(10);
   BOOST_TEST(result.at("theta1") == 180. - (lower + first / wall) * 180. / pi, boost::test_tools::tolerance(1e-8));
   BOOST_TEST(result.at("theta2") == 180. - (.5 * pi - first / wall) * 180. / pi, boost::test_tools::tolerance(1e-8));

@@ -26,7 +26,7 @@ def as_solid(text):
     length = sum(math.dist(a, b) for a, b in zip(corners, corners[1:]))
     text = re.sub(r"set Elements = \d+", f"set Elements = {math.ceil(2 * length / thickness)}", text, count=1)
     text = re.sub(r"set Layers = \d+", "set Kind = solid\n  set Degree = 2\n  set Elements through thickness = 3", text, count=1)
-    text = re.sub(r"\n  set Grading = .*", "", text)
+    text = re.sub(r"\n  set (Grading|Contact point) = .*", "", text)
     supports = re.search(r"subsection Supports\n  set Names = (.*)\n", text)
     if not supports:
         return text

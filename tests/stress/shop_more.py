@@ -34,6 +34,7 @@ def draw_bead(chance):
     close, pull = chance.uniform(.5, 1.2) * radius, chance.uniform(20, 40) * t
     back = pitch + pull + 12 * t
     scene = sheet(chance, (back + pitch + 10 * t, radius), True, t, -back, (9, 11, 15))
+    scene.blank["Elements"] = math.ceil(2 * (back + pitch + 10 * t) / t)  # as the page has it: half a thickness
     scene.stages = [("form", 2, {})]
     for name, place in (("entry", -pitch), ("exit", pitch)):
         scene.tool(name, "bottom", Shape="circle", Radius=radius, Position_r=place, Position_z=-.5 * t - radius)
@@ -117,7 +118,7 @@ def curling(chance):
     radius, free = chance.uniform(5, 10) * t, chance.uniform(4, 8) * t
     stroke = chance.uniform(1, 2.6) * radius
     scene = sheet(chance, (stroke + free, radius), True, t, layers=(9, 11, 15))
-    scene.blank["Points"] = points((0, 0), (0, stroke + free))
+    scene.blank.update(Points=points((0, 0), (0, stroke + free)), Contact_point="outer fibre")  # a square edge
     scene.friction = min(scene.friction, .1)
     scene.stages = [("curl", stroke, {})]
     scene.tool("groove", "bottom", Shape="profile", Fillet_radii=f"0, {.999 * radius:.12g}, {.999 * radius:.12g}, 0", Across_the_axis="false", Position_z=0.,
@@ -166,7 +167,7 @@ def washer_flattening(chance):
     outer = chance.uniform(15, 50) * t
     inner, rise = outer * chance.uniform(.4, .7), chance.uniform(1, 4) * t
     scene = sheet(chance, (outer - inner, 6 * t), False, t)
-    scene.blank["Points"] = points((inner, rise), (outer, 0))
+    scene.blank.update(Points=points((inner, rise), (outer, 0)), Contact_point="outer fibre")  # square edges
     scene.stages = [("press", rise, {})]
     for name, side, place in (("plate", "top", rise + .5 * t), ("base", "bottom", -.5 * t)):
         scene.tool(name, side, Shape="plate", Position_z=place, **({"Motion": f"{chance.uniform(.5, .95):.12g}*t"} if side == "top" else {}))
