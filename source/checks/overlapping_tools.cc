@@ -77,8 +77,12 @@ namespace deltaform
     bool ends_by_gap(const Tool &a, const Tool &b, const Stage &stage)
     {
       const std::string one = text::column_name(a.name()), other = text::column_name(b.name());
-      return stage.ends_when.find(one + "_to_" + other + "_gap") != std::string::npos ||
-             stage.ends_when.find(other + "_to_" + one + "_gap") != std::string::npos;
+      const auto conditions = text::split(stage.ends_when, ';');
+      return std::any_of(conditions.begin(), conditions.end(), [&](const std::string &condition) {
+        const auto parts = text::split(condition, '<');
+        return parts.size() == 2 &&
+               (parts[0] == one + "_to_" + other + "_gap" || parts[0] == other + "_to_" + one + "_gap");
+      });
     }
 
     bool may_clash(const Tool &a, const Tool &b, const Stage &stage)

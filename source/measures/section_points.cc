@@ -56,8 +56,17 @@ namespace deltaform
 
   std::vector<Point2> points_between(const Table &profile, const double from, const double to)
   {
-    const auto s = column_of(profile, "S0");
-    const auto all = points_of(profile);
+    const auto place = column_of(profile, "S0");
+    const auto rows = points_of(profile);
+    // A corner that two faces of a mesh share has two rows.
+    std::vector<double> s;
+    std::vector<Point2> all;
+    for (std::size_t i = 0; i < place.size(); ++i)
+      if (s.empty() || place[i] > s.back())
+      {
+        s.push_back(place[i]);
+        all.push_back(rows[i]);
+      }
     if (s.size() < 2)
       return {};
     const double begin = std::max(from, s.front()), end = std::min(to, s.back());

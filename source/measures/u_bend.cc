@@ -35,7 +35,7 @@ namespace deltaform
       {
         const auto s = column_of(now, "S0"), height = column_of(before, "z");
         const auto all = points_of(now);
-        if (height.size() != all.size())
+        if (height.size() != all.size() || all.size() < 2)
           return {};
         const auto [begin, end] = wall_of(s, height);
         const auto wall = points_between(now, begin, end);
@@ -55,8 +55,8 @@ namespace deltaform
 
       std::string needs() const override
       {
-        return "it needs five nodes in the wall, that is between the two margins (Margin), and "
-               "a mesh that stays in the last stage";
+        return "it needs five nodes in the wall, that is between the two margins (Margin), and a mesh that stays in the "
+               "last stage";
       }
 
     private:

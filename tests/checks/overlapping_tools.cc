@@ -66,6 +66,9 @@ BOOST_AUTO_TEST_CASE(who_cannot_clash)
   const auto after = deltaform::overlapping_tools(ReadScene(text).scene->actors);
   BOOST_TEST_REQUIRE(after.size() == 1u);
   BOOST_TEST(has(after[0], "stage 'two'"));
+  // Not one that ends where the gap has become large.
+  text.replace(text.find("gap < 1.01"), 5, "gap >");
+  BOOST_TEST(deltaform::overlapping_tools(ReadScene(text).scene->actors).size() == 2u);
   // Less than a hundredth of the thickness is none.
   BOOST_TEST(found(punch_and_die("3.5", "  set Motion = 1.009*t/2\n")).empty());
   BOOST_TEST(found(punch_and_die("3.5", "  set Motion = 1.011*t/2\n")).size() == 1u);

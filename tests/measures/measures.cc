@@ -94,6 +94,11 @@ BOOST_AUTO_TEST_CASE(legs_that_end_between_nodes)
   };
   BOOST_TEST(measure("30 50").at("bend_angle") == measure("30 40").at("bend_angle"));
   BOOST_TEST(measure("40 50").empty());
+  // A row that stands twice changes nothing.
+  Table twice = part;
+  twice.rows.insert(twice.rows.begin() + 20, part.rows[20]);
+  BOOST_TEST(measured("angle", {"gauge/First leg=0 2.4", "gauge/Second leg=20.5 33.3"}, twice, part).at("bend_angle") ==
+             angles.at("bend_angle"));
   // Without a first leg from the direction of r, which is 0.
   const auto from_r = measured("angle", {"gauge/Second leg=30 31"}, part, part);
   BOOST_TEST(from_r.at("bend_angle") == (.3 + 30.5 / 20.) * 180. / pi,
