@@ -55,8 +55,8 @@ namespace deltaform
 
       std::string needs() const override
       {
-        return "it needs five nodes in the wall, that is between the two margins (Margin), and a mesh that stays in the "
-               "last stage";
+        return "it needs five nodes in the wall, that is between the two margins (Margin), and a mesh that stays in "
+               "the last stage";
       }
 
     private:
