@@ -1,8 +1,8 @@
-#include "gathered_rows.h"
-
 #include <deltaform/contact/contact_force.h>
 #include <deltaform/contact/contact_iteration.h>
 #include <deltaform/contact/point_rows.h>
+
+#include <boost/functional/hash.hpp>
 
 #include <cmath>
 #include <limits>
@@ -34,6 +34,30 @@ namespace deltaform
   }
 
 
+  void ContactIteration::resize(const unsigned int n_points)
+  {
+    work_.assign(n_points, Work());
+    edges_.assign(projector_.group() > 1 ? n_points / projector_.group() : 0, Edge());
+  }
+
+
+  void ContactIteration::restart()
+  {
+    for (auto &work : work_)
+      work.foreseen.reset();
+    discard_rows();
+    clear_.restart(!law_.has_multiplier());
+    at_start_ = in_place_ = false;
+  }
+
+
+  void ContactIteration::discard_rows()
+  {
+    for (auto &edge : edges_)
+      edge.known = false;
+  }
+
+
   void ContactIteration::assemble(const Vector &q,
                                   const Tensor1 &shift,
                                   const double time,
@@ -44,22 +68,49 @@ namespace deltaform
     tool_force_ = Tensor1();
     status_changed_ = false;
     projector_.counterpart().add_load(q, time, target);
-    const unsigned int n = projector_.group();
-    if (n == 1)
+    if (edges_.empty())
       for (unsigned int i = 0; i < trial.size(); ++i)
         assemble(i, q, shift, committed, trial, target);
-    else
+    Tensor1 force = tool_force_;
+    for (unsigned int e = 0; e < edges_.size(); ++e)
     {
-      GatheredRows rows(target);
-      for (unsigned int e = 0; e * n < trial.size(); ++e)
-        if (!clear_.clear(e, q, nullptr, shift))
-        {
-          for (unsigned int i = e * n; i < (e + 1) * n; ++i)
-            assemble(i, q, shift, committed, trial, rows);
-          find_clear(e, q, shift, trial);
-        }
-      rows.flush();
+      Edge &edge = edges_[e];
+      edge.known &= in_place_ && edge.rows.wants_tangent() == target.wants_tangent();
+      // In place foresee() has looked at the clear ones.
+      if (in_place_ ? clear_.known(e) : clear_.clear(e, q, nullptr, shift))
+        continue;
+      if (!edge.known)
+      {
+        assemble_edge(e, q, shift, committed, trial, target.wants_tangent());
+        find_clear(e, q, shift, trial);
+      }
+      edge.rows.add_to(target);
+      force += edge.tool_force;
     }
+    tool_force_ = force;
+  }
+
+
+  void ContactIteration::assemble_edge(const unsigned int e,
+                                       const Vector &q,
+                                       const Tensor1 &shift,
+                                       const Points &committed,
+                                       Points &trial,
+                                       const bool tangent)
+  {
+    Edge &edge = edges_[e];
+    edge.rows.begin(tangent);
+    edge.touching = 0;
+    tool_force_ = Tensor1();
+    const unsigned int n = projector_.group();
+    for (unsigned int i = e * n; i < (e + 1) * n; i += stride(e))
+    {
+      assemble(i, q, shift, committed, trial, edge.rows);
+      if (trial[i].touching)
+        boost::hash_combine(edge.touching, i);
+    }
+    edge.tool_force = tool_force_;
+    edge.known = true;
   }
 
 
@@ -94,7 +145,7 @@ namespace deltaform
       return;
     const unsigned int n = projector_.group();
     double clearance = std::numeric_limits<double>::infinity();
-    for (unsigned int i = e * n; i < (e + 1) * n; ++i)
+    for (unsigned int i = e * n; i < (e + 1) * n; i += stride(e))
     {
       const Work &work = work_[i];
       const ContactPointState &state = trial[i];
@@ -107,15 +158,37 @@ namespace deltaform
   }
 
 
+  void ContactIteration::describe(const unsigned int first,
+                                  const unsigned int end,
+                                  const Vector &q,
+                                  const Tensor1 &shift,
+                                  Points &trial)
+  {
+    for (unsigned int i = first; i < end; ++i)
+    {
+      projector_.describe(q, i, work_[i].point);
+      trial[i].set_place(work_[i].point, shift);
+    }
+  }
+
+
   void ContactIteration::complete(const Vector &q, const Tensor1 &shift, Points &trial)
   {
     const unsigned int n = projector_.group();
-    for (unsigned int i = 0; i < trial.size(); ++i)
-      if (clear_.known(i / n))
-      {
-        projector_.describe(q, i, work_[i].point);
-        trial[i].set_place(work_[i].point, shift);
-      }
+    for (unsigned int e = 0; e < edges_.size(); ++e)
+      if (clear_.known(e))
+        describe(e * n, (e + 1) * n, q, shift, trial);
+      else if (stride(e) > 1)
+        describe(e * n + 1, (e + 1) * n - 1, q, shift, trial);
+  }
+
+
+  void ContactIteration::complete_flat(const Vector &q, const Tensor1 &shift, Points &trial)
+  {
+    const unsigned int n = projector_.group();
+    for (unsigned int e = 0; e < edges_.size(); ++e)
+      if (stride(e) > 1 && edges_[e].touching != 0)
+        describe(e * n + 1, (e + 1) * n - 1, q, shift, trial);
   }
 
 
@@ -216,14 +289,18 @@ namespace deltaform
       if (clear_.clear(e, q, &d, end))
         continue;
       bool own = false;
-      for (unsigned int i = e * n; i < (e + 1) * n; ++i)
+      for (unsigned int i = e * n; i < (e + 1) * n; i += stride(e))
       {
         if (clear_.known(e))
           projector_.describe(q, i, work_[i].point);
         own |= foresee(i, d, trial[i]);
       }
       if (own)
+      {
         clear_.discard(e);
+        if (!edges_.empty())
+          edges_[e].known = false;
+      }
       other |= own;
     }
     return other;
@@ -246,34 +323,52 @@ namespace deltaform
   }
 
 
+  template <typename Action>
+  void ContactIteration::for_each_asked(const Action &action) const
+  {
+    const unsigned int n = projector_.group();
+    for (unsigned int e = 0; e * n < work_.size(); ++e)
+      if (!clear_.known(e))
+        for (unsigned int i = e * n; i < (e + 1) * n; i += stride(e))
+          action(i);
+  }
+
+
   void ContactIteration::prepare_step(const Vector &d, const Points &committed, const Points &trial)
   {
     at_start_ = false;
-    const unsigned int n = projector_.group();
-    for (unsigned int i = 0; i < trial.size(); ++i)
-    {
-      if (clear_.known(i / n))
-        continue;
+    for_each_asked([&](const unsigned int i) {
       const ContactPointState &state = trial[i];
       Work &work = work_[i];
       work.base_multiplier = state.multiplier;
       const double opening = state.touching ? work.projection.normal * motion(i, d) : 0.;
       work.step_multiplier = law_.estimate(state, opening, factors_.share(committed[i])) - state.multiplier;
-    }
+    });
   }
 
 
   void ContactIteration::advance(const double factor, Points &trial)
   {
     in_place_ = false;
-    const unsigned int n = projector_.group();
-    for (unsigned int i = 0; i < trial.size(); ++i)
-    {
-      if (clear_.known(i / n))
-        continue;
+    for_each_asked([&](const unsigned int i) {
       work_[i].foreseen.reset();
       trial[i].multiplier = work_[i].base_multiplier + factor * work_[i].step_multiplier;
+    });
+  }
+
+
+  std::size_t ContactIteration::signature(const Points &trial) const
+  {
+    std::size_t result = 0;
+    if (edges_.empty())
+    {
+      for (const auto &state : trial)
+        boost::hash_combine(result, state.touching);
+      return result;
     }
+    for (const auto &edge : edges_)
+      boost::hash_combine(result, edge.touching);
+    return result;
   }
 
 

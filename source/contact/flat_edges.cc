@@ -106,7 +106,7 @@ namespace deltaform
   FlatEdges::describe(const ContactSurface &surface, const Side side, const unsigned int i, ContactPoint &point) const
   {
     const unsigned int n = surface.points_per_edge();
-    if (n == 0 || flat_.empty() || !flat_[i / n])
+    if (n == 0 || !contains(i / n))
       return;
     if (i % n != 0 && i % n != n - 1)
     {

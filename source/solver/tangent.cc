@@ -101,9 +101,8 @@ namespace deltaform
     const DofIndex local = rows_ ? rows_->local[row] : row;
     const int *const first = columns_ + row_start_[local];
     const int *const last = columns_ + row_start_[local + 1];
-    const int *const found = std::lower_bound(first, last, static_cast<int>(column));
-    return found != last && *found == static_cast<int>(column) ? static_cast<int>(found - columns_)
-                                                               : EntryPlaces::nowhere;
+    const int *const found = std::find(first, last, static_cast<int>(column)); // rows are short
+    return found != last ? static_cast<int>(found - columns_) : EntryPlaces::nowhere;
   }
 
 

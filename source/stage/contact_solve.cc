@@ -81,13 +81,13 @@ namespace deltaform
   }
 
 
-  unsigned int ContactSolve::correct()
+  unsigned int ContactSolve::correct(const Vector &q)
   {
     cycling_ = false;
     visited_.clear();
     unsigned int changed = 0;
     for (auto *interface : contact_.interfaces())
-      changed += interface->correct_factors();
+      changed += interface->correct_factors(q);
     if (actors_.contact && actors_.contact->normal_law->augmentation_tolerance() > 0)
       changed += augmentation_.update(contact_.interfaces());
     return changed;
@@ -107,8 +107,7 @@ namespace deltaform
   {
     std::size_t result = 0;
     for (const auto *interface : contact_.interfaces())
-      for (const auto &state : interface->trial())
-        boost::hash_combine(result, state.touching);
+      boost::hash_combine(result, interface->signature());
     return result;
   }
 

@@ -46,7 +46,7 @@ namespace
   {
     fixture.begin_increment(q, time, stiffness);
     fixture.converge(next);
-    for (unsigned int round = 0; round < 9 && fixture.contact.correct_factors() > 0; ++round)
+    for (unsigned int round = 0; round < 9 && fixture.contact.correct_factors(q) > 0; ++round)
       fixture.converge(next);
     fixture.contact.commit(q = next);
   }
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
 
   fixture.begin_increment(q, 2., stiffness);
   fixture.converge(place(fixture, .3, -.5));
-  fixture.contact.correct_factors();
+  fixture.contact.correct_factors(q);
   fixture.converge(place(fixture, .3, .5));
   for (unsigned int i = 0; i < 3; ++i)
     BOOST_TEST(same(fixture.contact.committed()[i], committed[i]));
@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(the_promise)
   for (const auto &state : fixture.contact.trial())
     before.push_back(state.penalty_factor);
   BOOST_TEST(FactorControl::broken_promise(fixture.contact.trial()).first == 2u);
-  BOOST_TEST(fixture.contact.correct_factors() == 2u);
+  BOOST_TEST(fixture.contact.correct_factors(q) == 2u);
   BOOST_TEST(fixture.contact.trial()[0].penalty_factor == before[0]);
   BOOST_TEST(std::abs(fixture.contact.trial()[1].penalty_factor / before[1] - 2.5) < 1e-12); // p / (.8 delta)
   BOOST_TEST(std::abs(fixture.contact.trial()[2].penalty_factor / before[2] - 10.) < 1e-12);
@@ -190,10 +190,10 @@ BOOST_AUTO_TEST_CASE(the_promise)
   // At delta and a trace above: kept. Clearly above: broken.
   push(delta, delta * (1. + .9e-6), .3 * delta);
   BOOST_TEST(FactorControl::broken_promise(fixture.contact.trial()).first == invalid_index);
-  BOOST_TEST(fixture.contact.correct_factors() == 0u);
+  BOOST_TEST(fixture.contact.correct_factors(q) == 0u);
   push(delta * (1. + 1.1e-6), .1 * delta, -delta);
   BOOST_TEST(FactorControl::broken_promise(fixture.contact.trial()).first == 0u);
-  BOOST_TEST(fixture.contact.correct_factors() == 1u);
+  BOOST_TEST(fixture.contact.correct_factors(q) == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(early_corrections_are_those_after_convergence)
@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(early_corrections_are_those_after_convergence)
     q[5] = -.1;
     fixture.converge(q);
     std::vector<double> result;
-    result.push_back(early ? fixture.contact.correct_factors_early() : fixture.contact.correct_factors());
+    result.push_back(early ? fixture.contact.correct_factors_early() : fixture.contact.correct_factors(q));
     for (const auto &state : fixture.contact.trial())
       result.insert(result.end(), {state.penalty_factor, state.tangential_factor});
     return result;
@@ -384,7 +384,7 @@ BOOST_AUTO_TEST_CASE(continuation_of_a_first_touch)
     fixture.converge(q);
     BOOST_TEST(fixture.contact.trial()[0].force > 5. * last);
     last = fixture.contact.trial()[0].force;
-  } while (fixture.contact.correct_factors() > 0 && ++rounds < 20);
+  } while (fixture.contact.correct_factors(q) > 0 && ++rounds < 20);
   BOOST_TEST(std::abs(last - 50. * .02) < 1e-13);
   BOOST_TEST((rounds > 1u && rounds < 10u));
 }
@@ -409,7 +409,7 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
     fixture.begin_increment(q, ++k, stiffness);
     fixture.converge(q);
     fixture.converge(next);
-    for (unsigned int round = 0; round < 3 && fixture.contact.correct_factors() > 0; ++round)
+    for (unsigned int round = 0; round < 3 && fixture.contact.correct_factors(q) > 0; ++round)
     {
       fixture.converge(next);
       ++corrected;
@@ -512,12 +512,12 @@ BOOST_AUTO_TEST_CASE(sticking_creeps_less_than_allowed)
   BOOST_TEST(std::abs(fixture.contact.trial()[0].tangential_factor - 1. / 1e-4) < 1e-8);
   fixture.converge(place(fixture, .99e-4, -.1));
   BOOST_TEST(fixture.contact.trial()[0].sticking);
-  BOOST_TEST(fixture.contact.correct_factors() == 0u);
+  BOOST_TEST(fixture.contact.correct_factors(q) == 0u);
   // With more normal force it would stick and creep further: the factor is raised.
   fixture.converge(place(fixture, 3e-4, -.4));
   BOOST_TEST(fixture.contact.trial()[0].sticking);
   const double before = fixture.contact.trial()[0].tangential_factor;
-  BOOST_TEST(fixture.contact.correct_factors() == 1u);
+  BOOST_TEST(fixture.contact.correct_factors(q) == 1u);
   BOOST_TEST(std::abs(fixture.contact.trial()[0].tangential_factor / before - 3. / .8) < 1e-8);
 }
 

@@ -112,11 +112,11 @@ BOOST_AUTO_TEST_CASE(an_edge_that_is_flat_no_longer_has_all_its_points)
     BOOST_TEST(contact.trial()[i].touching);
   for (const unsigned int i : {1, 2, 5, 6})
     BOOST_TEST(!contact.trial()[i].touching);
-  contact.correct_factors();
+  contact.correct_factors(fixture.q);
   BOOST_TEST(fixture.areas() == both(outermost, outermost), boost::test_tools::per_element());
   fixture.q[2 * 5 + 1] -= .02 * delta;
   fixture.interface.assemble(fixture.q);
-  BOOST_TEST(contact.correct_factors() > 0U);
+  BOOST_TEST(contact.correct_factors(fixture.q) > 0U);
   BOOST_TEST(fixture.areas() == both(outermost, all), boost::test_tools::per_element());
   fixture.interface.assemble(fixture.q);
   BOOST_TEST(contact.trial()[5].touching);
@@ -124,6 +124,45 @@ BOOST_AUTO_TEST_CASE(an_edge_that_is_flat_no_longer_has_all_its_points)
   contact.commit(fixture.q);
   fixture.interface.begin_increment(fixture.q, 2., 1e3);
   BOOST_TEST(fixture.areas() == both(outermost, all), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(only_edges_whose_points_come_or_go_are_assembled_anew)
+{
+  Fixture fixture(flat);
+  auto &contact = fixture.interface.contact;
+  for (unsigned int i = 0; i < 8; ++i)
+    fixture.q[2 * i + 1] = -(.2 + .1 * i) * delta;
+  const DenseTarget before = fixture.interface.assemble(fixture.q);
+  const Tensor1 force = contact.tool_force();
+  const std::size_t set = contact.signature();
+  Vector d(fixture.q.size());
+  BOOST_TEST(!contact.foresee(fixture.q, d));
+  // One end of the second edge leaves.
+  d[2 * 7 + 1] = 2. * delta;
+  BOOST_TEST(contact.foresee(fixture.q, d));
+  const DenseTarget after = fixture.interface.assemble(fixture.q);
+  BOOST_TEST(contact.signature() != set);
+  BOOST_TEST(contact.status_changed());
+  for (unsigned int i = 0; i < before.residual.size(); ++i)
+    BOOST_TEST(after.residual[i] == (i == 2 * 7 + 1 ? 0. : before.residual[i]));
+  BOOST_TEST(contact.tool_force()[1] == force[1] - before.residual[2 * 7 + 1],
+             boost::test_tools::tolerance(1e-14));
+  // And comes back.
+  d[2 * 7 + 1] = 0.;
+  BOOST_TEST(contact.foresee(fixture.q, d));
+  const DenseTarget again = fixture.interface.assemble(fixture.q);
+  BOOST_TEST(contact.signature() == set);
+  for (unsigned int i = 0; i < before.residual.size(); ++i)
+    BOOST_TEST(again.residual[i] == before.residual[i]);
+  BOOST_TEST((again.matrix - before.matrix).norm() == 0.);
+  // With other factors everything is.
+  const double factor = contact.trial()[0].penalty_factor;
+  fixture.interface.read_stiffness(fixture.q, 5e3);
+  contact.predict_factors(fixture.q, nullptr);
+  const ContactPointState &state = contact.trial()[0];
+  BOOST_TEST(state.penalty_factor != factor);
+  const DenseTarget stiffer = fixture.interface.assemble(fixture.q);
+  BOOST_TEST(stiffer.residual[1] == state.penalty_factor * state.gap, boost::test_tools::tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

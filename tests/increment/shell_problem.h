@@ -134,9 +134,9 @@ namespace deltaform
         return !fixture || fixture->contact.consistent(allowed_tension);
       }
 
-      unsigned int correct(const Vector & /*q*/) override
+      unsigned int correct(const Vector &q) override
       {
-        return fixture ? fixture->contact.correct_factors() : 0;
+        return fixture ? fixture->contact.correct_factors(q) : 0;
       }
 
       /**

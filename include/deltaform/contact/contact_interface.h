@@ -133,17 +133,21 @@ namespace deltaform
     void predict_factors(const Vector &q, const Vector *coupling)
     {
       factors_.predict(q, shift(q), coupling, committed_.points, trial_.points);
+      iteration_.discard_rows();
     }
 
     /// Close to equilibrium and after convergence: let the rule correct the factors. @return of how many points
     ///@{
     unsigned int correct_factors_early()
     {
+      iteration_.discard_rows();
       return factors_.correct_early(trial_.points);
     }
 
-    unsigned int correct_factors()
+    unsigned int correct_factors(const Vector &q)
     {
+      iteration_.complete_flat(q, shift(q), trial_.points);
+      iteration_.discard_rows();
       return factors_.correct(trial_.points) + projector_.wake_flat(trial_.points);
     }
     ///@}
@@ -187,6 +191,12 @@ namespace deltaform
       iteration_.restart();
     }
     ///@}
+
+    /// Hash of the set of touching points, as it was assembled last.
+    std::size_t signature() const
+    {
+      return iteration_.signature(trial_.points);
+    }
 
     /// Did a point gain or lose contact in the last assembly?
     bool status_changed() const

@@ -3,6 +3,7 @@
 #include <deltaform/assembly/assembly_target.h>
 #include <deltaform/contact/clear_edges.h>
 #include <deltaform/contact/contact_projector.h>
+#include <deltaform/contact/edge_rows.h>
 #include <deltaform/contact/factor_control.h>
 #include <deltaform/contact/interface_friction.h>
 #include <deltaform/contact/normal_law.h>
@@ -37,10 +38,7 @@ namespace deltaform
                      const FactorControl &factors,
                      const InterfaceFriction *friction);
 
-    void resize(const unsigned int n_points)
-    {
-      work_.assign(n_points, Work());
-    }
+    void resize(unsigned int n_points);
 
     /// Number of the first unknown of the law, one per point.
     void set_first_multiplier(const DofIndex first)
@@ -60,13 +58,10 @@ namespace deltaform
     }
 
     /// The next assembly is anywhere, with trial states that it did not leave.
-    void restart()
-    {
-      for (auto &work : work_)
-        work.foreseen.reset();
-      clear_.restart(!law_.has_multiplier());
-      at_start_ = in_place_ = false;
-    }
+    void restart();
+
+    /// Points have other penalty factors than in the last assembly.
+    void discard_rows();
 
     /// Residual and tangent of all points at @p q. @p shift: way of the counterpart. @p time: end of the increment
     void assemble(const Vector &q,
@@ -87,6 +82,9 @@ namespace deltaform
       return status_changed_;
     }
 
+    /// Hash of the set of touching points, as it was assembled last.
+    std::size_t signature(const Points &trial) const;
+
     const Tensor1 &tool_force() const
     {
       return tool_force_;
@@ -97,6 +95,9 @@ namespace deltaform
 
     /// The trial state is accepted: describe the points that assembly did not look at.
     void complete(const Vector &q, const Tensor1 &shift, Points &trial);
+
+    /// Of flat edges that touch only.
+    void complete_flat(const Vector &q, const Tensor1 &shift, Points &trial);
 
     /// A touching point, as it was assembled last.
     const ContactPoint &touching_point(const unsigned int i) const
@@ -115,8 +116,38 @@ namespace deltaform
       double base_multiplier = 0, step_multiplier = 0; ///< estimates of lambda along a Newton step
     };
 
+    /// Points inside an edge, at the last assembly.
+    struct Edge
+    {
+      EdgeRows rows;
+      bool known = false; ///< the rows are those that the points would add again, if nothing moves
+      std::size_t touching = 0; ///< hash of those that touch; 0: none
+      Tensor1 tool_force;
+    };
+
+    /// From one point of edge @p e that is asked to the next. An unknown of its own asks for its equation.
+    unsigned int stride(const unsigned int e) const
+    {
+      return law_.has_multiplier() ? 1 : projector_.stride(e);
+    }
+
+    /// @p action(i) for all points that are asked, of edges that may touch.
+    template <typename Action>
+    void for_each_asked(const Action &action) const;
+
+    /// Points that no assembly asks, from @p first on in steps of 1, up to @p end.
+    void describe(unsigned int first, unsigned int end, const Vector &q, const Tensor1 &shift, Points &trial);
+
     /// Of a point relative to the counterpart in the step @p d.
     Tensor1 motion(unsigned int i, const Vector &d) const;
+
+    /// Residual and tangent of the points of edge @p e.
+    void assemble_edge(unsigned int e,
+                       const Vector &q,
+                       const Tensor1 &shift,
+                       const Points &committed,
+                       Points &trial,
+                       bool tangent);
 
     /// Residual and tangent of a point.
     void assemble(unsigned int i,
@@ -159,6 +190,7 @@ namespace deltaform
     DofIndex first_multiplier_ = dealii::numbers::invalid_dof_index;
 
     std::vector<Work> work_;
+    std::vector<Edge> edges_; ///< empty if nodes touch
     ClearEdges clear_;
     bool status_changed_ = false;
     bool in_place_ = false; ///< no step has been made since the last assembly: points are described as it left them

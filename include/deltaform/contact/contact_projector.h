@@ -107,6 +107,12 @@ namespace deltaform
       flat_.find(*this, committed, delta);
     }
 
+    /// From one point of edge @p e that is asked to the next: of a flat one only the outermost are.
+    unsigned int stride(const unsigned int e) const
+    {
+      return flat_.contains(e) ? group() - 1 : 1;
+    }
+
     unsigned int wake_flat(const FlatEdges::Points &trial)
     {
       return flat_.wake(*this, trial);

@@ -34,6 +34,12 @@ namespace deltaform
       flat_ = flat;
     }
 
+    /// Is edge @p e one, so that only its outermost points are asked?
+    bool contains(const unsigned int e) const
+    {
+      return e < flat_.size() && flat_[e];
+    }
+
     /// Of every edge, where @p points were accepted: was it flat in the increment that led there? Its points between
     /// the outermost stood for no area then.
     static std::vector<bool> were_flat(const Points &points, unsigned int per_edge);

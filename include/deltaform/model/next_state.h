@@ -45,7 +45,7 @@ namespace deltaform
     }
     unsigned int correct(const Vector &q) override
     {
-      const unsigned int changed = workspace_.contact().correct();
+      const unsigned int changed = workspace_.contact().correct(q);
       return changed > 0 ? changed : workspace_.pressure().correct(q);
     }
     ///@}

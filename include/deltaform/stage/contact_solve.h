@@ -40,7 +40,7 @@ namespace deltaform
     /// See Equations.
     ///@{
     unsigned int correct_early();
-    unsigned int correct(); ///< penalty factors and shifts
+    unsigned int correct(const Vector &q); ///< penalty factors and shifts
     ///@}
 
     /// @name ActiveSet
