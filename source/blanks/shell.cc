@@ -27,7 +27,7 @@ namespace deltaform
       material_(section, ThirdDirection::stress_given, settings_.axisymmetric),
       core_(points_, material_, points_.with_elastic_core()),
       kernel_(settings_, space_, points_, state_, material_, core_),
-      fields_(space_, points_, state_, surface_, material_),
+      fields_(space_, points_, state_, surface_, material_, kernel_),
       parts_(space_, points_, state_, surface_, material_, core_), refinement_(section.sub("Refinement"), parts_)
   {
     material_.reset(static_cast<std::size_t>(points_.size()) * points_.n_layers());

@@ -170,6 +170,38 @@ namespace deltaform
   }
 
 
+  double ShellFields::flow_stress(const unsigned int point) const
+  {
+    double result = 0.;
+    for (unsigned int l = 0; l < points_.n_layers(); ++l)
+      result += points_.layer_weight(l) * material_.flow_stress(point * points_.n_layers() + l);
+    return result / points_.thickness();
+  }
+
+
+  LargestShear ShellFields::largest_shear(const Vector &q) const
+  {
+    LargestShear result;
+    const double stiffness = kernel_.shear_stiffness() / points_.thickness();
+    if (!(stiffness > 0.) || !material_.plastic())
+      return result;
+    const double initial = material_.initial_flow_stress();
+    const auto &nodes = space_.mesh().nodes();
+    const auto &cells = space_.mesh().cells();
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (unsigned int p = c * points_.per_cell(); p < (c + 1) * points_.per_cell(); ++p)
+      {
+        const double stress = stiffness * std::abs(points_.strain(q, c, p).gamma - points_[p].gamma);
+        // Metals harden: few points have to be asked for their flow stress.
+        if (stress <= result.share * initial)
+          continue;
+        if (const double share = stress / flow_stress(p); share > result.share)
+          result = {share, .5 * (nodes[cells[c].nodes[0]][0] + nodes[cells[c].nodes[1]][0])};
+      }
+    return result;
+  }
+
+
   InnermostPlace ShellFields::innermost_place(const Vector &q) const
   {
     InnermostPlace result;
@@ -226,19 +258,17 @@ namespace deltaform
   {
     // Few sections are pressed on both faces, and a flow stress costs as much as the rest.
     const auto &cells = space_.mesh().cells();
-    std::vector<double> weight(sections.size(), 0.);
+    std::vector<unsigned int> n_points(sections.size(), 0);
     for (unsigned int c = 0; c < cells.size(); ++c)
       for (unsigned int a = 0; a <= space_.degree(); ++a)
         if (const unsigned int node = cells[c].nodes[a]; sections[node].clamping_pressure > 0.)
           for (unsigned int p = c * points_.per_cell(); p < (c + 1) * points_.per_cell(); ++p)
           {
-            for (unsigned int l = 0; l < points_.n_layers(); ++l)
-              sections[node].flow_stress +=
-                points_.layer_weight(l) * material_.flow_stress(p * points_.n_layers() + l);
-            weight[node] += points_.thickness();
+            sections[node].flow_stress += flow_stress(p);
+            ++n_points[node];
           }
     for (unsigned int i = 0; i < sections.size(); ++i)
-      if (weight[i] > 0.)
-        sections[i].flow_stress /= weight[i];
+      if (n_points[i] > 0)
+        sections[i].flow_stress /= n_points[i];
   }
 } // namespace deltaform

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "material_points.h"
+#include "shell_kernel.h"
 #include "shell_points.h"
 #include "shell_space.h"
 #include "shell_state.h"
@@ -18,8 +19,9 @@ namespace deltaform
                 const ShellPoints &points,
                 const ShellState &state,
                 const ShellSurface &surface,
-                const MaterialPoints &material)
-      : space_(space), points_(points), state_(state), surface_(surface), material_(material)
+                const MaterialPoints &material,
+                const ShellKernel &kernel)
+      : space_(space), points_(points), state_(state), surface_(surface), material_(material), kernel_(kernel)
     {
     }
 
@@ -29,6 +31,7 @@ namespace deltaform
     bool is_sheet() const override;
     std::vector<SheetSection> sections() const override;
     SharpestBend sharpest_bend(const Vector &q) const override;
+    LargestShear largest_shear(const Vector &q) const override;
     Overlap overlap(const Vector &q) const override;
     InnermostPlace innermost_place(const Vector &q) const override;
     std::vector<LargestCriterion> largest_criteria() const override;
@@ -36,6 +39,9 @@ namespace deltaform
   private:
     /// Columns of the profile from the points, averaged at the nodes, see profile().
     std::vector<std::vector<double>> averages() const;
+
+    /// Mean over the thickness at a point of the meridian.
+    double flow_stress(unsigned int point) const;
 
     /// Mean flow stress over the thickness where tools press a section on both faces.
     void add_flow_stress(std::vector<SheetSection> &sections) const;
@@ -54,5 +60,6 @@ namespace deltaform
     const ShellState &state_;
     const ShellSurface &surface_;
     const MaterialPoints &material_;
+    const ShellKernel &kernel_;
   };
 } // namespace deltaform

@@ -26,6 +26,7 @@ namespace
       smallest_thickness_ = 3.;
       sections_.emplace();
       sharpest_bend_.emplace();
+      largest_shear_.emplace();
       folded_cells_.emplace();
       overlap_.emplace();
       innermost_place_.emplace();
@@ -41,6 +42,7 @@ namespace
     using AcceptedIncrement::contact_;
     using AcceptedIncrement::folded_cells_;
     using AcceptedIncrement::innermost_place_;
+    using AcceptedIncrement::largest_shear_;
     using AcceptedIncrement::mesh_error_;
     using AcceptedIncrement::overlap_;
     using AcceptedIncrement::sections_;
@@ -125,6 +127,23 @@ BOOST_AUTO_TEST_CASE(an_element_that_bends_too_much_is_told)
   fixture.observe();
   BOOST_TEST(ends().find("the element at R0 = 9 bends by 60.16 degrees") == 0u, ends());
   BOOST_TEST(fixture.warnings().empty()); // it is said once
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_that_flows_by_shear_is_told)
+{
+  // Nine tenths of the work and more without much of it: no word.
+  Fixture fixture;
+  const auto work_to = [&](const double work, const double share) {
+    fixture.increment.account().tool_work = fixture.increment.account().elastic = work;
+    fixture.increment.largest_shear_ = LargestShear{share, 7.};
+    return fixture.warnings();
+  };
+  BOOST_TEST(work_to(2., .9).size() == 1u); // all of it so far
+  BOOST_TEST(work_to(10., .349).size() == 1u);
+  BOOST_TEST(work_to(21., .3).empty());
+  // A tool that goes back takes work out, and that counts as well.
+  BOOST_TEST(one_has(work_to(20., .36), "sheared shell: at time 1 the sheet carries a transverse shear of 0.9 of its "
+                                        "flow stress, at R0 = 7, and more than 0.35 in 14 % of the work"));
 }
 
 BOOST_AUTO_TEST_CASE(a_corner_that_is_too_sharp_is_told)

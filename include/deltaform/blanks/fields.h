@@ -29,6 +29,13 @@ namespace deltaform
     double length = std::numeric_limits<double>::infinity(); ///< of the element of a shell, over the thickness
   };
 
+  /// Where a sheet carries most transverse shear.
+  struct LargestShear
+  {
+    double share = 0; ///< mean of the shear stress over the thickness, over that of the flow stress
+    double place = 0; ///< R0 (length)
+  };
+
   /// Cells of a solid that are turned inside out at a corner.
   struct FoldedCells
   {
@@ -90,6 +97,12 @@ namespace deltaform
 
     /// None of solids.
     virtual Overlap overlap(const Vector & /*q*/) const
+    {
+      return {};
+    }
+
+    /// None of a solid, a membrane, an elastic sheet.
+    virtual LargestShear largest_shear(const Vector & /*q*/) const
     {
       return {};
     }

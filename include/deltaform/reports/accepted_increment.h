@@ -57,6 +57,14 @@ namespace deltaform
       return *sharpest_bend_;
     }
 
+    /// See Fields::largest_shear().
+    const LargestShear &largest_shear() const
+    {
+      if (!largest_shear_)
+        largest_shear_ = model.blank().fields().largest_shear(model.committed());
+      return *largest_shear_;
+    }
+
     /// See Fields::overlap().
     const Overlap &overlap() const
     {
@@ -142,6 +150,7 @@ namespace deltaform
     mutable std::optional<FlangeWrinkling::Result> wrinkling_;
     mutable std::optional<std::vector<SheetSection>> sections_;
     mutable std::optional<SharpestBend> sharpest_bend_;
+    mutable std::optional<LargestShear> largest_shear_;
     mutable std::optional<FoldedCells> folded_cells_;
     mutable std::optional<Overlap> overlap_;
     mutable std::optional<MeshError> mesh_error_;

@@ -1,0 +1,78 @@
+#include <deltaform/conditions/conditions.h>
+#include <deltaform/parameters/percent.h>
+#include <deltaform/parameters/text.h>
+#include <deltaform/reports/accepted_increment.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  namespace
+  {
+    /**
+     * Do tools bend a shell within a few thicknesses? The sheet between them carries so much transverse shear that it
+     * flows by it. A shell's shear is elastic: it does not know that work, and puts the bend where it is not. A peak of
+     * some increments, as where a tool touches first, does not matter: it is asked for the work that is done meanwhile.
+     */
+    class ShearedShell : public SavedCondition<ShearedShell>
+    {
+    public:
+      explicit ShearedShell(const Actors &actors)
+        : has_tools_(!actors.tools.empty())
+      {
+      }
+
+      void observe(const AcceptedIncrement &increment) override
+      {
+        const EnergyAccount &account = increment.energies();
+        const double before = work_;
+        work_ = account.tool_work + account.load_work;
+        if (!has_tools_)
+          return;
+        const double growth = std::abs(work_ - before);
+        all_ += growth;
+        const LargestShear &now = increment.largest_shear();
+        if (now.share <= doubtful)
+          return;
+        sheared_ += growth;
+        if (now.share <= share_)
+          return;
+        share_ = now.share;
+        place_ = now.place;
+        time_ = increment.time;
+      }
+
+      std::vector<std::string> warnings(bool) const override
+      {
+        if (!(sheared_ > enough * all_))
+          return {};
+        return {"sheared shell: at time " + text::rounded(time_) + " the sheet carries a transverse shear of " +
+                text::rounded(share_) + " of its flow stress, at R0 = " + text::rounded(place_) + ", and more than " +
+                text::rounded(doubtful) + " in " + text::percent(sheared_ / all_) +
+                " of the work. It flows by it, what a shell does not know: forces may be up to an eighth too small. "
+                "Model the blank as a solid of degree 2 (Blank/Kind = solid), or give the tools larger radii or more "
+                "clearance."};
+      }
+
+      template <class Archive>
+      void serialize(Archive &archive, unsigned int)
+      {
+        archive &work_ &all_ &sheared_ &share_ &place_ &time_;
+      }
+
+    private:
+      static constexpr double doubtful = .35, enough = .1; // doc/stress.md, A shell or a solid
+
+      bool has_tools_;
+      double work_ = 0.; ///< of tools and loads so far
+      double all_ = 0., sheared_ = 0.; ///< sums of what increments add to it, of all and of doubtful ones
+      double share_ = 0.; ///< largest
+      double place_ = 0.; ///< R0 (length)
+      double time_ = 0.;
+    };
+
+    const ConditionMakers::Entry
+      entry("sheared shell", "a shell carries a transverse shear that it flows by", make_condition<ShearedShell>);
+  } // namespace
+} // namespace deltaform
