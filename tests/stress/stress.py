@@ -102,7 +102,7 @@ def shorten(message):
              ("iron the sheet", "ironed"),
              ("more than", "slow: increments were still accepted" if "increments" in message else "no increment accepted"),
              ("necks", "necking"),
-             ("Maximal increments", "increments used up: 10000, or 400 of a scene that is not sensible"), ("promise penetration <= delta", "promise could not be kept, said so"),
+             ("Maximal increments", "increments used up"), ("promise penetration <= delta", "promise could not be kept, said so"),
              ("round-off", "delta below round-off, refused"), ("tangent is singular", "tangent singular: limit load or free to move"),
              ("did not converge", "Newton did not converge"), ("strain increment", "strain increment too large"),
              ("rotation increment", "rotation increment too large"), ("corrections of the penalty", "corrections did not end"),
@@ -175,7 +175,9 @@ def run_one(program, work, seed, limit, interrupt, keep, increments):
     scene, folder = work / f"{seed:05d}.prm", work / f"{seed:05d}"
     shutil.rmtree(folder, ignore_errors=True)
     scene.write_text(text)
-    command = [program, str(scene), "--quiet", "--output", str(folder), "--set", "Output/Checkpoint interval=0"]
+    command = [program, str(scene), "--quiet", "--output", str(folder)]
+    if interrupt:
+        command += ["--set", "Output/Checkpoint interval=0"]
     if increments:
         command += ["--set", f"Solver/Maximal increments={increments}"]
     begin = time.monotonic()
