@@ -158,16 +158,7 @@ namespace deltaform
 
   void ContactInterface::release(const Vector &q, AssemblyTarget &target)
   {
-    for (unsigned int i = 0; i < committed_.points.size(); ++i)
-    {
-      ContactPointState &state = committed_.points[i];
-      if (state.touching)
-      {
-        const ContactPoint description = point(q, i);
-        target.add(description.dofs.data(), description.n_dofs, nullptr, state.residual.data());
-      }
-      state.release();
-    }
+    release_points(committed_.points, q, projector_, target);
     trial_.points = committed_.points;
     InterfaceAccount::release(committed_.energy);
   }

@@ -134,4 +134,22 @@ namespace deltaform
     }
     return points;
   }
+
+
+  void release_points(std::vector<ContactPointState> &points,
+                      const Vector &q,
+                      const ContactProjector &projector,
+                      AssemblyTarget &target)
+  {
+    for (unsigned int i = 0; i < points.size(); ++i)
+    {
+      ContactPointState &state = points[i];
+      if (state.touching)
+      {
+        const ContactPoint description = projector.point(q, i);
+        target.add(description.dofs.data(), description.n_dofs, nullptr, state.residual.data());
+      }
+      state.release();
+    }
+  }
 } // namespace deltaform

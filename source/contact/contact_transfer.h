@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/assembly/assembly_target.h>
 #include <deltaform/assembly/point_origin.h>
 #include <deltaform/contact/contact_point_state.h>
 #include <deltaform/contact/contact_projector.h>
@@ -19,4 +20,10 @@ namespace deltaform
                                                     const Tensor1 &shift,
                                                     const Vector &q,
                                                     ContactProjector &projector);
+
+  /// Forces of touching points at the accepted @p q go to @p target, and none touches from here on.
+  void release_points(std::vector<ContactPointState> &points,
+                      const Vector &q,
+                      const ContactProjector &projector,
+                      AssemblyTarget &target);
 } // namespace deltaform

@@ -132,8 +132,8 @@ namespace deltaform
 
     void predict_factors(const Vector &q, const Vector *coupling)
     {
-      factors_.predict(q, shift(q), coupling, committed_.points, trial_.points);
       iteration_.discard_rows();
+      factors_.predict(q, shift(q), coupling, committed_.points, trial_.points);
     }
 
     /// Close to equilibrium and after convergence: let the rule correct the factors. @return of how many points

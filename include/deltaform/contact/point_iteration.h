@@ -1,0 +1,184 @@
+#pragma once
+
+#include <deltaform/assembly/assembly_target.h>
+#include <deltaform/contact/contact_projector.h>
+#include <deltaform/contact/factor_control.h>
+#include <deltaform/contact/interface_friction.h>
+#include <deltaform/contact/normal_law.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * The points of an interface, one by one, in the iterations of an increment: force and status at the present
+   * unknowns, what they add to residual and tangent, and what a Newton step makes of the estimates of lambda.
+   */
+  class PointIteration
+  {
+  public:
+    using Points = std::vector<ContactPointState>;
+
+    /// Of a touching point: the displacement unknowns of the node nearest to it, and the tool's normal there. In these
+    /// frames the matrix is scaled for its condition number.
+    struct Frame
+    {
+      DofIndex r, z;
+      Tensor1 normal;
+    };
+
+    /// @param friction null: none
+    PointIteration(const NormalLaw &law,
+                   ContactProjector &projector,
+                   const FactorControl &factors,
+                   const InterfaceFriction *friction);
+
+    void resize(const unsigned int n_points)
+    {
+      work_.assign(n_points, Work());
+    }
+
+    unsigned int size() const
+    {
+      return work_.size();
+    }
+
+    /// Number of the first unknown of the law, one per point.
+    void set_first_multiplier(const DofIndex first)
+    {
+      first_multiplier_ = first;
+    }
+
+    DofIndex multiplier_dof(const unsigned int i) const
+    {
+      return first_multiplier_ + i;
+    }
+
+    /// The next assembly is anywhere, with trial states that it did not leave. @p at_start: where an increment begins
+    void restart(bool at_start);
+
+    /// Where the next assembly is.
+    ///@{
+    void stay_in_place()
+    {
+      in_place_ = true;
+    }
+
+    bool in_place() const
+    {
+      return in_place_;
+    }
+
+    void leave_start()
+    {
+      at_start_ = false;
+    }
+
+    void leave_place()
+    {
+      in_place_ = false;
+    }
+    ///@}
+
+    /// An assembly begins: no point has changed its status.
+    void begin_assembly()
+    {
+      status_changed_ = false;
+    }
+
+    bool status_changed() const
+    {
+      return status_changed_;
+    }
+
+    /// Sum of the forces on the counterpart since the last call.
+    Tensor1 take_force()
+    {
+      return std::exchange(force_, Tensor1());
+    }
+
+    void describe(const unsigned int i, const Vector &q)
+    {
+      projector_.describe(q, i, work_[i].point);
+    }
+
+    /// And put down where it is.
+    void describe(unsigned int i, const Vector &q, const Tensor1 &shift, ContactPointState &state);
+
+    /// Residual and tangent.
+    void assemble(unsigned int i,
+                  const Vector &q,
+                  const Tensor1 &shift,
+                  const Points &committed,
+                  Points &trial,
+                  AssemblyTarget &target);
+
+    /// Will it change its status in the step @p d?
+    bool foresee(unsigned int i, const Vector &d, const ContactPointState &state);
+
+    /// A step @p d is taken from @p state, by a factor. @p before: its accepted state
+    ///@{
+    void prepare_step(unsigned int i, const Vector &d, const ContactPointState &before, const ContactPointState &state);
+    void advance(unsigned int i, double factor, ContactPointState &state);
+    ///@}
+
+    /// How far it may go from its place at the last assembly and stay without contact. Not positive: nobody knows.
+    double clear_way(unsigned int i, const ContactPointState &state) const;
+
+    /// As it was assembled last.
+    const ContactPoint &point(const unsigned int i) const
+    {
+      return work_[i].point;
+    }
+
+    std::vector<Frame> frames(const Points &trial) const;
+
+  private:
+    /// What is computed of a point in an iteration and discarded.
+    struct Work
+    {
+      ContactPoint point; ///< at the last assembly
+      Projection projection; ///< the same, of a point that may have contact
+      bool is_near = false; ///< it may have contact: it was projected
+      std::optional<bool> foreseen; ///< will it touch? See ContactInterface::foresee()
+      double base_multiplier = 0, step_multiplier = 0; ///< estimates of lambda along a Newton step
+    };
+
+    /// Of a point relative to the counterpart in the step @p d.
+    Tensor1 motion(unsigned int i, const Vector &d) const;
+
+    /// A point that has no contact, whatever its force was.
+    void leave(unsigned int i, const Vector &q, ContactPointState &state, AssemblyTarget &target);
+
+    /// A point that may have contact. @p known: its projection is
+    void meet(unsigned int i,
+              bool known,
+              const Vector &q,
+              const Points &committed,
+              Points &trial,
+              AssemblyTarget &target);
+
+    /// Add the forces of a point.
+    void add(unsigned int i,
+             const ContactPoint &point,
+             const Projection &projection,
+             const NormalResponse &normal,
+             const FrictionResponse &friction,
+             ContactPointState &state,
+             AssemblyTarget &target);
+
+    const NormalLaw &law_;
+    ContactProjector &projector_;
+    const FactorControl &factors_;
+    const InterfaceFriction *friction_;
+    DofIndex first_multiplier_ = dealii::numbers::invalid_dof_index;
+
+    std::vector<Work> work_;
+    bool status_changed_ = false;
+    bool in_place_ = false; ///< no step has been made since the last assembly: points are described as it left them
+    bool at_start_ = false; ///< no step has been made in this increment: points touch that did in the last one
+    Tensor1 force_;
+  };
+} // namespace deltaform
