@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace deltaform
 {
@@ -25,11 +26,14 @@ namespace deltaform
 
       void observe(const AcceptedIncrement &increment) override
       {
+        constexpr double looks = 20.; // at a stage
+        const double pause = (increment.stage.end - increment.stage.begin) / looks;
+        if (!has_tools_ || (!increment.ends_stage && increment.time < last_look_ + pause))
+          return;
+        last_look_ = increment.time;
         const EnergyAccount &account = increment.energies();
         const double before = work_;
         work_ = account.tool_work + account.load_work;
-        if (!has_tools_)
-          return;
         const double growth = std::abs(work_ - before);
         all_ += growth;
         const LargestShear &now = increment.largest_shear();
@@ -58,15 +62,16 @@ namespace deltaform
       template <class Archive>
       void serialize(Archive &archive, unsigned int)
       {
-        archive &work_ &all_ &sheared_ &share_ &place_ &time_;
+        archive &last_look_ &work_ &all_ &sheared_ &share_ &place_ &time_;
       }
 
     private:
       static constexpr double doubtful = .35, enough = .1; // doc/stress.md, A shell or a solid
 
       bool has_tools_;
+      double last_look_ = std::numeric_limits<double>::lowest();
       double work_ = 0.; ///< of tools and loads so far
-      double all_ = 0., sheared_ = 0.; ///< sums of what increments add to it, of all and of doubtful ones
+      double all_ = 0., sheared_ = 0.; ///< sums of its changes between two looks, of all and of doubtful ones
       double share_ = 0.; ///< largest
       double place_ = 0.; ///< R0 (length)
       double time_ = 0.;

@@ -19,7 +19,9 @@ namespace deltaform
   void ContactIteration::resize(const unsigned int n_points)
   {
     points_.resize(n_points);
-    edges_.assign(projector_.group() > 1 ? n_points / projector_.group() : 0, Edge());
+    group_ = projector_.group();
+    every_point_ = law_.has_multiplier() || group_ < 3;
+    edges_.assign(group_ > 1 ? n_points / group_ : 0, Edge());
   }
 
 
@@ -41,8 +43,8 @@ namespace deltaform
   template <typename Action>
   void ContactIteration::for_points(const unsigned int e, const Action &action) const
   {
-    const unsigned int n = projector_.group(), step = stride(e);
-    for (unsigned int i = e * n; i < (e + 1) * n; i += step)
+    const unsigned int step = stride(e);
+    for (unsigned int i = e * group_; i < (e + 1) * group_; i += step)
       action(i);
   }
 
@@ -50,7 +52,7 @@ namespace deltaform
   template <typename Action>
   void ContactIteration::for_points(const Action &action) const
   {
-    for (unsigned int e = 0; e * projector_.group() < points_.size(); ++e)
+    for (unsigned int e = 0; e * group_ < points_.size(); ++e)
       if (!clear_.known(e))
         for_points(e, action);
   }
@@ -113,7 +115,7 @@ namespace deltaform
       return;
     double clearance = std::numeric_limits<double>::infinity();
     for_points(e, [&](const unsigned int i) { clearance = std::min(clearance, points_.clear_way(i, trial[i])); });
-    clear_.set(e, q, shift, points_.point(e * projector_.group()), clearance);
+    clear_.set(e, q, shift, points_.point(e * group_), clearance);
   }
 
 
@@ -130,7 +132,7 @@ namespace deltaform
 
   void ContactIteration::complete(const Vector &q, const Tensor1 &shift, Points &trial)
   {
-    const unsigned int n = projector_.group();
+    const unsigned int n = group_;
     for (unsigned int e = 0; e < edges_.size(); ++e)
       if (clear_.known(e))
         describe(e * n, (e + 1) * n, q, shift, trial);
@@ -141,7 +143,7 @@ namespace deltaform
 
   void ContactIteration::complete_flat(const Vector &q, const Tensor1 &shift, Points &trial)
   {
-    const unsigned int n = projector_.group();
+    const unsigned int n = group_;
     for (unsigned int e = 0; e < edges_.size(); ++e)
       if (stride(e) > 1 && edges_[e].touching != 0)
         describe(e * n + 1, (e + 1) * n - 1, q, shift, trial);
@@ -153,7 +155,7 @@ namespace deltaform
     bool other = false;
     points_.stay_in_place();
     const Tensor1 end = shift + projector_.counterpart().motion(d);
-    for (unsigned int e = 0; e * projector_.group() < trial.size(); ++e)
+    for (unsigned int e = 0; e * group_ < trial.size(); ++e)
     {
       if (clear_.clear(e, q, &d, end))
         continue;

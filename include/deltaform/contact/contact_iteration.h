@@ -105,10 +105,10 @@ namespace deltaform
       Tensor1 tool_force;
     };
 
-    /// From one point of edge @p e that is asked to the next. An unknown of its own asks for its equation.
+    /// From one point of edge @p e that is asked to the next.
     unsigned int stride(const unsigned int e) const
     {
-      return law_.has_multiplier() ? 1 : projector_.stride(e);
+      return every_point_ ? 1 : projector_.stride(e);
     }
 
     /// @p action(i) for the points of edge @p e that are asked; a node is an edge of its own.
@@ -136,6 +136,8 @@ namespace deltaform
     const NormalLaw &law_;
     ContactProjector &projector_;
     PointIteration points_;
+    unsigned int group_ = 1; ///< points of an edge; a node is alone
+    bool every_point_ = true; ///< is every one asked? An unknown of its own asks for its equation
     std::vector<Edge> edges_; ///< empty if nodes touch
     ClearEdges clear_;
     Tensor1 tool_force_;
