@@ -32,14 +32,14 @@ namespace deltaform
           return;
         last_look_ = increment.time;
         const EnergyAccount &account = increment.energies();
-        const double before = work_;
-        work_ = account.tool_work + account.load_work;
-        const double growth = std::abs(work_ - before);
-        all_ += growth;
+        const double work = account.tool_work + account.load_work;
         const LargestShear &now = increment.largest_shear();
-        if (now.share <= doubtful)
+        const bool much = now.share > doubtful;
+        of_work_.add(std::abs(work - work_), much);
+        of_looks_.add(1., much);
+        work_ = work;
+        if (!much)
           return;
-        sheared_ += growth;
         if (now.share <= share_)
           return;
         share_ = now.share;
@@ -49,12 +49,16 @@ namespace deltaform
 
       std::vector<std::string> warnings(bool) const override
       {
-        if (!(sheared_ > enough * all_))
+        // Where energies are switched off, no work is known.
+        const bool is_counted = of_work_.all > 0.;
+        const Part &part = is_counted ? of_work_ : of_looks_;
+        if (!(part.sheared > enough * part.all))
           return {};
         return {"sheared shell: at time " + text::rounded(time_) + " the sheet carries a transverse shear of " +
                 text::rounded(share_) + " of its flow stress, at R0 = " + text::rounded(place_) + ", and more than " +
-                text::rounded(doubtful) + " in " + text::percent(sheared_ / all_) +
-                " of the work. It flows by it, what a shell does not know: forces may be up to an eighth too small. "
+                text::rounded(doubtful) + " in " + text::percent(part.sheared / part.all) +
+                (is_counted ? " of the work" : " of the time") +
+                ". It flows by it, what a shell does not know: forces may be up to an eighth too small. "
                 "Model the blank as a solid of degree 2 (Blank/Kind = solid), or give the tools larger radii or more "
                 "clearance."};
       }
@@ -62,16 +66,29 @@ namespace deltaform
       template <class Archive>
       void serialize(Archive &archive, unsigned int)
       {
-        archive &last_look_ &work_ &all_ &sheared_ &share_ &place_ &time_;
+        archive &last_look_ &work_ &of_work_.all &of_work_.sheared &of_looks_.all &of_looks_.sheared;
+        archive &share_ &place_ &time_;
       }
 
     private:
       static constexpr double doubtful = .35, enough = .1; // doc/stress.md, A shell or a solid
 
+      /// A sum, and what of it came while there was much shear.
+      struct Part
+      {
+        double all = 0., sheared = 0.;
+
+        void add(const double what, const bool much)
+        {
+          all += what;
+          sheared += much ? what : 0.;
+        }
+      };
+
       bool has_tools_;
       double last_look_ = std::numeric_limits<double>::lowest();
       double work_ = 0.; ///< of tools and loads so far
-      double all_ = 0., sheared_ = 0.; ///< sums of its changes between two looks, of all and of doubtful ones
+      Part of_work_, of_looks_; ///< changes of work from look to look; looks
       double share_ = 0.; ///< largest
       double place_ = 0.; ///< R0 (length)
       double time_ = 0.;

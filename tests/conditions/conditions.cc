@@ -145,6 +145,14 @@ BOOST_AUTO_TEST_CASE(a_sheet_that_flows_by_shear_is_told)
   // A tool that goes back takes work out, and that counts as well.
   BOOST_TEST(one_has(work_to(20., .36), "sheared shell: at time 2 the sheet carries a transverse shear of 0.9 of its "
                                         "flow stress, at R0 = 7, and more than 0.35 in 14 % of the work"));
+
+  // No work is known: one look of two.
+  Fixture without;
+  without.increment.largest_shear_ = LargestShear{.3, 7.};
+  BOOST_TEST(without.warnings().empty());
+  without.increment.time += 1.;
+  without.increment.largest_shear_ = LargestShear{.9, 7.};
+  BOOST_TEST(one_has(without.warnings(), "and more than 0.35 in 50 % of the time. It flows"));
 }
 
 BOOST_AUTO_TEST_CASE(a_corner_that_is_too_sharp_is_told)
