@@ -131,6 +131,9 @@ namespace deltaform
         actors_.interfaces[i]->release(state.unknowns, ending);
         state.released.of_tools[i] = state.tool_forces[i];
       }
+    // What tools did becomes work of the forces that fade.
+    for (unsigned int i = 0; i < numbering_.n_blank; ++i)
+      state.load_forces[i] -= ending.residual[i];
     for (unsigned int i = 0; i < actors_.loads.size(); ++i)
       if (ends([&](const std::string &stage) { return actors_.loads[i]->acts_in(stage); }))
       {
@@ -191,17 +194,14 @@ namespace deltaform
       return;
     if (actors_.blank->may_be_distributed())
       ranks::sum(inside.residual.begin(), inside.residual.size());
-    double largest = 0.;
     for (unsigned int i = 0; i < numbering_.n_blank; ++i)
-    {
       state.released.on_blank[i] = supports_.is_prescribed()[i] ? 0. : inside.residual[i];
-      largest = std::max(largest, std::abs(state.released.on_blank[i]) / numbering_.scale[i]);
-    }
-    // What is left of a blank that was released is the tolerance of its equilibrium.
-    state.released.any = largest > 1e-5 * actors_.blank->stiffness_scale() * actors_.blank->typical_length();
-    if (!state.released.any)
-      state.released.on_blank = 0.;
-    state.releases_at_once = state.released.any && stage.release_at_once;
+  }
+
+
+  Tensor1 ForceBook::earlier_force(const ModelState &state) const
+  {
+    return state.released.share(state.time) * state.released.of_earlier_operation;
   }
 
 
@@ -217,6 +217,7 @@ namespace deltaform
       count(-force);
     for (const auto &force : state.load_resultants)
       count(force);
+    count(earlier_force(state));
     // An unknown that two supports hold counts once.
     std::vector<bool> counted(numbering_.n_blank, false);
     for (unsigned int i = 0; i < actors_.supports.size(); ++i)

@@ -11,6 +11,9 @@ namespace deltaform
 {
   namespace
   {
+    // Of the forces in the cells: so much is out of balance in a state that was accepted.
+    constexpr double tolerance_of_equilibrium = 1e-4;
+
     /// What the cells add to the residual, without regard to its sign.
     class Magnitude : public Collector
     {
@@ -45,8 +48,36 @@ namespace deltaform
 
   void FormedStart::enter(const Stage &stage, const ForceBook &book)
   {
-    if (std::exchange(due_, false))
-      book.release_formed(body_, stage, state_);
+    if (!std::exchange(due_, false))
+      return;
+    book.release_formed(body_, stage, state_);
+    Magnitude inside(state_.unknowns.size());
+    body_.assemble(state_.unknowns, state_.time, inside);
+    ranks::sum(inside.residual.begin(), inside.residual.size());
+    in_cells_ = norm(inside.residual);
+    // What is left of a blank that was released is the tolerance of its equilibrium.
+    ReleasedForces &released = state_.released;
+    released.any = norm(released.on_blank) > tolerance_of_equilibrium * in_cells_;
+    state_.releases_at_once = released.any && stage.release_at_once;
+    fade(released.any ? Vector(released.on_blank) : Vector(released.on_blank.size()));
+  }
+
+
+  double FormedStart::norm(const Vector &forces) const
+  {
+    double square = 0.;
+    for (DofIndex i = 0; i < numbering_.n_blank; ++i)
+      square += std::pow(forces[i] / numbering_.scale[i], 2);
+    return std::sqrt(square);
+  }
+
+
+  void FormedStart::fade(const Vector &forces)
+  {
+    state_.released.on_blank = forces;
+    state_.released.of_earlier_operation = numbering_.resultant(forces);
+    for (unsigned int i = 0; i < numbering_.n_blank; ++i)
+      state_.load_forces[i] = forces[i];
   }
 
 
@@ -55,22 +86,19 @@ namespace deltaform
     ReleasedForces &released = state_.released;
     if (!released.any)
       return false;
-    Magnitude inside(state_.unknowns.size());
-    body_.assemble(state_.unknowns, state_.time, inside);
-    ranks::sum(inside.residual.begin(), inside.residual.size());
     missing_ = released.on_blank;
-    double outside = 0., in_cells = 0.;
+    Vector error(missing_), kept(missing_);
     for (DofIndex i = 0; i < numbering_.n_blank; ++i)
     {
-      in_cells += std::pow(inside.residual[i] / numbering_.scale[i], 2);
       if (supports_.is_prescribed()[i])
         continue; // a support of this stage holds it
-      outside += std::pow((missing_[i] - (held_ ? (*held_)[i] : 0.)) / numbering_.scale[i], 2);
+      error[i] -= held_ ? (*held_)[i] : 0.;
       if (held_)
-        released.on_blank[i] = (*held_)[i];
+        kept[i] = (*held_)[i];
     }
-    share_ = in_cells > 0. ? std::sqrt(outside / in_cells) : 0.;
-    return held_ && outside > 0.;
+    fade(kept);
+    share_ = in_cells_ > 0. ? norm(error) / in_cells_ : 0.;
+    return held_ && norm(error) > 0.;
   }
 
 
@@ -91,7 +119,7 @@ namespace deltaform
                               text::rounded(100. * share_) + " % of the forces in its cells do not balance";
     if (!why.empty())
     {
-      state_.released.on_blank = missing_;
+      fade(missing_);
       return error + "; they fade out over the stage, as without them there is no equilibrium: " + why;
     }
     const double before = state_.work.loads;

@@ -17,7 +17,7 @@ namespace deltaform
       std::vector<LargestCriterion> criteria;
       const ConditionReport *condition = nullptr;
       bool condition_number = true, iterative = true, adaptive = true, wrinkling = true, energies = true, heat = true,
-           half_spaces = true;
+           half_spaces = true, formed_before = true;
     };
 
     Reported reported_by(const Model &model, const bool energies, const ConditionReport *const condition)
@@ -34,7 +34,8 @@ namespace deltaform
               actors.wrinkling != nullptr,
               energies,
               heat != nullptr,
-              heat != nullptr && heat->tool_temperatures().has_value()};
+              heat != nullptr && heat->tool_temperatures().has_value(),
+              actors.formed_before};
     }
 
     /// Columns that a history has together.
@@ -95,6 +96,7 @@ namespace deltaform
       {"With `Material/Heat/Conductivity`; heat since the start", where<&Reported::heat, describe_heat>},
       {"With a tool whose `Heat/Body` is a half space", where<&Reported::half_spaces, describe_half_spaces>},
       {"Supports, loads and balance", describe_forces},
+      {"With `Start from`", where<&Reported::formed_before, describe_earlier_operation>},
       {"Loads that press on a face",
        [](const Reported &run, Columns &columns) { describe_pressures(run.names.pressures, columns); }},
       {"Probes", [](const Reported &run, Columns &columns) { describe_probes(run.names.probes, columns); }}};

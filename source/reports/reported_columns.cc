@@ -265,6 +265,19 @@ namespace deltaform
   }
 
 
+  void describe_earlier_operation(Columns &columns)
+  {
+    columns.add({{"earlier_operation_force_z", "force",
+                  "resultant of what is left of the forces that held the blank in the operation before; what supports "
+                  "of this one hold is in their reactions"},
+                 {"earlier_operation_force_r", "force", "the same"}},
+                [](const Increment &increment, Row &row) {
+                  const Tensor1 force = increment.model.earlier_force();
+                  row.insert(row.end(), {force[1], force[0]});
+                });
+  }
+
+
   void describe_balance(Columns &columns)
   {
     columns.add({{"balance_error", "1",

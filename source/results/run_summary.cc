@@ -28,6 +28,13 @@ namespace deltaform
   } // namespace
 
 
+  void RunSummary::begin(const Model &model)
+  {
+    if (!output_.measures.empty() && model.actors().formed_before)
+      formed_ = model.blank().fields().profile(model.committed());
+  }
+
+
   void RunSummary::accepted(const AcceptedIncrement &increment)
   {
     cost_ += increment.cost;

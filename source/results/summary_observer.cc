@@ -23,6 +23,11 @@ namespace deltaform
         return Turn::sums_up;
       }
 
+      void begin(const Model &model, const Stage & /*stage*/) override
+      {
+        summary_.begin(model);
+      }
+
       void accepted(const AcceptedIncrement &increment) override
       {
         summary_.accepted(increment);

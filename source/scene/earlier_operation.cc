@@ -8,6 +8,9 @@
 #include <deltaform/scene/earlier_operation.h>
 #include <deltaform/scene/scene.h>
 
+#include <nlohmann/json.hpp>
+
+#include <fstream>
 #include <sstream>
 
 namespace deltaform
@@ -28,6 +31,11 @@ namespace deltaform
                           ") is damaged or was written by another version. Run the earlier operation again.");
       }
     }
+    std::string text_of(const nlohmann::json &object, const char *const name)
+    {
+      const auto found = object.find(name);
+      return found != object.end() && found->is_string() ? found->get<std::string>() : "for no reason that was saved";
+    }
   } // namespace
 
 
@@ -37,6 +45,29 @@ namespace deltaform
       return "";
     return "there is no saved state (" + Checkpoint::path(scene.start_from) +
            "). Run the earlier operation first, with this folder as its --output.";
+  }
+
+
+  std::vector<std::string> doubts_about_start(const Scene &scene)
+  {
+    if (scene.start_from.empty() || !missing_start(scene).empty())
+      return {};
+    const std::string begin = "Start from = " + scene.start_from + ": the earlier operation ",
+                      path = scene.start_from + "/summary.json";
+    std::ifstream file(path);
+    const auto summary = nlohmann::json::parse(file, nullptr, false);
+    if (!summary.is_object() || !summary.contains("exit_status") || !summary.contains("warnings"))
+      return {begin + "has not come to its end (there is no " + path + "); the blank begins as it was saved last."};
+    std::vector<std::string> result;
+    if (summary["exit_status"] != 0)
+      result.push_back(begin + "stopped, and the blank begins as it was then: " + text_of(summary, "message"));
+    std::string kinds;
+    for (const auto &warning : summary["warnings"])
+      if (const auto *const text = warning.get_ptr<const std::string *>())
+        kinds += (kinds.empty() ? "" : "; ") + text->substr(0, text->find(": "));
+    if (!kinds.empty())
+      result.push_back(begin + "ended with warnings (" + path + "), which are about this part as well: " + kinds + ".");
+    return result;
   }
 
 

@@ -5,6 +5,7 @@
 #include <deltaform/parameters/text.h>
 #include <deltaform/parameters/unit_system.h>
 #include <deltaform/scene/contact_edge.h>
+#include <deltaform/scene/earlier_operation.h>
 #include <deltaform/scene/input_warnings.h>
 
 #include <algorithm>
@@ -174,6 +175,8 @@ namespace deltaform
     loose_delta(scene.actors, result);
     shared_at_nodes(*scene.actors.blank, result);
     gripped_solid(scene.actors, result);
+    for (auto &text : doubts_about_start(scene))
+      result.push_back(std::move(text));
     for (auto &text : overlapping_tools(scene.actors))
       result.push_back(std::move(text));
     return result;

@@ -183,7 +183,8 @@ namespace deltaform
     const auto grows = [&](const TimeFunction &function) {
       return varies(function) || (!before && function(stage.end) != 0);
     };
-    bool changes = false;
+    // What held the blank in the earlier operation goes; so does the pull of what was trimmed.
+    bool changes = !before && actors.formed_before;
     for (const auto &tool : actors.tools)
     {
       const bool exists = tool->exists_in(stage.name);

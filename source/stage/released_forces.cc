@@ -14,6 +14,7 @@ namespace deltaform
     of_tools.assign(n_tools, Tensor1());
     of_supports.assign(n_supports, 0.);
     of_loads.assign(n_loads, Tensor1());
+    of_earlier_operation = Tensor1();
     pressure = {};
   }
 

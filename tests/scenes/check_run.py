@@ -47,6 +47,8 @@ def terms(run, component):
         if f"{load.column}_force_{component}" not in history:
             return None
         result.append((f"load '{load.name}'", history.column(f"{load.column}_force_{component}")))
+    if f"earlier_operation_force_{component}" in history:
+        result.append(("the earlier operation", history.column(f"earlier_operation_force_{component}")))
     return result
 
 

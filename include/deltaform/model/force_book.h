@@ -40,6 +40,9 @@ namespace deltaform
     /// out, but for what the supports of this stage hold.
     void release_formed(Body &body, const Stage &stage, ModelState &state) const;
 
+    /// Resultant on the blank of what is left of the forces that held it in the operation before.
+    Tensor1 earlier_force(const ModelState &state) const;
+
     /**
      * How far the forces on the blank are from balance: sum of the forces of tools, supports and loads as they are
      * reported over the largest of them, along z and, in plane strain, along x (the larger counts).

@@ -49,6 +49,12 @@ namespace deltaform
     /// What the blank holds counts as put in by the earlier operation.
     void begin_accounts();
 
+    /// Of forces on the blank, over its unknowns; moments over the length that is typical of them.
+    double norm(const Vector &forces) const;
+
+    /// So much of the forces that hold the blank fades out.
+    void fade(const Vector &forces);
+
     const Actors &actors_;
     Body &body_;
     const SupportSet &supports_;
@@ -57,6 +63,7 @@ namespace deltaform
     bool due_ = false;
     std::optional<Vector> held_; ///< see TakenOver
     Vector missing_; ///< to equilibrium, at the begin of the first stage
-    double share_ = 0.; ///< of the forces in the cells that was dropped, or is out of balance; norms over the unknowns
+    double in_cells_ = 0.; ///< norm of the forces in the cells, without regard to their signs
+    double share_ = 0.; ///< of these that was dropped, or is out of balance
   };
 } // namespace deltaform

@@ -161,6 +161,12 @@ namespace deltaform
       return state_.load_resultants[load];
     }
 
+    /// See ForceBook::earlier_force(), of the committed state.
+    Tensor1 earlier_force() const
+    {
+      return book_.earlier_force(state_);
+    }
+
     /// See ForceBook::balance_error(), of the committed state.
     double balance_error() const
     {

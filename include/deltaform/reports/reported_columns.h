@@ -43,6 +43,7 @@ namespace deltaform
   void describe_wrinkling(Columns &columns);
   void describe_beads(const std::vector<std::string> &names, Columns &columns);
   void describe_probes(const std::vector<Probe> &probes, Columns &columns);
+  void describe_earlier_operation(Columns &columns);
   void describe_balance(Columns &columns);
   ///@}
 } // namespace deltaform

@@ -35,6 +35,7 @@ namespace deltaform
         load->skip(skipped);
     }
 
+    bool formed_before = false; ///< does the blank begin as an earlier operation left it?
     std::unique_ptr<Blank> blank;
     std::vector<std::unique_ptr<Tool>> tools;
     std::unique_ptr<ContactSettings> contact;

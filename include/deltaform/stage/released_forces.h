@@ -9,8 +9,9 @@
 namespace deltaform
 {
   /**
-   * Forces of the tools, supports and loads that ended with the last stage, as they were in its last equilibrium. They
-   * fade out linearly over the stage, F(t) = F (t_end - t)/(t_end - t_begin), or are gone at once (Steps/Release).
+   * Forces of the tools, supports and loads that ended with the last stage, or of the operation before, as they were in
+   * its last equilibrium. They fade out linearly over the stage,
+   * F(t) = F (t_end - t)/(t_end - t_begin), or are gone at once (Steps/Release).
    */
   struct ReleasedForces : public Term
   {
@@ -39,12 +40,13 @@ namespace deltaform
     std::vector<Tensor1> of_tools; ///< of the blank on each tool
     std::vector<double> of_supports;
     std::vector<Tensor1> of_loads;
+    Tensor1 of_earlier_operation; ///< resultant of what held the blank in it
     FaceValues pressure; ///< of the tools on the nodes, empty if none has left
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
     {
-      archive &any &on_blank &of_tools &of_supports &of_loads &pressure[0] & pressure[1];
+      archive &any &on_blank &of_tools &of_supports &of_loads &of_earlier_operation &pressure[0] & pressure[1];
     }
 
   private:
