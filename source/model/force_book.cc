@@ -91,6 +91,23 @@ namespace deltaform
   }
 
 
+  double ForceBook::work_of_landing(const Vector &q, const ModelState &state) const
+  {
+    constexpr double touching = 1e-3; // of the force
+    double work = 0.;
+    for (unsigned int i = 0; i < actors_.tools.size(); ++i)
+    {
+      const ContactInterface &interface = *actors_.interfaces[i];
+      if (!actors_.tools[i]->force_driven() || !contact_.takes_part(interface))
+        continue;
+      const Tensor1 force = interface.tool_force();
+      if (state.tool_forces[i].norm() < touching * force.norm())
+        work -= .5 * force * actors_.tools[i]->direction() * (interface.travel(q) - state.travels[i]);
+    }
+    return std::max(work, 0.);
+  }
+
+
   void ForceBook::remember_largest(const System &system, ModelState &state) const
   {
     for (const auto *const forces : {&state.tool_forces, &state.load_resultants})

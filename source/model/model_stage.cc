@@ -3,6 +3,8 @@
 #include <deltaform/model/workspace.h>
 #include <deltaform/parameters/scene_error.h>
 
+#include <algorithm>
+
 namespace deltaform
 {
   std::vector<std::string> Model::begin_stage(const Stage &stage)
@@ -54,12 +56,16 @@ namespace deltaform
   {
     const Timers::Scope timer(timers_.all, timers_.commit);
     const double duration = workspace.time() - state_.time;
+    const double landing = book_.work_of_landing(q, state_), surplus = landing > 0. ? energies().surplus() : 0.;
     state_.time = workspace.time();
     book_.accept(q, workspace.system(), state_);
     terms_.accept(q, state_.time, duration);
     state_.unknowns = q;
     state_.releases_at_once = false;
     terms_.refresh(q);
+    // A tool that lands has fallen without a force; what it then does is what the blank and its contact take up.
+    if (landing > 0.)
+      state_.work.tools -= std::clamp(energies().surplus() - surplus, 0., landing);
   }
 
 } // namespace deltaform

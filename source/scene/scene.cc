@@ -49,7 +49,8 @@ namespace deltaform
     start_from = root.text("Start from", Default<std::string>(""),
                            "Folder with the results of an earlier operation; the blank begins as that run left it. "
                            "Section Blank must be that of the earlier scene, but for Elements, Grading, Refinement, "
-                           "Degree of a solid, Contact points, and Points that end earlier (trimmed) or begin later (pierced).");
+                           "Degree of a solid, Contact points, and Points that end earlier (trimmed) or begin later "
+                           "(pierced).");
     actors.formed_before = !start_from.empty();
 
     Section blank = root.sub("Blank");

@@ -18,13 +18,23 @@ namespace deltaform
     double epsilon_work = 0; ///< done by changing penalty factors at fixed penetration
     double thickness_work = 0; ///< done by updating the thickness between increments
 
-    /// Works minus energies, over the largest of them.
+    /// What was stored and dissipated.
+    double taken_up() const
+    {
+      return elastic + plastic + friction + contact;
+    }
+
+    /// Works minus energies.
+    double surplus() const
+    {
+      return tool_work + load_work + epsilon_work + thickness_work - taken_up();
+    }
+
+    /// The surplus over the largest of works and energies.
     double error() const
     {
-      const double in = tool_work + load_work + epsilon_work + thickness_work;
-      const double out = elastic + plastic + friction + contact;
-      const double size = std::max({std::abs(tool_work), std::abs(load_work), std::abs(out)});
-      return size > 0 ? (in - out) / size : 0.;
+      const double size = std::max({std::abs(tool_work), std::abs(load_work), std::abs(taken_up())});
+      return size > 0 ? surplus() / size : 0.;
     }
   };
 } // namespace deltaform

@@ -24,6 +24,10 @@ namespace deltaform
     /// @p system holds its residual.
     void accept(const Vector &q, const System &system, ModelState &state) const;
 
+    /// Work that tools under a force would do in the increment that is about to be accepted if their force grew along
+    /// all of their way, of those that had not touched: most of it they fall. At least 0.
+    double work_of_landing(const Vector &q, const ModelState &state) const;
+
     /// The blank was refined: forces of the loads, of which the next increment takes the work; the supports do not move
     /// until then.
     void renew_loads(ModelState &state) const;
