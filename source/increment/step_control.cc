@@ -74,8 +74,13 @@ namespace deltaform
   void StepControl::accept(const std::optional<unsigned int> iterations, const double error, const double longest)
   {
     constexpr double safety = .8; // the next increment may strain faster
+    const double last = increment_;
+    failed_.accept(last);
     if (iterations)
+    {
       resize(*iterations, error);
+      increment_ = failed_.bounded(increment_, last);
+    }
     else
       take_back_cuts();
     increment_ = std::max(std::min(increment_, safety * longest), smallest_);
@@ -125,6 +130,7 @@ namespace deltaform
   {
     const double shorter = tried * settings_.shrink;
     quiet_ = 1;
+    failed_.reject();
     if (longer_tries_ == 0 && shorter >= smallest_)
     {
       increment_ = shorter;
@@ -157,6 +163,7 @@ namespace deltaform
     quiet_ = state.quiet;
     shortened_ = state.shortened;
     error_ = state.error;
+    failed_ = state.failed;
   }
 
 

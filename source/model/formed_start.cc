@@ -53,7 +53,8 @@ namespace deltaform
     book.release_formed(body_, stage, state_);
     Magnitude inside(state_.unknowns.size());
     body_.assemble(state_.unknowns, state_.time, inside);
-    ranks::sum(inside.residual.begin(), inside.residual.size());
+    if (actors_.blank->may_be_distributed())
+      ranks::sum(inside.residual.begin(), inside.residual.size());
     in_cells_ = norm(inside.residual);
     // What is left of a blank that was released is the tolerance of its equilibrium.
     ReleasedForces &released = state_.released;

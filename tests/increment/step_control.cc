@@ -161,6 +161,31 @@ BOOST_AUTO_TEST_CASE(far_too_short_increments_grow_whatever_they_take)
   BOOST_TEST(control.increment() > .5 * .02);
 }
 
+BOOST_AUTO_TEST_CASE(a_length_that_fails_is_tried_less_and_less_often)
+{
+  const StepSettings what = settings();
+  StepControl control(what, 0., 1e3, 1e-3, 1e-6, 2., {});
+  // Whatever is longer than a third of what would always grow fails.
+  const double longest = 6e-3;
+  const auto run = [&control](const unsigned int n, const double largest) {
+    unsigned int failures = 0;
+    for (unsigned int k = 0; k < n; ++k)
+    {
+      for (; control.increment() > largest; ++failures)
+        control.reject(control.increment());
+      control.accept(30);
+    }
+    return failures;
+  };
+  BOOST_TEST(run(500, longest) < 20u);
+  // Between two failures it is as long as the last one that did not fail, not half of the one that did.
+  BOOST_TEST(run(20, longest) <= 1u);
+  BOOST_TEST(control.increment() > longest / 1.5);
+  // Where longer ones do not fail any more they are found.
+  BOOST_TEST(run(100, 1.) == 0u);
+  BOOST_TEST(control.increment() > .02);
+}
+
 BOOST_AUTO_TEST_CASE(increments_that_are_nearly_too_large_do_not_grow)
 {
   const StepSettings what = settings({"Growth=1.5"});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/increment/effort.h>
+#include <deltaform/increment/failed_length.h>
 
 #include <limits>
 #include <optional>
@@ -84,11 +85,12 @@ namespace deltaform
       double increment = 0;
       unsigned int quiet = 0, shortened = 0;
       double error = 0;
+      FailedLength failed;
     };
 
     State state() const
     {
-      return {increment_, quiet_, shortened_, error_};
+      return {increment_, quiet_, shortened_, error_, failed_};
     }
 
     /// Go on from @p state, within the bounds of this control.
@@ -107,6 +109,7 @@ namespace deltaform
     std::vector<double> meet_;
     unsigned int shortened_ = 0; ///< iterations of the increment that was the last to make the next one shorter
     unsigned int quiet_ = 0; ///< accepted increments that have to pass before it grows again
+    FailedLength failed_;
     double error_ = 0.; ///< of the last accepted increment; 0: none
   };
 } // namespace deltaform
