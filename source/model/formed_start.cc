@@ -42,7 +42,8 @@ namespace deltaform
   {
     const BlankEnergy energy = actors_.blank->energy();
     state_.work = ModelState().work;
-    state_.work.loads = energy.elastic + energy.plastic - energy.normal;
+    state_.work.loads = energy.elastic - energy.normal;
+    state_.work.dissipated_before = energy.plastic;
   }
 
 
@@ -125,7 +126,7 @@ namespace deltaform
     }
     const double before = state_.work.loads;
     begin_accounts();
-    return error + ". Equilibrium is regained; elastic energy and what was dissipated since go from " +
+    return error + ". Equilibrium is regained; the elastic energy goes from " +
            text::format(before) + " to " + text::format(state_.work.loads);
   }
 } // namespace deltaform

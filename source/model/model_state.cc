@@ -22,7 +22,8 @@ namespace deltaform
       archive &state.time &state.stage &state.unknowns &state.hold &state.released &state.releases_at_once;
       archive &state.tool_forces &state.travels &state.load_resultants &state.load_forces &state.reactions;
       archive &state.load_histories;
-      archive &state.work.tools &state.work.loads &state.largest_force &state.largest_resultant &state.interfaces;
+      archive &state.work.tools &state.work.loads &state.work.dissipated_before;
+      archive &state.largest_force &state.largest_resultant &state.interfaces;
     }
   } // namespace
 

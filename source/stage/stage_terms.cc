@@ -50,7 +50,8 @@ namespace deltaform
   }
 
 
-  EnergyAccount StageTerms::energies(const double tool_work, const double load_work) const
+  EnergyAccount StageTerms::energies(const double tool_work, const double load_work,
+                                     const double dissipated_before) const
   {
     EnergyAccount account;
     if (!counts_energy_)
@@ -59,6 +60,7 @@ namespace deltaform
     account.load_work = load_work;
     for (const Term *const term : all_)
       term->add_to(account);
+    account.plastic -= dissipated_before;
     return account;
   }
 } // namespace deltaform

@@ -119,7 +119,8 @@ def same_release(runs):
         demand(abs(b / a - 1) < 1e-3, f"{name} differs")
     rows = [row for row in history(let_go, "release")]
     demand(max(float(row["balance_error"]) for row in rows) < 1e-5, "forces do not balance")
-    demand(abs(summary(let_go)["energy_error"]) < 1e-3, f"energy error {summary(let_go)['energy_error']}")
+    # Of the elastic energy that is let go, as what the first operation has dissipated does not count.
+    demand(abs(summary(let_go)["energy_error"]) < 5e-3, f"energy error {summary(let_go)['energy_error']}")
     demand(summary(let_go)["warnings"] == [], f"warnings: {summary(let_go)['warnings']}")
     # Both fade in proportion to the time, so rows at the same share of the stage have the same reactions.
     share, n_compared = [float(row["time"]) for row in rows], 0

@@ -46,7 +46,7 @@ namespace deltaform
     std::string end(const std::string &why);
 
   private:
-    /// What the blank holds counts as put in by the earlier operation.
+    /// What the blank stores counts as put in by the earlier operation; what that dissipated does not count.
     void begin_accounts();
 
     /// Of forces on the blank, over its unknowns; moments over the length that is typical of them.

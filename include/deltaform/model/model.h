@@ -111,7 +111,7 @@ namespace deltaform
     /// Works and energies of the committed state.
     EnergyAccount energies() const
     {
-      return terms_.energies(state_.work.tools, state_.work.loads);
+      return terms_.energies(state_.work.tools, state_.work.loads, state_.work.dissipated_before);
     }
 
     /// Contact of the committed state.

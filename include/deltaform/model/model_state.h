@@ -15,6 +15,7 @@ namespace deltaform
   {
     double tools = 0; ///< by the tools
     double loads = 0; ///< by loads, supports and released forces
+    double dissipated_before = 0; ///< by plastic flow, in the operation before
   };
 
   /// The state of a model at the end of an increment: a value that can be copied, kept, and gone back to.

@@ -27,8 +27,9 @@ namespace deltaform
     /// Switch energies off. @param of_contact those of contact, too
     void count_no_energy(bool of_contact);
 
-    /// Of the accepted state, with the works of tools and of loads; zero where energies are off.
-    EnergyAccount energies(double tool_work, double load_work) const;
+    /// Of the accepted state, with the works of tools and of loads, and without what plastic flow had dissipated
+    /// before; zero where energies are off.
+    EnergyAccount energies(double tool_work, double load_work, double dissipated_before) const;
 
   private:
     std::vector<Term *> all_;
