@@ -1,5 +1,6 @@
 // What is wrong with a scene although every entry by itself is allowed.
 #include <deltaform/checks/function_values.h>
+#include <deltaform/checks/idle_stage.h>
 #include <deltaform/checks/tool_placement.h>
 #include <deltaform/conditions/stage_ends.h>
 #include <deltaform/parameters/section.h>
@@ -170,46 +171,6 @@ namespace deltaform
   }
 
 
-  bool Scene::changes_anything(const Stage &stage, const Stage *before) const
-  {
-    const auto varies = [&](const TimeFunction &function) {
-      if (function.is_constant())
-        return false;
-      for (unsigned int k = 1; k <= 50; ++k)
-        if (function(stage.begin + (stage.end - stage.begin) * k / 50) != function(stage.begin))
-          return true;
-      return false;
-    };
-    const auto grows = [&](const TimeFunction &function) {
-      return varies(function) || (!before && function(stage.end) != 0);
-    };
-    // What held the blank in the earlier operation goes; so does the pull of what was trimmed.
-    bool changes = !before && actors.formed_before;
-    for (const auto &tool : actors.tools)
-    {
-      const bool exists = tool->exists_in(stage.name);
-      const auto range = tool->travel_range(stage.begin, stage.end);
-      changes |= exists && (range.first != range.second || tool->force_driven());
-      changes |= before && tool->exists_in(before->name) != exists;
-    }
-    for (const auto &support : actors.supports)
-    {
-      const bool acts = support.acts_in(stage.name);
-      if (acts && !support.hold)
-        for (const auto &value : support.values.empty() ? std::vector<TimeFunction>{support.value} : support.values)
-          changes |= grows(value);
-      changes |= before && support.acts_in(before->name) != acts;
-    }
-    for (const auto &load : actors.loads)
-    {
-      const bool acts = load->acts_in(stage.name);
-      changes |= acts && grows(load->value());
-      changes |= before && load->acts_in(before->name) != acts;
-    }
-    return changes;
-  }
-
-
   void Scene::check_stages(const Section &root) const
   {
     const auto known = [&](const std::vector<std::string> &names, const Section &section) {
@@ -237,7 +198,7 @@ namespace deltaform
       {
         root.sub("Steps").sub(stage.name).fail("Ends when", error.what());
       }
-      if (!changes_anything(stage, before) && !actors.blank->depends_on_time())
+      if (!changes_anything(actors, stage, before) && !actors.blank->depends_on_time())
         root.sub("Steps")
           .sub(stage.name)
           .fail("End time",

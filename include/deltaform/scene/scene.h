@@ -50,8 +50,6 @@ namespace deltaform
     void check_lifted_tools(const Section &root) const;
     void check_linear_solver(const Section &root) const;
     void check_stages(const Section &root) const;
-    /// Does a function of time change within @p stage, or does something end with the stage @p before (null: none)?
-    bool changes_anything(const Stage &stage, const Stage *before) const;
     void check_friction(const Section &root) const;
   };
 
