@@ -28,9 +28,12 @@ namespace deltaform
   } // namespace
 
 
-  void RunSummary::begin(const Model &model)
+  void RunSummary::begin(const Model &model, const Stage &stage)
   {
-    if (!output_.measures.empty() && model.actors().formed_before)
+    const auto &tools = model.actors().tools;
+    const bool lets_go =
+      std::none_of(tools.begin(), tools.end(), [&](const auto &tool) { return tool->exists_in(stage.name); });
+    if (!output_.measures.empty() && model.actors().formed_before && lets_go)
       formed_ = model.blank().fields().profile(model.committed());
   }
 

@@ -24,7 +24,7 @@ namespace deltaform
     {
     }
 
-    void begin(const Model &model);
+    void begin(const Model &model, const Stage &stage);
     void accepted(const AcceptedIncrement &increment);
     void moved(const AcceptedIncrement &increment);
 
@@ -63,8 +63,9 @@ namespace deltaform
     double promise_ = 0., between_ = 0.; ///< largest p/delta and penetration between nodes of the run
     double deepest_ = 0.; ///< the same over delta, but for edges over sharp corners
     std::vector<double> forces_, travels_; ///< of each tool: the largest that it has pressed with, and where
-    Table formed_; ///< profile at the end of the last stage but one, or as an earlier operation left it; empty where
-      ///< nobody asks for it
+    /// Profile at the end of the last stage but one, or of a blank that an earlier operation left and this one lets go;
+    /// empty where nobody asks for it.
+    Table formed_;
     MeshErrorSum mesh_error_;
     bool any_ = false; ///< was any increment accepted?
     double time_ = 0., thinnest_ = 0., energy_error_ = 0.; ///< of the last accepted increment

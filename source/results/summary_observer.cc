@@ -23,9 +23,9 @@ namespace deltaform
         return Turn::sums_up;
       }
 
-      void begin(const Model &model, const Stage & /*stage*/) override
+      void begin(const Model &model, const Stage &stage) override
       {
-        summary_.begin(model);
+        summary_.begin(model, stage);
       }
 
       void accepted(const AcceptedIncrement &increment) override

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -31,6 +32,8 @@ namespace deltaform
                           ") is damaged or was written by another version. Run the earlier operation again.");
       }
     }
+
+
     std::string text_of(const nlohmann::json &object, const char *const name)
     {
       const auto found = object.find(name);
@@ -50,7 +53,7 @@ namespace deltaform
 
   std::vector<std::string> doubts_about_start(const Scene &scene)
   {
-    if (scene.start_from.empty() || !missing_start(scene).empty())
+    if (scene.start_from.empty() || !std::filesystem::exists(Checkpoint::path(scene.start_from)))
       return {};
     const std::string begin = "Start from = " + scene.start_from + ": the earlier operation ",
                       path = scene.start_from + "/summary.json";

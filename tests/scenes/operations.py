@@ -12,14 +12,7 @@ import re
 import subprocess
 import sys
 
-HEAD = """set Title = operations
-set Units = mm, N, MPa
-subsection Blank
-  set Points    = 0 0; 40 0
-  set Thickness = 1
-  set Elements  = 40
-end
-subsection Material
+METAL = """subsection Material
   set Young's modulus = 206e3
   set Poisson's ratio = 0.3
   subsection Hardening
@@ -29,10 +22,18 @@ subsection Material
     set Hardening exponent   = 0.2589
   end
 end
+"""
+HEAD = """set Title = operations
+set Units = mm, N, MPa
+subsection Blank
+  set Points    = 0 0; 40 0
+  set Thickness = 1
+  set Elements  = 40
+end
 subsection Output
   set Pictures = 0
 end
-"""
+""" + METAL
 RIM = """subsection Supports
   set Names = rim r, rim z, rim rotation
   subsection rim r

@@ -6,7 +6,7 @@ namespace deltaform
 {
   /**
    * Remembers at which length increments have failed. Nothing longer than the last one before a failure is tried again
-   * until one increment has been accepted; if the next failure comes soon, 2, 4, 8 and at most 16. Else increments that
+   * until one increment has been accepted; if the next failure comes soon, 2, 4, ... 64. Else increments that
    * grow after every success fail at the same length again and again.
    */
   class FailedLength

@@ -33,8 +33,8 @@ namespace deltaform
 
     /**
      * @param now    profile of the blank at the end of the run, see Fields::profile()
-     * @param before the same at the end of the last stage but one; of a run of one stage, as the earlier
-     *   operation left it or, without one, the same as @p now
+     * @param before the same at the end of the last stage but one; of a run of one stage the same as
+     *   @p now or, where it lets go of what an earlier operation has formed, as that left it
      * @return nothing where the part has no such feature
      */
     virtual std::vector<Result> of(const Table &now, const Table &before) const = 0;
