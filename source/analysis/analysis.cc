@@ -117,8 +117,6 @@ namespace deltaform
 
   void Analysis::begin()
   {
-    if (!resumed_)
-      state_.before = model_.committed();
     journal_.detail(solver_in_words(model_));
   }
 
@@ -167,7 +165,7 @@ namespace deltaform
           const Timers::Scope timer(timers_, timer_output_);
           observers_.tell([&](Observer &observer) { observer.begin(model_, stage()); });
         }
-        state_.last_length = 0.;
+        state_.predictor.restart();
         state_.step.reset();
         state_.pace = Pace(time());
       }
@@ -202,7 +200,7 @@ namespace deltaform
         return stop(wrong->to_string(), exit_status::not_converged, checkpoint());
       const Effort effort = model_.releases_at_once()
                               ? Effort::all
-                              : control_->effort(next - time(), cost_.cutbacks, state_.last_length > 0.);
+                              : control_->effort(next - time(), cost_.cutbacks, state_.predictor.last_length() > 0.);
       const IncrementResult result = attempt(next, effort);
       cost_ += result.cost;
       if (!result.rejected)
@@ -228,9 +226,8 @@ namespace deltaform
   {
     const Timers::Remainder rest(timers_, timer_attempt_);
     workspace_.follow_mesh();
-    const double length = end - time(), ratio = state_.last_length > 0 ? length / state_.last_length : 0.;
-    const IncrementStart start{end, ratio, settings_.steps.extrapolate, state_.before};
-    IncrementResult result = increment_.attempt(start, length, effort);
+    const IncrementStart start{end, end - time(), settings_.steps.extrapolate, state_.predictor};
+    IncrementResult result = increment_.attempt(start, effort);
     outcome_.iterations += result.cost.iterations;
     return result;
   }
@@ -239,13 +236,13 @@ namespace deltaform
   bool Analysis::accept(const double next, const IncrementResult &result)
   {
     const double flow_error = settings_.steps.flow_error > 0. ? actors_.blank->flow_error() : 0.;
-    state_.last_length = next - time();
-    state_.before = model_.committed();
+    const double length = next - time();
+    state_.predictor.accept(model_.committed(), result.q, length, workspace_.system());
     observers_.tell([&](Observer &observer) { observer.solved(model_, workspace_.system(), result.q); });
     workspace_.before_contact({});
     model_.commit(result.q, workspace_);
     ++state_.n_increments;
-    control_->accept(result.iterations_of_its_length(), flow_error, result.longest(state_.last_length));
+    control_->accept(result.iterations_of_its_length(), flow_error, result.longest(length), cost_.iterations);
     state_.pace.accept(next);
     ++state_.since_refinement;
     const bool refined = refinement_marked();

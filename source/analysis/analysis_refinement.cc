@@ -27,10 +27,7 @@ namespace deltaform
       change.refine();
       const IncrementResult result = attempt(time(), Effort::last_resorts);
       if (!result.rejected)
-      {
-        state_.before = model_.committed();
         model_.commit(result.q, workspace_);
-      }
       else if (!change.go_back(stage(), *result.rejected))
       {
         workspace_.begin(time());

@@ -31,8 +31,7 @@ namespace deltaform
       State state;
       std::istringstream own(start.state);
       state.load(own);
-      if (state.n_increments != start.increment || state.stage != start.stage || state.time() != start.time ||
-          state.before.size() != state.model.unknowns.size())
+      if (state.n_increments != start.increment || state.stage != start.stage || state.time() != start.time)
         throw SceneError("Cannot resume: the saved state contradicts itself, so it is damaged. Start again without "
                          "--resume.");
       return state;

@@ -40,8 +40,7 @@ namespace deltaform
     journal_.detail("refined after increment " + std::to_string(state_.n_increments) + ": " +
                     change_in_words(n_cells, energy, model_));
     // No extrapolation over a change of the mesh.
-    state_.before = model_.committed();
-    state_.last_length = 0.;
+    state_.predictor.restart();
   }
 
 
@@ -62,7 +61,7 @@ namespace deltaform
       return false;
     model_.set_state(before_, stage);
     workspace_.begin(model_.time());
-    state_.before = model_.committed();
+    state_.predictor.restart();
     blank().leave_marked();
     journal_.detail("no equilibrium with it: " + why.sentence + ". Back to " + std::to_string(blank().n_cells()) +
                     " cells");

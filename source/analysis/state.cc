@@ -13,9 +13,8 @@ namespace deltaform
     template <typename Archive, typename Value>
     void archive_own(Archive &archive, Value &state, StepControl::State &step, bool &has_step)
     {
-      archive &state.stage &state.n_increments &state.n_iterations &state.since_refinement &state.before
-        &state.last_length &has_step &step.increment &step.quiet &step.shortened &step.error &step.failed
-          &state.pace;
+      archive &state.stage &state.n_increments &state.n_iterations &state.since_refinement &state.predictor
+        &has_step &step.increment &step.quiet &step.shortened &step.error &step.failed &step.search &state.pace;
       archive &state.conditions &state.ends &state.skipped;
     }
   } // namespace

@@ -54,7 +54,7 @@ namespace deltaform
   }
 
 
-  IncrementResult Increment::attempt(const IncrementStart &start, const double length, const Effort effort)
+  IncrementResult Increment::attempt(const IncrementStart &start, const Effort effort)
   {
     IncrementResult result;
     NewtonResult solved;
@@ -93,7 +93,7 @@ namespace deltaform
       result.rejected = Rejected{Rejected::Kind::not_solved, explain(solved), listed(solved.residuals)};
     if (!result.rejected)
       result.rejected =
-        too_large(length, effort == Effort::all && (result.by_last_resort || problem_.releases_at_once()), result);
+        too_large(start.length, effort == Effort::all && (result.by_last_resort || problem_.releases_at_once()), result);
     return result;
   }
 

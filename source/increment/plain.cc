@@ -1,4 +1,4 @@
-// Newton's method from the last increment's velocity.
+// Newton's method from where the last increments lead.
 #include <deltaform/increment/strategy.h>
 
 namespace deltaform
@@ -10,16 +10,16 @@ namespace deltaform
     public:
       std::optional<Vector> begin(IncrementProblem &problem, const IncrementStart &start) const override
       {
-        problem.begin(start.time, start.ratio);
+        problem.begin(start.time, start.ratio());
         Vector q = problem.committed();
-        if (start.extrapolate && start.ratio > 0.)
-          q.sadd(1. + start.ratio, -start.ratio, start.before);
+        if (start.extrapolate)
+          start.predictor.predict(start.length, q);
         return q;
       }
     };
 
     const StrategyMakers::Entry entry("plain",
-                                      "Newton's method from the last increment's velocity",
+                                      "Newton's method from where the last increments lead",
                                       []() -> std::unique_ptr<Strategy> { return std::make_unique<Plain>(); });
   } // namespace
 } // namespace deltaform

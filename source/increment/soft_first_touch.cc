@@ -12,7 +12,7 @@ namespace deltaform
       std::optional<Vector> begin(IncrementProblem &problem, const IncrementStart &start) const override
       {
         constexpr double share_of_stiffness = 1e-4;
-        problem.begin(start.time, start.ratio);
+        problem.begin(start.time, start.ratio());
         if (!problem.soften(share_of_stiffness))
           return std::nullopt;
         return problem.committed();

@@ -9,7 +9,8 @@ namespace deltaform
   StepSettings::StepSettings(Section &section, const unsigned int target)
     : target_iterations(section.integer("Target iterations", static_cast<int>(target), 1, 1000,
                                         "Newton iterations aimed at: more shorten the next increment, fewer lengthen "
-                                        "it. Default is 5 for a shell, 8 for a solid.")),
+                                        "it. Up to three more are aimed at where the stage moves faster with them. "
+                                        "Default is 5 for a shell, 8 for a solid.")),
       growth(section.number("Growth", 1.5, Range{1., 10., false, false}, "1",
                             "Largest factor from one increment to the next.")),
       shrink(section.number("Shrink", .5, Range::inside(0, 1), "1", "Factor of the increment after a failure.")),
@@ -71,15 +72,20 @@ namespace deltaform
   }
 
 
-  void StepControl::accept(const std::optional<unsigned int> iterations, const double error, const double longest)
+  void StepControl::accept(const std::optional<unsigned int> iterations, const double error, const double longest,
+                           const unsigned int spent)
   {
     constexpr double safety = .8; // the next increment may strain faster
+    constexpr double crawling = 1e-3; // of the largest increment
     const double last = increment_;
     failed_.accept(last);
+    search_.accept(last, spent);
     if (iterations)
     {
       resize(*iterations, error);
-      increment_ = failed_.bounded(increment_, last);
+      // Where increments are so short (a neck, a snap) to wait with longer ones never ends.
+      if (last > crawling * largest_)
+        increment_ = failed_.bounded(increment_, last);
     }
     else
       take_back_cuts();
@@ -110,7 +116,7 @@ namespace deltaform
       --quiet_;
       return;
     }
-    double ratio = std::sqrt(static_cast<double>(settings_.target_iterations) / std::max(iterations, 1u));
+    double ratio = std::sqrt(static_cast<double>(search_.target(settings_.target_iterations)) / std::max(iterations, 1u));
     // An increment that is far too short, or a shorter one that took as many: it is not its length that makes the
     // iterations, and ever shorter ones never end. Lightly loaded nodes that come and go do that.
     if (increment_ < far_too_short * largest_)
@@ -164,6 +170,7 @@ namespace deltaform
     shortened_ = state.shortened;
     error_ = state.error;
     failed_ = state.failed;
+    search_ = state.search;
   }
 
 

@@ -16,7 +16,7 @@ namespace deltaform
 
       std::optional<Vector> begin(IncrementProblem &problem, const IncrementStart &start) const override
       {
-        problem.begin(start.time, start.ratio);
+        problem.begin(start.time, start.ratio());
         return problem.committed();
       }
 

@@ -132,13 +132,13 @@ namespace deltaform
       explicit ArchFixture(const std::vector<std::string> &entries = {})
         : tree(ParameterTree::parse("", "test", entries)), section(tree.root()), steps(section),
           settings(newton_settings(entries)), scale(2, 1.), size(2, 10.),
-          newton(problem, problem.system, settings, scale, size, timers), increment(problem, newton, steps), before(2)
+          newton(problem, problem.system, settings, scale, size, timers), increment(problem, newton, steps)
       {
       }
 
-      IncrementResult to(const double time, const Effort effort, const double ratio = 0.)
+      IncrementResult to(const double time, const Effort effort)
       {
-        return increment.attempt({time, ratio, true, before}, time, effort);
+        return increment.attempt({time, time, true, predictor}, effort);
       }
 
       ParameterTree tree;
@@ -150,7 +150,7 @@ namespace deltaform
       Arch problem;
       Newton newton;
       Increment increment;
-      Vector before;
+      Predictor predictor;
     };
   } // namespace testing
 } // namespace deltaform

@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(a_ladder_is_a_list_of_names)
   // Nothing can touch: the only strategy is none for this problem.
   ArchFixture fixture;
   Increment soft(fixture.problem, fixture.newton, fixture.steps, make_ladder({"soft first touch"}));
-  const auto result = soft.attempt({.1, 0., true, fixture.before}, .1, Effort::usual);
+  const auto result = soft.attempt({.1, .1, true, fixture.predictor}, Effort::usual);
   BOOST_REQUIRE(result.rejected.has_value());
   BOOST_TEST((result.rejected->kind == Rejected::Kind::not_solved));
   BOOST_TEST(result.rejected->sentence == "no strategy applies to this increment");
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(strategies_wait_for_their_effort)
   // The first attempt is Newton's method alone.
   ArchFixture fixture;
   Increment both(fixture.problem, fixture.newton, fixture.steps, make_ladder({"viscous", "plain"}));
-  BOOST_TEST(!both.attempt({.1, 0., true, fixture.before}, .1, Effort::first).rejected.has_value());
+  BOOST_TEST(!both.attempt({.1, .1, true, fixture.predictor}, Effort::first).rejected.has_value());
   BOOST_TEST(fixture.problem.n_begun == 1u);
 }
 
@@ -60,8 +60,10 @@ BOOST_AUTO_TEST_CASE(it_starts_from_the_last_velocity)
 {
   ArchFixture fixture;
   fixture.problem.q[0] = .05;
-  fixture.before[0] = .03;
-  fixture.to(.12, Effort::usual, .5);
+  Vector before(2);
+  before[0] = .03;
+  fixture.predictor.accept(before, fixture.problem.q, .24, fixture.problem.system);
+  fixture.to(.12, Effort::usual);
   BOOST_TEST(fixture.problem.visited.front() == .06, boost::test_tools::tolerance(1e-14));
 }
 
@@ -150,13 +152,13 @@ BOOST_AUTO_TEST_CASE(at_the_same_time_any_rotation_will_do_and_a_large_strain_is
 {
   ArchFixture fixture({"Largest rotation increment=1e-3"});
   fixture.problem.q[0] = .3;
-  const IncrementStart start{.1, 0., true, fixture.before};
-  const auto result = fixture.increment.attempt(start, 0., Effort::usual);
+  const IncrementStart start{.1, 0., true, fixture.predictor};
+  const auto result = fixture.increment.attempt(start, Effort::usual);
   BOOST_TEST(!result.rejected);
   BOOST_TEST(result.strain_at_rest == 0.);
   // So will any strain, but it is remembered.
   fixture.problem.strain = .7;
-  const auto far = fixture.increment.attempt(start, 0., Effort::last_resorts);
+  const auto far = fixture.increment.attempt(start, Effort::last_resorts);
   BOOST_TEST(!far.rejected);
   BOOST_TEST(far.strain_at_rest == .7);
 }

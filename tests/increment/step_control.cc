@@ -186,6 +186,22 @@ BOOST_AUTO_TEST_CASE(a_length_that_fails_is_tried_less_and_less_often)
   BOOST_TEST(control.increment() > .02);
 }
 
+BOOST_AUTO_TEST_CASE(increments_that_crawl_do_not_wait)
+{
+  // At first what is longer than a hundred thousandth of the largest increment fails, as in a neck; then nothing does.
+  const StepSettings what = settings();
+  StepControl control(what, 0., 1e3, 1e-3, 1e-6, 2., {});
+  for (unsigned int k = 0; k < 100; ++k)
+  {
+    while (control.increment() > 2e-5)
+      control.reject(control.increment());
+    control.accept(30);
+  }
+  for (unsigned int k = 0; k < 14; ++k)
+    control.accept(30);
+  BOOST_TEST(control.increment() > 2e-3);
+}
+
 BOOST_AUTO_TEST_CASE(increments_that_are_nearly_too_large_do_not_grow)
 {
   const StepSettings what = settings({"Growth=1.5"});

@@ -24,7 +24,7 @@ namespace
   NewtonResult solve(ArchFixture &fixture, Vector &q, const double time, const std::string &name = "viscous")
   {
     const auto strategy = StrategyMakers::make(name);
-    q = *strategy->begin(fixture.problem, {time, 0., true, fixture.before});
+    q = *strategy->begin(fixture.problem, {time, time, true, fixture.predictor});
     return strategy->solve(fixture.problem, fixture.newton, q);
   }
 
@@ -171,7 +171,8 @@ BOOST_AUTO_TEST_CASE(a_step_that_fails_leaves_no_set_behind)
   const NewtonSettings settings = newton_settings({"Maximal iterations=4"});
   Newton newton(arch, arch.system, settings, scale, size, timers);
   const auto strategy = StrategyMakers::make("viscous, a long way");
-  Vector before(2), q = *strategy->begin(arch, {beyond_the_limit, 0., true, before});
+  const Predictor predictor;
+  Vector q = *strategy->begin(arch, {beyond_the_limit, beyond_the_limit, true, predictor});
   BOOST_TEST(strategy->solve(arch, newton, q).converged());
   BOOST_TEST(arch.n_returns > 0u); // equilibrium was tried too early
   BOOST_TEST(arch.n_kept > 4u);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/increment/pace.h>
+#include <deltaform/increment/predictor.h>
 #include <deltaform/increment/step_control.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/parameters/skipped_time.h>
@@ -26,8 +27,7 @@ namespace deltaform
 
     /// @name Memory of the last increments
     ///@{
-    Vector before; ///< the unknowns at its start
-    double last_length = 0; ///< 0: there is none that the next one continues
+    Predictor predictor; ///< of the next one
     std::optional<StepControl::State> step; ///< after the last increment of the stage, if there is one
     Pace pace; ///< of the stage
     ///@}

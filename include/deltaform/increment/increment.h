@@ -60,8 +60,8 @@ namespace deltaform
   public:
     Increment(IncrementProblem &problem, Newton &newton, const StepSettings &settings, Ladder ladder = usual_ladder());
 
-    /// @param length of the increment in time; 0: a new equilibrium at the same time
-    IncrementResult attempt(const IncrementStart &start, double length, Effort effort);
+    /// An increment without length is a new equilibrium at the same time.
+    IncrementResult attempt(const IncrementStart &start, Effort effort);
 
   private:
     /// Is the step to @p result too large? Remembers a snap, and the strain of a new equilibrium at the same time.

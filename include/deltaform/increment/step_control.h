@@ -2,6 +2,7 @@
 
 #include <deltaform/increment/effort.h>
 #include <deltaform/increment/failed_length.h>
+#include <deltaform/increment/target_search.h>
 
 #include <limits>
 #include <optional>
@@ -60,10 +61,12 @@ namespace deltaform
      *                   that their cuts are taken back
      * @param error      if it is controlled
      * @param longest    increment that would have been as large as allowed, in strain and rotation, at its rate
+     * @param spent      iterations, those of failed attempts included
      */
     void accept(std::optional<unsigned int> iterations,
                 double error = 0.,
-                double longest = std::numeric_limits<double>::infinity());
+                double longest = std::numeric_limits<double>::infinity(),
+                unsigned int spent = 0);
 
     /// The increment failed: a shorter one is next; at the smallest one, some longer ones. @return false if nothing is
     /// left to try
@@ -86,11 +89,12 @@ namespace deltaform
       unsigned int quiet = 0, shortened = 0;
       double error = 0;
       FailedLength failed;
+      TargetSearch search;
     };
 
     State state() const
     {
-      return {increment_, quiet_, shortened_, error_, failed_};
+      return {increment_, quiet_, shortened_, error_, failed_, search_};
     }
 
     /// Go on from @p state, within the bounds of this control.
@@ -110,6 +114,7 @@ namespace deltaform
     unsigned int shortened_ = 0; ///< iterations of the increment that was the last to make the next one shorter
     unsigned int quiet_ = 0; ///< accepted increments that have to pass before it grows again
     FailedLength failed_;
+    TargetSearch search_;
     double error_ = 0.; ///< of the last accepted increment; 0: none
   };
 } // namespace deltaform

@@ -3,6 +3,7 @@
 #include <deltaform/increment/effort.h>
 #include <deltaform/increment/increment_problem.h>
 #include <deltaform/increment/newton.h>
+#include <deltaform/increment/predictor.h>
 #include <deltaform/parameters/makers.h>
 
 #include <memory>
@@ -16,9 +17,15 @@ namespace deltaform
   struct IncrementStart
   {
     double time; ///< at which it ends
-    double ratio; ///< of its length to that of the last one; 0: there is none that it continues
-    bool extrapolate; ///< may Newton start from the last increment's velocity?
-    const Vector &before; ///< the unknowns one increment before the committed state
+    double length;
+    bool extrapolate; ///< may Newton start from where the last increments lead?
+    const Predictor &predictor;
+
+    /// Of its length to that of the last one; 0: there is none that it continues.
+    double ratio() const
+    {
+      return predictor.last_length() > 0. ? length / predictor.last_length() : 0.;
+    }
   };
 
   /// One way to solve an increment. An increment tries those of its ladder in turn, each from the committed state.

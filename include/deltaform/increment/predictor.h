@@ -1,0 +1,56 @@
+#pragma once
+
+#include <deltaform/assembly/types.h>
+
+namespace deltaform
+{
+  class StiffnessView;
+
+  /**
+   * Where Newton's method starts: at the state to which the last increments lead,
+   *
+   *   q = q_n + l v_n + w l (l + l_n)/2 a_n,
+   *
+   * with the rate v_n over the last increment, of length l_n, and its change a_n from the one before it. a_n is trend
+   * and noise of contact points that come and go. w is half of what was found of it again in the increments that
+   * followed, in the energy of the tangent K and by exponential smoothing: the mean of (a_n . K a_n-1)/(a_n-1 . K a_n-1).
+   * What it saves: doc/decisions.
+   */
+  class Predictor
+  {
+  public:
+    /// The next increment continues none, and starts from the committed state.
+    void restart()
+    {
+      *this = Predictor();
+    }
+
+    /// An increment of this @p length has led from @p before to @p now, where @p tangent was assembled last.
+    void accept(const Vector &before, const Vector &now, double length, const StiffnessView &tangent);
+
+    /// Move @p q from the committed state to where an increment of this @p length starts.
+    void predict(double length, Vector &q) const;
+
+    /// Length of the last increment; 0: there is none that the next one continues.
+    double last_length() const
+    {
+      return length_;
+    }
+
+    /// w
+    double weight() const;
+
+    template <class Archive>
+    void serialize(Archive &archive, unsigned int)
+    {
+      archive &length_ &rate_ &change_ &found_ &looks_;
+    }
+
+  private:
+    void look_for_change(const Vector &change, const StiffnessView &tangent);
+
+    double length_ = 0.; ///< l_n
+    Vector rate_, change_; ///< v_n, a_n; empty: there is none
+    double found_ = 0., looks_ = 0.; ///< smoothed sums of the shares found again, and of ones
+  };
+} // namespace deltaform

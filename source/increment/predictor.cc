@@ -1,0 +1,54 @@
+#include <deltaform/assembly/stiffness_view.h>
+#include <deltaform/increment/predictor.h>
+
+#include <algorithm>
+
+namespace deltaform
+{
+  void Predictor::accept(const Vector &before, const Vector &now, const double length, const StiffnessView &tangent)
+  {
+    Vector rate = now;
+    rate -= before;
+    rate /= length;
+    if (rate_.size() > 0)
+    {
+      Vector change = rate;
+      change -= rate_;
+      change /= .5 * (length_ + length);
+      if (change_.size() > 0)
+        look_for_change(change, tangent);
+      change_ = std::move(change);
+    }
+    rate_ = std::move(rate);
+    length_ = length;
+  }
+
+
+  void Predictor::look_for_change(const Vector &change, const StiffnessView &tangent)
+  {
+    constexpr double memory = .95, most = 2.; // of the last increment; a snap is no trend
+    Vector force(change.size());
+    tangent.multiply(change_, force);
+    const double energy = change_ * force;
+    if (!(energy > 0.)) // a blank that snaps
+      return;
+    found_ = memory * found_ + std::clamp(change * force / energy, -most, most);
+    looks_ = memory * looks_ + 1.;
+  }
+
+
+  double Predictor::weight() const
+  {
+    constexpr double share = .5;
+    return looks_ > 0. ? share * std::clamp(found_ / looks_, 0., 1.) : 0.;
+  }
+
+
+  void Predictor::predict(const double length, Vector &q) const
+  {
+    if (rate_.size() > 0)
+      q.add(length, rate_);
+    if (change_.size() > 0)
+      q.add(weight() * length * .5 * (length + length_), change_);
+  }
+} // namespace deltaform
