@@ -92,8 +92,10 @@ namespace deltaform
     if (!result.rejected && !solved.converged())
       result.rejected = Rejected{Rejected::Kind::not_solved, explain(solved), listed(solved.residuals)};
     if (!result.rejected)
-      result.rejected =
-        too_large(start.length, effort == Effort::all && (result.by_last_resort || problem_.releases_at_once()), result);
+    {
+      const bool may_snap = effort == Effort::all && (result.by_last_resort || problem_.releases_at_once());
+      result.rejected = too_large(start.length, may_snap, result);
+    }
     return result;
   }
 

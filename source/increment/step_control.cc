@@ -116,7 +116,8 @@ namespace deltaform
       --quiet_;
       return;
     }
-    double ratio = std::sqrt(static_cast<double>(search_.target(settings_.target_iterations)) / std::max(iterations, 1u));
+    const double target = search_.target(settings_.target_iterations);
+    double ratio = std::sqrt(target / std::max(iterations, 1u));
     // An increment that is far too short, or a shorter one that took as many: it is not its length that makes the
     // iterations, and ever shorter ones never end. Lightly loaded nodes that come and go do that.
     if (increment_ < far_too_short * largest_)

@@ -50,7 +50,10 @@ namespace
 
 
   /// After so many increments of lengths that change.
-  Predictor after(const Path &path, const unsigned int increments, double &time, const StiffnessView &tangent = TwoSprings())
+  Predictor after(const Path &path,
+                  const unsigned int increments,
+                  double &time,
+                  const StiffnessView &tangent = TwoSprings())
   {
     Predictor result;
     time = 0.;
@@ -93,7 +96,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_known_at_first)
 BOOST_AUTO_TEST_CASE(a_straight_path_is_followed_exactly)
 {
   const Path path = [](const double t) -> std::pair<double, double> { return {2. * t, -t}; };
-  double time;
+  double time = 0.;
   for (const unsigned int n : {1u, 2u, 3u, 10u})
   {
     const Predictor predictor = after(path, n, time);
@@ -104,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_straight_path_is_followed_exactly)
 BOOST_AUTO_TEST_CASE(half_of_a_trend_is_followed)
 {
   const Path path = [](const double t) -> std::pair<double, double> { return {t * t, 0.}; };
-  double time;
+  double time = 0.;
   const Predictor two = after(path, 2, time); // whether it is a trend is not known yet
   BOOST_TEST(two.weight() == 0.);
   const Predictor ten = after(path, 10, time);
@@ -117,14 +120,14 @@ BOOST_AUTO_TEST_CASE(half_of_a_trend_is_followed)
 BOOST_AUTO_TEST_CASE(noise_is_not_followed)
 {
   const Path path = [](const double t) -> std::pair<double, double> { return {t * t * 1e-3 + noise(t), 0.}; };
-  double time;
+  double time = 0.;
   BOOST_TEST(after(path, 60, time).weight() < .05);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_stiff_decides)
 {
   const Path path = [](const double t) -> std::pair<double, double> { return {t * t, 3. * noise(t)}; };
-  double time;
+  double time = 0.;
   BOOST_TEST(after(path, 60, time).weight() > .4);
   BOOST_TEST(after(path, 60, time, TwoSprings(1e3)).weight() < .05);
 }
@@ -132,7 +135,7 @@ BOOST_AUTO_TEST_CASE(what_is_stiff_decides)
 BOOST_AUTO_TEST_CASE(a_tangent_that_is_not_definite_says_nothing)
 {
   const Path path = [](const double t) -> std::pair<double, double> { return {0., t * t}; };
-  double time;
+  double time = 0.;
   BOOST_TEST(after(path, 10, time, TwoSprings(-1.)).weight() == 0.);
   BOOST_TEST(after(path, 10, time, TwoSprings(0.)).weight() == 0.);
 }
@@ -140,7 +143,7 @@ BOOST_AUTO_TEST_CASE(a_tangent_that_is_not_definite_says_nothing)
 BOOST_AUTO_TEST_CASE(it_starts_anew)
 {
   const Path path = [](const double t) -> std::pair<double, double> { return {t * t, t}; };
-  double time;
+  double time = 0.;
   Predictor predictor = after(path, 10, time);
   predictor.restart();
   BOOST_TEST(predictor.last_length() == 0.);
@@ -153,7 +156,7 @@ BOOST_AUTO_TEST_CASE(it_starts_anew)
 BOOST_AUTO_TEST_CASE(saved_and_loaded_it_predicts_the_same)
 {
   const Path path = [](const double t) -> std::pair<double, double> { return {t * t + noise(t), t}; };
-  double time;
+  double time = 0.;
   const Predictor predictor = after(path, 20, time);
   std::stringstream stream;
   boost::archive::binary_oarchive(stream) << predictor;

@@ -13,8 +13,8 @@ namespace deltaform
    *
    * with the rate v_n over the last increment, of length l_n, and its change a_n from the one before it. a_n is trend
    * and noise of contact points that come and go. w is half of what was found of it again in the increments that
-   * followed, in the energy of the tangent K and by exponential smoothing: the mean of (a_n . K a_n-1)/(a_n-1 . K a_n-1).
-   * What it saves: doc/decisions.
+   * followed, in the energy of the tangent K: of the mean of (a_n . K a_n-1)/(a_n-1 . K a_n-1), smoothed exponentially.
+   * Derivation: doc/theory/solver.md; what it saves: doc/decisions.
    */
   class Predictor
   {
