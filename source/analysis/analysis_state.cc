@@ -31,7 +31,8 @@ namespace deltaform
       State state;
       std::istringstream own(start.state);
       state.load(own);
-      if (state.n_increments != start.increment || state.stage != start.stage || state.time() != start.time)
+      if (state.n_increments != start.increment || state.stage != start.stage || state.time() != start.time ||
+          !state.predictor.fits(state.model.unknowns.size()))
         throw SceneError("Cannot resume: the saved state contradicts itself, so it is damaged. Start again without "
                          "--resume.");
       return state;

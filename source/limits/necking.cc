@@ -43,13 +43,12 @@ namespace deltaform
     else
     {
       n_necking_ = 0;
-      lost_ = stretched_ = 0.;
+      lost_ = 0.;
       return;
     }
     const std::size_t i = thinnest(now_);
     ++n_necking_;
     lost_ += 1. - force(now_[i]) / force(before_[i]);
-    stretched_ += now_[i].stretch - before_[i].stretch;
   }
 
 

@@ -87,6 +87,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_known_at_first)
 {
   const Predictor fresh;
   BOOST_TEST(fresh.last_length() == 0.);
+  BOOST_TEST(fresh.fits(7));
   Vector q(2);
   q[0] = 3.;
   fresh.predict(.1, q);
@@ -110,6 +111,8 @@ BOOST_AUTO_TEST_CASE(half_of_a_trend_is_followed)
   double time = 0.;
   const Predictor two = after(path, 2, time); // whether it is a trend is not known yet
   BOOST_TEST(two.weight() == 0.);
+  BOOST_TEST(two.fits(2));
+  BOOST_TEST(!two.fits(3));
   const Predictor ten = after(path, 10, time);
   BOOST_TEST(ten.weight() == .5, boost::test_tools::tolerance(1e-12));
   // The rate is that of the middle of the last increment, whose length is .1 in the tenth one.

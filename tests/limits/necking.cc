@@ -116,9 +116,7 @@ BOOST_AUTO_TEST_CASE(torn_is_what_necks_for_some_increments_and_loses_its_force)
   };
   BOOST_TEST(!torn_after(.3, .01, 4));
   BOOST_TEST(torn_after(.3, .01, 5));
-  BOOST_TEST(!torn_after(.3, .1, 1)); // one may be a jump
-  BOOST_TEST(torn_after(.3, .03, 2)); // long increments
-  BOOST_TEST(!torn_after(.21, .024, 2));
+  BOOST_TEST(!torn_after(.3, .05, 1));
   // Many increments that lose next to nothing.
   BOOST_TEST(!torn_after(.21, .001, 40));
   BOOST_TEST(torn_after(.21, .001, 100));
@@ -153,7 +151,7 @@ BOOST_AUTO_TEST_CASE(a_neck_that_stops_is_not_torn)
   double strain = .3;
   for (unsigned int k = 0; k < 20; ++k)
   {
-    strain += k % 4 == 3 ? -.001 : .015; // unloads every fourth time
+    strain += k % 4 == 3 ? -.001 : .02; // unloads every fourth time
     watch.observe(bar(.2, .15, strain));
     BOOST_TEST(!watch.torn());
   }

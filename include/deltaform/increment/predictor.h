@@ -40,6 +40,12 @@ namespace deltaform
     /// w
     double weight() const;
 
+    /// Was what it remembers made with so many unknowns?
+    bool fits(const std::size_t n_unknowns) const
+    {
+      return (rate_.size() == 0 || rate_.size() == n_unknowns) && (change_.size() == 0 || change_.size() == n_unknowns);
+    }
+
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
     {

@@ -28,13 +28,12 @@ namespace deltaform
     /// What has most likely ended a run: the last increments showed a neck, and the sheet has thinned further.
     std::string suspicion() const;
 
-    /// Is the sheet torn? Then it has necked in so many increments in a row, or in some that stretched it by so much,
-    /// and the section there has lost so much of its force meanwhile. A smaller loss may be made up for: friction and
-    /// bending can hold a section a little past its maximum.
+    /// Is the sheet torn? Then it has necked in so many increments in a row, and the section there has lost so much of
+    /// its force meanwhile. A smaller loss may be made up for: friction and bending can hold a section a little past
+    /// its maximum.
     bool torn() const
     {
-      return lost_ >= enough_loss &&
-             (n_necking_ >= enough_increments || (n_necking_ > 1 && stretched_ >= enough_stretch));
+      return n_necking_ >= enough_increments && lost_ >= enough_loss;
     }
 
     template <class Archive>
@@ -42,18 +41,17 @@ namespace deltaform
     {
       archive_plain(archive, before_);
       archive_plain(archive, now_);
-      archive &n_necking_ &lost_ &stretched_ &last_ &n_since_ &thickness_then_;
+      archive &n_necking_ &lost_ &last_ &n_since_ &thickness_then_;
     }
 
   private:
     static constexpr unsigned int enough_increments = 5;
-    static constexpr double enough_loss = .01, enough_stretch = .05;
+    static constexpr double enough_loss = .01;
     static constexpr unsigned int recent_increments = 5;
 
     std::vector<SheetSection> before_, now_;
     unsigned int n_necking_ = 0; ///< increments in a row with a finding
     double lost_ = 0; ///< share of the section force that was lost in them
-    double stretched_ = 0; ///< strain meanwhile
     std::string last_; ///< finding, so many increments ago, with that thickness
     unsigned int n_since_ = 0;
     double thickness_then_ = 0;
