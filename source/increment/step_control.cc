@@ -39,7 +39,7 @@ namespace deltaform
                        "Largest relative error of the plastic strain that an increment adds, estimated from the turn "
                        "of its direction; increments are made as long as this allows. 0: not used.")),
       extrapolate(section.flag("Extrapolate", true,
-                               "Predictor: an increment starts where the last three states lead, not from the last one."))
+                               "Predictor: an increment starts where the last three states lead."))
   {
   }
 

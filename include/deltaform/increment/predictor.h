@@ -43,7 +43,8 @@ namespace deltaform
     /// Was what it remembers made with so many unknowns?
     bool fits(const std::size_t n_unknowns) const
     {
-      return (rate_.size() == 0 || rate_.size() == n_unknowns) && (change_.size() == 0 || change_.size() == n_unknowns);
+      const auto as_many = [&](const Vector &v) { return v.size() == 0 || v.size() == n_unknowns; };
+      return as_many(rate_) && as_many(change_);
     }
 
     template <class Archive>
