@@ -66,16 +66,31 @@ namespace deltaform
   void add_material_stiffness(const ShellGradient<n_nodes> &b, const Stiffness &g, Matrix &matrix)
   {
     constexpr unsigned int n_dofs = 3 * n_nodes;
+    // Of the strains with a stiffness: in plane strain three of five.
+    std::array<unsigned int, ShellStrain::size> stiff;
+    std::array<std::array<double, n_dofs>, ShellStrain::size> gb{};
+    unsigned int n_stiff = 0;
     for (unsigned int s = 0; s < ShellStrain::size; ++s)
     {
-      std::array<double, n_dofs> gb{};
+      bool is_stiff = false;
       for (unsigned int t = 0; t < ShellStrain::size; ++t)
         if (g[s][t] != 0.)
+        {
+          is_stiff = true;
           for (unsigned int j = 0; j < n_dofs; ++j)
-            gb[j] += g[s][t] * b[t][j];
-      for (unsigned int i = 0; i < n_dofs; ++i)
+            gb[n_stiff][j] += g[s][t] * b[t][j];
+        }
+      if (is_stiff)
+        stiff[n_stiff++] = s;
+    }
+    for (unsigned int i = 0; i < n_dofs; ++i)
+    {
+      std::array<double, n_dofs> row;
+      std::copy_n(matrix.begin() + i * n_dofs, n_dofs, row.begin());
+      for (unsigned int k = 0; k < n_stiff; ++k)
         for (unsigned int j = 0; j < n_dofs; ++j)
-          matrix[i * n_dofs + j] += b[s][i] * gb[j];
+          row[j] += b[stiff[k]][i] * gb[k][j];
+      std::copy_n(row.begin(), n_dofs, matrix.begin() + i * n_dofs);
     }
   }
 

@@ -166,14 +166,25 @@ namespace deltaform
         own |= points_.foresee(i, d, trial[i]);
       });
       if (own)
-      {
-        clear_.discard(e);
-        if (!edges_.empty())
-          edges_[e].known = false;
-      }
+        look_again(e);
       other |= own;
     }
     return other;
+  }
+
+
+  void ContactIteration::peel(const unsigned int reach, const Points &trial)
+  {
+    std::vector<unsigned int> released;
+    for_points([&](const unsigned int i) {
+      if (points_.is_released(i, trial[i]))
+        released.push_back(i);
+    });
+    const unsigned int way = reach * group_;
+    for (const unsigned int i : released)
+      for (unsigned int k = i - std::min(i, way); k <= i + way && k < trial.size(); ++k)
+        if (points_.release(k))
+          look_again(k / group_);
   }
 
 

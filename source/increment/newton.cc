@@ -27,6 +27,7 @@ namespace deltaform
     // tools, is put on their surfaces.
     constexpr double near_equilibrium = 3e-3;
     constexpr unsigned int most_sets = 60, first_iterations = 2;
+    constexpr unsigned int sets_between_peelings = 10, peeled_places = 2;
     constexpr unsigned int most_returns_of_a_set = 2; ///< the first may be due to points that had not been projected
 
     // A step is good enough if the linear equations with the set that it leads to hold up to this share of the
@@ -239,6 +240,9 @@ namespace deltaform
       std::vector<std::size_t> sets;
       while (sets.size() < most_sets && active_set_->foresee(q_, d_))
       {
+        // A zone that touches grows wherever points would penetrate, but peels off at its ends only, a place in a set.
+        if (!sets.empty() && sets.size() % sets_between_peelings == 0)
+          active_set_->peel(peeled_places);
         if (!equations_.assemble_foreseen(q_))
           return true;
         if (!sets.empty() && solves_linear_equations())

@@ -27,6 +27,9 @@ namespace deltaform
         Teuchos::ParameterList list;
         list.set("PrintTiming", false);
         list.set("PrintStatus", false);
+        // KLU would divide rows by their sums before it looks for pivots, also when it keeps them: half as long again.
+        if (name == "Klu")
+          list.set("ScaleMethod", -1);
         factorization_->SetParameters(list);
         int *columns = nullptr;
         matrix_->crs->ExtractCrsDataPointers(row_start_, columns, values_);

@@ -145,20 +145,21 @@ namespace deltaform
                    [&](const DofIndex row, const DofIndex column) {
                      return common && row < n_sparse_ && !owns(row) ? EntryPlaces::nowhere : place(row, column);
                    });
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-      {
-        const double value = matrix[i * n + j];
-        if (update != nullptr && value != 0.)
-          note(*update, dofs[i], dofs[j], value);
-        if (const int where = places[i * n + j]; where != EntryPlaces::nowhere)
-          values_[where] += value;
-        else if (value != 0. && (dofs[i] >= n_sparse_ || dofs[j] >= n_sparse_))
-          border_.add(dofs[i], dofs[j], value);
-        else
-          Assert(value == 0. || (common && !owns(dofs[i])),
-                 dealii::ExcMessage("This coupling is not in the pattern."));
-      }
+    if (update != nullptr)
+      for (unsigned int k = 0; k < n * n; ++k)
+        if (matrix[k] != 0.)
+          note(*update, dofs[k / n], dofs[k % n], matrix[k]);
+    for (unsigned int k = 0; k < n * n; ++k)
+    {
+      const double value = matrix[k];
+      if (const int where = places[k]; where != EntryPlaces::nowhere)
+        values_[where] += value;
+      else if (const DofIndex row = dofs[k / n], column = dofs[k % n];
+               value != 0. && (row >= n_sparse_ || column >= n_sparse_))
+        border_.add(row, column, value);
+      else
+        Assert(value == 0. || (common && !owns(row)), dealii::ExcMessage("This coupling is not in the pattern."));
+    }
     if (rows_ && common)
       for (unsigned int i = 0; i < n; ++i)
         if (dofs[i] < n_sparse_)

@@ -103,6 +103,13 @@ namespace deltaform
   }
 
 
+  void ContactSolve::peel(const unsigned int reach)
+  {
+    for (auto *interface : contact_.interfaces())
+      interface->peel(reach);
+  }
+
+
   std::size_t ContactSolve::signature() const
   {
     std::size_t result = 0;

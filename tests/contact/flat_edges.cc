@@ -147,7 +147,23 @@ BOOST_AUTO_TEST_CASE(only_edges_whose_points_come_or_go_are_assembled_anew)
     BOOST_TEST(after.residual[i] == (i == 2 * 7 + 1 ? 0. : before.residual[i]));
   BOOST_TEST(contact.tool_force()[1] == force[1] - before.residual[2 * 7 + 1],
              boost::test_tools::tolerance(1e-14));
-  // And comes back.
+  // Another one takes with it what is an edge away.
+  const auto touching = [&] {
+    std::vector<unsigned int> result;
+    for (unsigned int i = 0; i < 8; ++i)
+      if (contact.trial()[i].touching)
+        result.push_back(i);
+    return result;
+  };
+  fixture.interface.assemble(fixture.q);
+  BOOST_TEST(touching() == (std::vector<unsigned int>{0, 3, 4}), boost::test_tools::per_element());
+  d[2 * 4 + 1] = 2. * delta;
+  contact.foresee(fixture.q, d);
+  contact.peel(1);
+  fixture.interface.assemble(fixture.q);
+  BOOST_TEST(touching().empty());
+  d[2 * 4 + 1] = 0.;
+  // All come back.
   d[2 * 7 + 1] = 0.;
   BOOST_TEST(contact.foresee(fixture.q, d));
   const DenseTarget again = fixture.interface.assemble(fixture.q);

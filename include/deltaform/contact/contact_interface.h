@@ -167,6 +167,12 @@ namespace deltaform
       return iteration_.foresee(q, shift(q), d, trial_.points);
     }
 
+    /// Points that foresee() lets go take others with them, up to @p reach edges (or nodes) away.
+    void peel(const unsigned int reach)
+    {
+      iteration_.peel(reach, trial_.points);
+    }
+
     /// A Newton step @p d was computed from the last assembled state. It is taken by a factor; the next assembly is at
     /// the new place.
     void prepare_step(const Vector &d)

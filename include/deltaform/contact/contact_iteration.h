@@ -61,6 +61,7 @@ namespace deltaform
     /// See ContactInterface.
     ///@{
     bool foresee(const Vector &q, const Tensor1 &shift, const Vector &d, const Points &trial);
+    void peel(unsigned int reach, const Points &trial);
     void prepare_step(const Vector &d, const Points &committed, const Points &trial);
     void advance(double factor, Points &trial);
 
@@ -118,6 +119,14 @@ namespace deltaform
     /// The same of all edges that may touch.
     template <typename Action>
     void for_points(const Action &action) const;
+
+    /// What an edge adds, and whether it is clear, has to be found again: its set of touching points is another one.
+    void look_again(const unsigned int e)
+    {
+      clear_.discard(e);
+      if (!edges_.empty())
+        edges_[e].known = false;
+    }
 
     /// Points from @p first to @p end, which no assembly asks.
     void describe(unsigned int first, unsigned int end, const Vector &q, const Tensor1 &shift, Points &trial);

@@ -118,6 +118,22 @@ namespace deltaform
     /// Will it change its status in the step @p d?
     bool foresee(unsigned int i, const Vector &d, const ContactPointState &state);
 
+    /// Does foresee() let a touching point go?
+    bool is_released(const unsigned int i, const ContactPointState &state) const
+    {
+      return state.touching && !work_[i].foreseen.value_or(true);
+    }
+
+    /// Let a point go that foresee() holds. @return was there any such?
+    bool release(const unsigned int i)
+    {
+      Work &work = work_[i];
+      if (!work.is_near || !work.foreseen.value_or(false))
+        return false;
+      work.foreseen = false;
+      return true;
+    }
+
     /// A step @p d is taken from @p state, by a factor. @p before: its accepted state
     ///@{
     void prepare_step(unsigned int i, const Vector &d, const ContactPointState &before, const ContactPointState &state);

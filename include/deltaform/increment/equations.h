@@ -23,6 +23,11 @@ namespace deltaform
       return false;
     }
 
+    /// The set that foresee() has found loses more: the neighbours of those that leave it, up to @p reach places away.
+    virtual void peel(unsigned int /*reach*/)
+    {
+    }
+
     /// Hash of the set of the last assembly.
     virtual std::size_t signature() const = 0;
 

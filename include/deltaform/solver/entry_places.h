@@ -11,9 +11,9 @@ namespace deltaform
   /**
    * Where the entries of element matrices lie in the array of values of a sparse matrix. Searching them is expensive,
    * so their places are kept from one pass over the elements to the next. Elements come in the same order in every
-   * pass: if the n unknowns of an element are those that came at the same position of the last pass, its n^2 places are
-   * known. Otherwise (a node has touched a tool) the places of this and all further elements are searched again. The
-   * result is the same in both cases.
+   * pass, but some come and others go (a node touches a tool): an element that came a little later in the last pass
+   * takes the place of those in between, any other one is put in between, and its places are searched. The result is
+   * the same in all cases.
    */
   class EntryPlaces
   {
@@ -35,6 +35,7 @@ namespace deltaform
     /// Go on from a position of this pass.
     void go_back(const Position position)
     {
+      forget_rest();
       key_ = position.key;
       place_ = position.place;
     }
@@ -42,6 +43,7 @@ namespace deltaform
     /// Begin a pass.
     void restart()
     {
+      forget_rest();
       key_ = place_ = 0;
     }
 
@@ -54,26 +56,54 @@ namespace deltaform
     const int *next(const DofIndex *dofs, const unsigned int n, const unsigned int kind, const Find &find)
     {
       const DofIndex head = 2 * n + kind;
-      if (key_ < keys_.size() && keys_[key_] == head && std::equal(dofs, dofs + n, keys_.data() + key_ + 1))
-      {
-        key_ += 1 + n;
-        place_ += std::size_t(n) * n;
-        return places_.data() + place_ - std::size_t(n) * n;
-      }
-      keys_.resize(key_);
-      places_.resize(place_);
-      keys_.push_back(head);
-      keys_.insert(keys_.end(), dofs, dofs + n);
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          places_.push_back(find(dofs[i], dofs[j]));
-      const std::size_t first = place_;
-      key_ = keys_.size();
-      place_ = places_.size();
-      return places_.data() + first;
+      if (!go_to(head, dofs, n))
+        insert(head, dofs, n, find);
+      key_ += 1 + n;
+      place_ += std::size_t(n) * n;
+      return places_.data() + place_ - std::size_t(n) * n;
     }
 
   private:
+    /// So many elements of the last pass are looked through for one that has come.
+    static constexpr unsigned int most_left_out = 6;
+
+    /// What has not come in this pass.
+    void forget_rest()
+    {
+      keys_.resize(key_);
+      places_.resize(place_);
+    }
+
+    /// If the element is the next one of the last pass, or comes soon: those before it are dropped.
+    bool go_to(const DofIndex head, const DofIndex *dofs, const unsigned int n)
+    {
+      std::size_t key = key_, place = place_;
+      for (unsigned int i = 0; i <= most_left_out && key < keys_.size(); ++i)
+      {
+        const std::size_t size = keys_[key] / 2;
+        if (keys_[key] == head && std::equal(dofs, dofs + n, keys_.data() + key + 1))
+        {
+          keys_.erase(keys_.begin() + key_, keys_.begin() + key);
+          places_.erase(places_.begin() + place_, places_.begin() + place);
+          return true;
+        }
+        key += 1 + size;
+        place += size * size;
+      }
+      return false;
+    }
+
+    template <typename Find>
+    void insert(const DofIndex head, const DofIndex *dofs, const unsigned int n, const Find &find)
+    {
+      const auto key = keys_.insert(keys_.begin() + key_, n + 1, head);
+      std::copy_n(dofs, n, key + 1);
+      auto place = places_.insert(places_.begin() + place_, std::size_t(n) * n, nowhere);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          *place++ = find(dofs[i], dofs[j]);
+    }
+
     std::vector<DofIndex> keys_; ///< of every element: 2 n + kind, then its unknowns
     std::vector<int> places_;
     std::size_t key_ = 0, place_ = 0; ///< of the next element

@@ -46,6 +46,7 @@ namespace deltaform
     /// @name ActiveSet
     ///@{
     bool foresee(const Vector &q, const Vector &d) override;
+    void peel(unsigned int reach) override;
     std::size_t signature() const override;
     void prepare_step(const Vector &d) override;
     void advance(double factor) override;
