@@ -22,7 +22,7 @@ namespace deltaform
     {
       ContactInterface &interface = *actors.interfaces[p];
       interface.set_dofs(n_sparse + n_border, first_multiplier[p]);
-      n_border += interface.counterpart().n_unknowns();
+      n_border += interface.projector().counterpart().n_unknowns();
       for (unsigned int i = 0; i < interface.n_points(); ++i)
       {
         const ContactPoint node = interface.point(zero, i);

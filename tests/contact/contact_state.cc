@@ -592,7 +592,7 @@ BOOST_AUTO_TEST_CASE(results_of_an_interface)
   surface.X = {(1. - p) * Point2(std::sin(-a), std::cos(a)), (1. - p) * Point2(std::sin(a), std::cos(a))};
   InterfaceFixture fixture(surface, constant, {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"});
   const Vector q(fixture.n);
-  const Tensor1 way = fixture.contact.counterpart().way(q, 0.);
+  const Tensor1 way = fixture.contact.projector().counterpart().way(q, 0.);
   BOOST_TEST(std::abs(fixture.contact.projector().closest(q, way).second + p) < 1e-14);
   fixture.contact.begin_stage(q, 0.);
   fixture.begin_increment(q, 1., stiffness);

@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(a_moved_tool_has_no_unknown)
 {
   const FakeSurface surface(1);
   InterfaceFixture fixture(surface, {}, flat + Entries{"Motion=-2*t", "Direction=1 1"});
-  const Counterpart &tool = fixture.contact.counterpart();
+  const Counterpart &tool = fixture.contact.projector().counterpart();
   const Vector q(fixture.n);
   BOOST_TEST(tool.n_unknowns() == 0u);
   BOOST_TEST((tool.way(q, .5) + Tensor1({1., 1.}) / std::sqrt(2.)).norm() < 1e-15);
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(a_pressed_tool_goes_as_far_as_its_unknown_says)
 {
   const FakeSurface surface(1);
   InterfaceFixture fixture(surface, {}, flat + Entries{"Force=3"});
-  const Counterpart &tool = fixture.contact.counterpart();
+  const Counterpart &tool = fixture.contact.projector().counterpart();
   Vector q(fixture.n);
   q[tool.first_unknown()] = .25;
   BOOST_TEST(tool.n_unknowns() == 1u);
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(another_counterpart_takes_its_forces)
     {
       InterfaceFixture fixture(surface, {"Enforcement=" + enforcement}, ball,
                                [](const Tool &tool) { return std::make_unique<Block>(tool); });
-      const Counterpart &block = fixture.contact.counterpart();
+      const Counterpart &block = fixture.contact.projector().counterpart();
       Vector q(fixture.n);
       for (unsigned int i = 0; i < fixture.n; ++i)
         q[i] = 1e-3 * (i % 4);

@@ -114,7 +114,7 @@ namespace deltaform
         const bool own_unknowns = settings.normal_law->has_multiplier();
         n += own_unknowns ? contact.n_points() : 0;
         contact.set_dofs(n, n_blank);
-        n += contact.counterpart().n_unknowns();
+        n += contact.projector().counterpart().n_unknowns();
       }
 
       static Entries all(const Entries &contact_entries, const Entries &tool_entries)

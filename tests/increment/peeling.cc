@@ -19,7 +19,8 @@ namespace
     static constexpr double bending = 1e3, weight = .01;
 
     Beam(const bool looks_ahead, const double stiffness, const bool lets_neighbours_go)
-      : spring(stiffness), touches(n, true), foresees(looks_ahead), peels(lets_neighbours_go), system(pattern(), 0, "klu")
+      : spring(stiffness), touches(n, true), foresees(looks_ahead), peels(lets_neighbours_go),
+        system(pattern(), 0, "klu")
     {
     }
 

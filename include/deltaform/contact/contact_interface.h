@@ -74,11 +74,6 @@ namespace deltaform
       return committed_.points;
     }
 
-    const Counterpart &counterpart() const
-    {
-      return *counterpart_;
-    }
-
     /// @name Unknowns: those of the counterpart, and those of the normal law, one per point if it has any
     ///@{
     void set_dofs(const DofIndex of_counterpart, const DofIndex first_multiplier)
