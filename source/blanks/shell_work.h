@@ -4,6 +4,9 @@
 
 #include <deltaform/kinematics/shell_strain.h>
 
+#include <algorithm>
+#include <array>
+
 namespace deltaform
 {
   /// Generalized strain at a point. A membrane has no rotation of its own: its director is normal to the meridian.

@@ -82,7 +82,7 @@ namespace deltaform
 
   TangentCopy Tangent::copy() const
   {
-    return {std::vector<double>(values_, values_ + n_values()), border_, places_.position()};
+    return {std::vector<double>(values_, values_ + n_values()), border_};
   }
 
 
@@ -90,7 +90,6 @@ namespace deltaform
   {
     std::copy(copy.values.begin(), copy.values.end(), values_);
     border_ = copy.border;
-    places_.go_back(copy.position);
   }
 
 

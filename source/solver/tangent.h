@@ -34,7 +34,6 @@ namespace deltaform
   {
     std::vector<double> values;
     Border border;
-    EntryPlaces::Position position;
   };
 
   /**

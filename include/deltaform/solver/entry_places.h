@@ -2,18 +2,19 @@
 
 #include <deltaform/assembly/types.h>
 
+#include <boost/container_hash/hash.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 namespace deltaform
 {
   /**
    * Where the entries of element matrices lie in the array of values of a sparse matrix. Searching them is expensive,
-   * so their places are kept from one pass over the elements to the next. Elements come in the same order in every
-   * pass, but some come and others go (a node touches a tool): an element that came a little later in the last pass
-   * takes the place of those in between, any other one is put in between, and its places are searched. The result is
-   * the same in all cases.
+   * so the places of every element that ever came are kept. Elements come in much the same order in every pass: the one
+   * that followed last time is looked at first, any other one is found by its unknowns.
    */
   class EntryPlaces
   {
@@ -21,30 +22,10 @@ namespace deltaform
     /// The place of an entry that is not in the matrix.
     static constexpr int nowhere = -1;
 
-    /// Where a pass is.
-    struct Position
-    {
-      std::size_t key = 0, place = 0;
-    };
-
-    Position position() const
-    {
-      return {key_, place_};
-    }
-
-    /// Go on from a position of this pass.
-    void go_back(const Position position)
-    {
-      forget_rest();
-      key_ = position.key;
-      place_ = position.place;
-    }
-
-    /// Begin a pass.
+    /// Begin a pass over the elements.
     void restart()
     {
-      forget_rest();
-      key_ = place_ = 0;
+      last_ = start;
     }
 
     /**
@@ -55,57 +36,67 @@ namespace deltaform
     template <typename Find>
     const int *next(const DofIndex *dofs, const unsigned int n, const unsigned int kind, const Find &find)
     {
-      const DofIndex head = 2 * n + kind;
-      if (!go_to(head, dofs, n))
-        insert(head, dofs, n, find);
-      key_ += 1 + n;
-      place_ += std::size_t(n) * n;
-      return places_.data() + place_ - std::size_t(n) * n;
+      const Name name{2 * n + kind, dofs};
+      if (!is(elements_[last_].follower, name))
+        elements_[last_].follower = element(name, find);
+      last_ = elements_[last_].follower;
+      return places_.data() + elements_[last_].place;
     }
 
   private:
-    /// So many elements of the last pass are looked through for one that has come.
-    static constexpr unsigned int most_left_out = 6;
-
-    /// What has not come in this pass.
-    void forget_rest()
+    /// What tells elements apart.
+    struct Name
     {
-      keys_.resize(key_);
-      places_.resize(place_);
-    }
-
-    /// If the element is the next one of the last pass, or comes soon: those before it are dropped.
-    bool go_to(const DofIndex head, const DofIndex *dofs, const unsigned int n)
-    {
-      std::size_t key = key_, place = place_;
-      for (unsigned int i = 0; i <= most_left_out && key < keys_.size(); ++i)
+      unsigned int size() const
       {
-        const std::size_t size = keys_[key] / 2;
-        if (keys_[key] == head && std::equal(dofs, dofs + n, keys_.data() + key + 1))
-        {
-          keys_.erase(keys_.begin() + key_, keys_.begin() + key);
-          places_.erase(places_.begin() + place_, places_.begin() + place);
-          return true;
-        }
-        key += 1 + size;
-        place += size * size;
+        return head / 2;
       }
-      return false;
-    }
 
-    template <typename Find>
-    void insert(const DofIndex head, const DofIndex *dofs, const unsigned int n, const Find &find)
+      std::size_t hash() const
+      {
+        return boost::hash_range(dofs, dofs + size()) + head;
+      }
+
+      unsigned int head; ///< 2 n + kind
+      const DofIndex *dofs;
+    };
+
+    struct Element
     {
-      const auto key = keys_.insert(keys_.begin() + key_, n + 1, head);
-      std::copy_n(dofs, n, key + 1);
-      auto place = places_.insert(places_.begin() + place_, std::size_t(n) * n, nowhere);
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          *place++ = find(dofs[i], dofs[j]);
+      unsigned int head;
+      std::size_t dof, place;        ///< its first ones among those of all elements
+      std::size_t follower = start; ///< the element that came after it last time
+    };
+
+    static constexpr std::size_t start = 0; ///< what comes before the first element
+
+    bool is(const std::size_t i, const Name &name) const
+    {
+      const Element &element = elements_[i];
+      return element.head == name.head && std::equal(name.dofs, name.dofs + name.size(), dofs_.data() + element.dof);
     }
 
-    std::vector<DofIndex> keys_; ///< of every element: 2 n + kind, then its unknowns
+    /// The element of that name: a new one if it has not come yet.
+    template <typename Find>
+    std::size_t element(const Name &name, const Find &find)
+    {
+      const std::size_t hash = name.hash();
+      for (auto [i, end] = by_hash_.equal_range(hash); i != end; ++i)
+        if (is(i->second, name))
+          return i->second;
+      elements_.push_back({name.head, dofs_.size(), places_.size()});
+      by_hash_.emplace(hash, elements_.size() - 1);
+      dofs_.insert(dofs_.end(), name.dofs, name.dofs + name.size());
+      for (unsigned int i = 0; i < name.size(); ++i)
+        for (unsigned int j = 0; j < name.size(); ++j)
+          places_.push_back(find(name.dofs[i], name.dofs[j]));
+      return elements_.size() - 1;
+    }
+
+    std::vector<Element> elements_{{0, 0, 0}};
+    std::unordered_multimap<std::size_t, std::size_t> by_hash_; ///< elements by the hash of their names
+    std::vector<DofIndex> dofs_;
     std::vector<int> places_;
-    std::size_t key_ = 0, place_ = 0; ///< of the next element
+    std::size_t last_ = start; ///< the element that came last
   };
 } // namespace deltaform
