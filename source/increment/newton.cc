@@ -103,8 +103,8 @@ namespace deltaform
         // 3. The step: linear solve.
         if (!find_step())
           return ended(result_.status.good() ? Outcome::singular : Outcome::inadmissible);
-        // 4. As far as it is admissible.
-        if (!take_step())
+        // 4. As far as it is admissible. Where a set is a guess that leads to a larger residual, that of the present set.
+        if (!take_step() || (set_is_guess_ && relative_residual() > residual_ && !take_step_of_present_set()))
           return ended(Outcome::inadmissible);
         // 5. Shorter where it leads to a larger residual.
         double residual = relative_residual();
@@ -235,6 +235,7 @@ namespace deltaform
     bool find_active_set()
     {
       const bool first = result_.rounds == 0 && iteration_ < first_iterations;
+      set_is_guess_ = false;
       if (active_set_ == nullptr || !(first || residual_ <= near_equilibrium))
         return true;
       std::vector<std::size_t> sets;
@@ -257,6 +258,7 @@ namespace deltaform
         if (goes_to_and_fro && sets.size() % 2 == 0)
           return true;
       }
+      set_is_guess_ = sets.size() == most_sets;
       return true;
     }
 
@@ -305,6 +307,13 @@ namespace deltaform
         good = go(factor_);
       }
       return good;
+    }
+
+    /// In place of the step that was taken: that of the set at its start.
+    bool take_step_of_present_set()
+    {
+      set_is_guess_ = false;
+      return go(0.) && solve(0.) && take_step();
     }
 
     bool wants_search(const double residual) const
@@ -371,6 +380,7 @@ namespace deltaform
     const Stagnation stagnation_;
     Vector increments_, d_, linear_, start_; ///< of prescribed unknowns; the step; R + K d; where it starts
     unsigned int iteration_ = 0, n_creeping_ = 0;
+    bool set_is_guess_ = false; ///< find_active_set() came to no end
     double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to
     double pending_ = 0., travelled_ = 0.;
     double factor_ = 1., work_start_ = 0.; ///< of the step that is taken, and of the residual along it at its start
