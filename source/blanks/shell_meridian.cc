@@ -7,22 +7,26 @@ namespace deltaform
 {
   namespace
   {
-    /// Hermite polynomials on [0, 1] or their derivatives: of the places of both ends, and of the tangents there.
+    /// Hermite polynomials of an end of [0, 1], or their derivatives: of its place, and of the tangent there.
     struct Hermite
     {
-      std::array<double, 2> place, tangent;
+      double place, tangent;
     };
 
-    Hermite values(const double xi)
+    Hermite value(const double xi, const unsigned int end)
     {
       const double eta = 1. - xi;
-      return {{{eta * eta * (1. + 2. * xi), xi * xi * (1. + 2. * eta)}}, {{xi * eta * eta, -xi * xi * eta}}};
+      if (end == 0)
+        return {eta * eta * (1. + 2. * xi), xi * eta * eta};
+      return {xi * xi * (1. + 2. * eta), -xi * xi * eta};
     }
 
-    Hermite derivatives(const double xi)
+    Hermite derivative(const double xi, const unsigned int end)
     {
       const double eta = 1. - xi;
-      return {{{-6. * xi * eta, 6. * xi * eta}}, {{eta * (1. - 3. * xi), xi * (1. - 3. * eta)}}};
+      if (end == 0)
+        return {-6. * xi * eta, eta * (1. - 3. * xi)};
+      return {6. * xi * eta, xi * (1. - 3. * eta)};
     }
   } // namespace
 
@@ -64,7 +68,6 @@ namespace deltaform
   ShellMeridian::describe(const Vector &q, const unsigned int piece, const double xi, ContactPoint &result) const
   {
     const Piece &own = pieces_[piece];
-    const Hermite shape = values(xi);
     result.n_nodes = 2;
     result.n_dofs = 6;
     result.x = Point2();
@@ -76,7 +79,8 @@ namespace deltaform
       const double share = end == 0 ? 1. - xi : xi;
       const Tensor1 &t = direction(q, piece, end);
       const Point2 place = space_.position(q, node);
-      const double weight = shape.place[end], arm = shape.tangent[end] * length_[piece];
+      const Hermite shape = value(xi, end);
+      const double weight = shape.place, arm = shape.tangent * length_[piece];
       const double along_r = arm * t[0], along_z = arm * t[1];
       result.nodes[k] = {node, share};
       std::copy_n(space_.dofs()[node].begin(), 3, result.dofs.begin() + 3 * k);
@@ -100,14 +104,14 @@ namespace deltaform
   double ShellMeridian::area(const Vector &q, const unsigned int piece, const double xi) const
   {
     const Piece &own = pieces_[piece];
-    const Hermite shape = values(xi), slope = derivatives(xi);
     Tensor1 along;
     double r = 0.;
     for (const unsigned int end : {0, 1})
     {
+      const Hermite shape = value(xi, end), slope = derivative(xi, end);
       const Tensor1 x = space_.position(q, own.nodes[end]), &t = direction(q, piece, end);
-      along += slope.place[end] * x + slope.tangent[end] * length_[piece] * t;
-      r += shape.place[end] * x[0] + shape.tangent[end] * length_[piece] * t[0];
+      along += slope.place * x + slope.tangent * length_[piece] * t;
+      r += shape.place * x[0] + shape.tangent * length_[piece] * t[0];
     }
     return along.norm() * (space_.axisymmetric() ? 2. * dealii::numbers::PI * r : 1.);
   }

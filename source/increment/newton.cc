@@ -27,7 +27,7 @@ namespace deltaform
     // tools, is put on their surfaces.
     constexpr double near_equilibrium = 3e-3;
     constexpr unsigned int most_sets = 60, first_iterations = 2;
-    constexpr unsigned int sets_between_peelings = 10, peeled_places = 2;
+    constexpr unsigned int sets_before_peeling = 20, sets_between_peelings = 10, peeled_places = 2;
     constexpr unsigned int most_returns_of_a_set = 2; ///< the first may be due to points that had not been projected
 
     // A step is good enough if the linear equations with the set that it leads to hold up to this share of the
@@ -103,7 +103,7 @@ namespace deltaform
         // 3. The step: linear solve.
         if (!find_step())
           return ended(result_.status.good() ? Outcome::singular : Outcome::inadmissible);
-        // 4. As far as it is admissible. Where a set is a guess that leads to a larger residual, that of the present set.
+        // 4. As far as it is admissible. If its set is a guess and leads to a larger residual: that of the present one.
         if (!take_step() || (set_is_guess_ && relative_residual() > residual_ && !take_step_of_present_set()))
           return ended(Outcome::inadmissible);
         // 5. Shorter where it leads to a larger residual.
@@ -242,7 +242,7 @@ namespace deltaform
       while (sets.size() < most_sets && active_set_->foresee(q_, d_))
       {
         // A zone that touches grows wherever points would penetrate, but peels off at its ends only, a place in a set.
-        if (!sets.empty() && sets.size() % sets_between_peelings == 0)
+        if (sets.size() >= sets_before_peeling && sets.size() % sets_between_peelings == 0)
           active_set_->peel(peeled_places);
         if (!equations_.assemble_foreseen(q_))
           return true;

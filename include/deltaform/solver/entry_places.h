@@ -64,7 +64,7 @@ namespace deltaform
     struct Element
     {
       unsigned int head;
-      std::size_t dof, place;        ///< its first ones among those of all elements
+      std::size_t dof, place; ///< its first ones among those of all elements
       std::size_t follower = start; ///< the element that came after it last time
     };
 
