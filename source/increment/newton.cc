@@ -104,7 +104,7 @@ namespace deltaform
         if (!find_step())
           return ended(result_.status.good() ? Outcome::singular : Outcome::inadmissible);
         // 4. As far as it is admissible. If its set is a guess and leads to a larger residual: that of the present one.
-        if (!take_step() || (set_is_guess_ && relative_residual() > residual_ && !take_step_of_present_set()))
+        if (!take_step() || (is_bad_guess() && !take_step_of_present_set()))
           return ended(Outcome::inadmissible);
         // 5. Shorter where it leads to a larger residual.
         double residual = relative_residual();
@@ -221,13 +221,13 @@ namespace deltaform
         increments_[i] = is_prescribed_[i] ? prescribed_[i] - q_[i] : 0.;
       ++result_.iterations;
       result_.correction_iterations += result_.rounds > 0;
-      if (!solve(0.))
-      {
-        // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
-        if (!assemble() || !solve(1e-6))
-          return false;
-      }
-      return find_active_set();
+      return find_direction() && find_active_set();
+    }
+
+    bool find_direction()
+    {
+      // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
+      return solve(0.) || (assemble() && solve(1e-6));
     }
 
     /// Solve again for the set that the step leads to, until it leads to its own: with the tangent of the blank, which
@@ -309,11 +309,16 @@ namespace deltaform
       return good;
     }
 
+    /// Has the last set of a search without an end led to a larger residual?
+    bool is_bad_guess()
+    {
+      return set_is_guess_ && pending_ == 0. && relative_residual() > residual_;
+    }
+
     /// In place of the step that was taken: that of the set at its start.
     bool take_step_of_present_set()
     {
-      set_is_guess_ = false;
-      return go(0.) && solve(0.) && take_step();
+      return go(0.) && find_direction() && take_step();
     }
 
     bool wants_search(const double residual) const

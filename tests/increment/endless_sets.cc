@@ -1,5 +1,5 @@
 // A search for the set of active inequalities that comes to no end: its last set is a guess.
-#include "convergence.h"
+#include "sets_problem.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -12,18 +12,13 @@ namespace
 {
   /// A spring of stiffness 1 under a load of 1. Each set that is foreseen leads to another one and takes most of the
   /// stiffness away: its step is 5 or 10 in place of 1.
-  class Endless : public Equations, public ActiveSet
+  class Endless : public SetsProblem
   {
   public:
     /// @param last_is_right the set that the search ends with takes no stiffness away
     explicit Endless(const bool last_is_right)
       : last_is_right_(last_is_right), system(full_pattern(1), 0, "klu")
     {
-    }
-
-    double typical_length() const override
-    {
-      return 1.;
     }
 
     Status assemble(const Vector &u, const bool tangent) override
@@ -59,43 +54,9 @@ namespace
       return n_sets;
     }
 
-    double limit_step(const Vector & /*q*/, Vector & /*d*/) const override
-    {
-      return 1.;
-    }
-
-    ActiveSet *active_set() override
-    {
-      return this;
-    }
-
     void prepare_step(const Vector &d) override
     {
       steps.push_back(d[0]);
-    }
-
-    void advance(double /*factor*/) override
-    {
-    }
-
-    bool changed() const override
-    {
-      return true;
-    }
-
-    unsigned int patience() const override
-    {
-      return 1000;
-    }
-
-    bool consistent(double /*allowed_tension*/) const override
-    {
-      return true;
-    }
-
-    unsigned int correct(const Vector & /*q*/) override
-    {
-      return 0;
     }
 
     NewtonResult solve()

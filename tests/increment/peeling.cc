@@ -1,6 +1,6 @@
 // A beam that lies on unilateral springs and is lifted at its end peels off. With a linear body the solve is over when
 // the set of touching points is found, and that takes no assembly of the body.
-#include "convergence.h"
+#include "sets_problem.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -12,7 +12,7 @@ using namespace deltaform::testing;
 namespace
 {
   /// Energy EI/2 sum (u_{i-1} - 2 u_i + u_{i+1})^2 + k/2 sum min(u_i, 0)^2 - sum p_i u_i, the last u lifted by a force.
-  class Beam : public Equations, public ActiveSet
+  class Beam : public SetsProblem
   {
   public:
     static constexpr unsigned int n = 80;
@@ -117,16 +117,6 @@ namespace
       return std::hash<std::vector<bool>>()(touches);
     }
 
-    double limit_step(const Vector &, Vector &) const override
-    {
-      return 1.;
-    }
-
-    ActiveSet *active_set() override
-    {
-      return this;
-    }
-
     void prepare_step(const Vector &d) override
     {
       multiplier.assign(n, 0.);
@@ -135,18 +125,9 @@ namespace
           multiplier[i] = -spring * (at[i] + d[i]);
     }
 
-    void advance(double) override
-    {
-    }
-
     bool changed() const override
     {
       return other;
-    }
-
-    unsigned int patience() const override
-    {
-      return 1000;
     }
 
     bool consistent(const double tension) const override
@@ -155,11 +136,6 @@ namespace
         if (touches[i] && spring * at[i] > tension)
           return false;
       return true;
-    }
-
-    unsigned int correct(const Vector & /*q*/) override
-    {
-      return 0;
     }
 
     double lift = 0., spring;

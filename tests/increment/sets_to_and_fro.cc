@@ -1,5 +1,5 @@
 // A search for the set of active inequalities without an end: a body that softens touches a spring that pushes it off.
-#include "convergence.h"
+#include "sets_problem.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -10,17 +10,12 @@ namespace
 {
   /// Residual -u - 1 of the first unknown, which a spring of stiffness 3 acts on where it is not positive: alone it
   /// goes to -1, with the spring to .5. A second unknown, by itself, carries a load.
-  class Softening : public Equations, public ActiveSet
+  class Softening : public SetsProblem
   {
   public:
     explicit Softening(const double load_of_other)
       : load(load_of_other), system(full_pattern(2), 0, "klu")
     {
-    }
-
-    double typical_length() const override
-    {
-      return 1.;
     }
 
     Status assemble(const Vector &u, const bool tangent) override
@@ -64,46 +59,12 @@ namespace
       return touches;
     }
 
-    double limit_step(const Vector & /*q*/, Vector & /*d*/) const override
-    {
-      return 1.;
-    }
-
-    ActiveSet *active_set() override
-    {
-      return this;
-    }
-
     void prepare_step(const Vector &d) override
     {
       if (!step.empty())
         return;
       step = {d[0], d[1]};
       n_sets_of_step = n_sets;
-    }
-
-    void advance(double /*factor*/) override
-    {
-    }
-
-    bool changed() const override
-    {
-      return false;
-    }
-
-    unsigned int patience() const override
-    {
-      return 1000;
-    }
-
-    bool consistent(double /*allowed_tension*/) const override
-    {
-      return true;
-    }
-
-    unsigned int correct(const Vector & /*q*/) override
-    {
-      return 0;
     }
 
     void solve()
