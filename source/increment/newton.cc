@@ -103,11 +103,17 @@ namespace deltaform
         // 3. The step: linear solve.
         if (!find_step())
           return ended(result_.status.good() ? Outcome::singular : Outcome::inadmissible);
-        // 4. As far as it is admissible. If its set is a guess and leads to a larger residual: that of the present one.
-        if (!take_step() || (is_bad_guess() && !take_step_of_present_set()))
+        // 4. As far as it is admissible. If its set is a guess that leads to a larger residual: that of the first set.
+        if (!take_step())
           return ended(Outcome::inadmissible);
-        // 5. Shorter where it leads to a larger residual.
         double residual = relative_residual();
+        if (set_is_guess_ && pending_ == 0. && residual > residual_)
+        {
+          if (!go(0.) || !find_direction() || !take_step())
+            return ended(Outcome::inadmissible);
+          residual = relative_residual();
+        }
+        // 5. Shorter where it leads to a larger residual.
         if (wants_search(residual))
         {
           search();
@@ -307,18 +313,6 @@ namespace deltaform
         good = go(factor_);
       }
       return good;
-    }
-
-    /// Has the last set of a search without an end led to a larger residual?
-    bool is_bad_guess()
-    {
-      return set_is_guess_ && pending_ == 0. && relative_residual() > residual_;
-    }
-
-    /// In place of the step that was taken: that of the set at its start.
-    bool take_step_of_present_set()
-    {
-      return go(0.) && find_direction() && take_step();
     }
 
     bool wants_search(const double residual) const
