@@ -25,7 +25,7 @@ namespace deltaform
       read_points(
         section,
         {20,
-         20,
+         32,
          "automatic",
          {"automatic", "nodes", "gauss"},
          "Which points touch: the nodes, or Gauss points of the edges of the cells. automatic: Gauss points, where the "

@@ -11,7 +11,7 @@ namespace deltaform
                                      ContactProjector &projector,
                                      const FactorControl &factors,
                                      const InterfaceFriction *friction)
-    : law_(law), projector_(projector), points_(law, projector, factors, friction), clear_(projector)
+    : law_(law), projector_(projector), factors_(factors), points_(law, projector, factors, friction), clear_(projector)
   {
   }
 
@@ -199,6 +199,21 @@ namespace deltaform
   {
     points_.leave_place();
     for_points([&](const unsigned int i) { points_.advance(i, factor, trial[i]); });
+  }
+
+
+  unsigned int ContactIteration::correct_early(Points &trial)
+  {
+    std::vector<unsigned int> touching;
+    for (unsigned int e = 0; e * group_ < trial.size(); ++e)
+      if (edges_.empty() || edges_[e].touching != 0)
+        for (unsigned int i = e * group_; i < (e + 1) * group_; ++i)
+          if (trial[i].touching)
+            touching.push_back(i);
+    const unsigned int changed = factors_.correct_early(touching, trial);
+    if (changed > 0)
+      discard_rows();
+    return changed;
   }
 
 

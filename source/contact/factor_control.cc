@@ -228,13 +228,13 @@ namespace deltaform
   }
 
 
-  unsigned int FactorControl::correct_early(Points &trial) const
+  unsigned int FactorControl::correct_early(const std::vector<unsigned int> &touching, Points &trial) const
   {
     // Of a softened force, and of one that augmentation takes over, the penetration is not the last word.
     if (softening_ < 1 || !settings_.normal_law->uses_penalty() || !settings_.stores_energy())
       return 0;
     unsigned int changed = 0;
-    for (unsigned int i = 0; i < trial.size(); ++i)
+    for (const unsigned int i : touching)
       changed += correct(i, settings_.rule->promises(), trial);
     return changed;
   }

@@ -1,5 +1,6 @@
 #include <deltaform/increment/line_search.h>
 #include <deltaform/increment/newton.h>
+#include <deltaform/increment/set_search.h>
 #include <deltaform/increment/stagnation.h>
 
 #include <algorithm>
@@ -22,32 +23,14 @@ namespace deltaform
     // Iterations in which the residual has to halve: at least, and in percent of the most.
     constexpr unsigned int stagnation_window = 8, stagnation_share = 40;
 
-    // As close to equilibrium the tangent of the blank is good for all sets that the solve may meet; so many of them
-    // are tried with it. In the first iterations of an increment the start, which extrapolation has pressed into the
-    // tools, is put on their surfaces.
+    // As close to equilibrium the tangent of the blank is good for all sets that the solve may meet; so they are tried
+    // with it. In the first iterations of an increment the start, which extrapolation has pressed into the tools, is
+    // put on their surfaces.
     constexpr double near_equilibrium = 3e-3;
-    constexpr unsigned int most_sets = 60, first_iterations = 2;
-    constexpr unsigned int sets_before_peeling = 20, sets_between_peelings = 10, peeled_places = 2;
-    constexpr unsigned int most_returns_of_a_set = 2; ///< the first may be due to points that had not been projected
-
-    // A step is good enough if the linear equations with the set that it leads to hold up to this share of the
-    // residual, or of the force tolerance.
-    constexpr double share_of_residual = 1e-4, share_of_tolerance = .01;
+    constexpr unsigned int first_iterations = 2;
 
     // Closer to equilibrium than this, factors that will not do are corrected between two iterations.
     constexpr double close_enough_to_correct = .1;
-
-    /// Euclidean norm of the scaled residuals of unknowns that are not prescribed.
-    double norm_of_free(const Vector &residual,
-                        const std::vector<double> &scale,
-                        const std::vector<bool> &is_prescribed)
-    {
-      double square = 0.;
-      for (unsigned int i = 0; i < scale.size(); ++i)
-        if (!is_prescribed[i])
-          square += (residual[i] / scale[i]) * (residual[i] / scale[i]);
-      return std::sqrt(square);
-    }
   } // namespace
 
 
@@ -72,8 +55,8 @@ namespace deltaform
         stagnation_{std::max(stagnation_window, stagnation_share * settings_.max_iterations / 100),
                     most_iterations_if_close * settings_.max_iterations,
                     close_to_tolerance * settings_.relaxed_tolerance, settings_.relaxed_tolerance},
-        increments_(q.size()), d_(q.size()), linear_(q.size()),
-        start_(q.size())
+        increments_(q.size()), d_(q.size()), start_(q.size()),
+        sets_(equations_, system_, settings_, scale_, is_prescribed)
     {
       system_.set_prescribed(is_prescribed);
     }
@@ -107,7 +90,7 @@ namespace deltaform
         if (!take_step())
           return ended(Outcome::inadmissible);
         double residual = relative_residual();
-        if (set_is_guess_ && pending_ == 0. && residual > residual_)
+        if (searched_ && sets_.is_guess() && pending_ == 0. && residual > residual_)
         {
           if (!go(0.) || !find_direction() || !take_step())
             return ended(Outcome::inadmissible);
@@ -236,44 +219,13 @@ namespace deltaform
       return solve(0.) || (assemble() && solve(1e-6));
     }
 
-    /// Solve again for the set that the step leads to, until it leads to its own: with the tangent of the blank, which
-    /// changes little close to equilibrium. Else a zone of contact grows or shrinks by a point in an iteration.
+    /// The set that the step leads to, where it is time.
     bool find_active_set()
     {
       const bool first = result_.rounds == 0 && iteration_ < first_iterations;
-      set_is_guess_ = false;
-      if (active_set_ == nullptr || !(first || residual_ <= near_equilibrium))
-        return true;
-      std::vector<std::size_t> sets;
-      while (sets.size() < most_sets && active_set_->foresee(q_, d_))
-      {
-        // A zone that touches grows wherever points would penetrate, but peels off at its ends only, a place in a set.
-        if (sets.size() >= sets_before_peeling && sets.size() % sets_between_peelings == 0)
-          active_set_->peel(peeled_places);
-        if (!equations_.assemble_foreseen(q_))
-          return true;
-        if (!sets.empty() && solves_linear_equations())
-          return true;
-        // Where the tangent is indefinite (a blank that snaps), two sets may lead to each other. The step is then that
-        // of the one that an even number of sets ends with.
-        const std::size_t set = active_set_->signature();
-        const bool goes_to_and_fro = std::count(sets.begin(), sets.end(), set) >= most_returns_of_a_set;
-        sets.push_back(set);
-        if (!solve(0.) && !(equations_.assemble_foreseen(q_) && solve(1e-6)))
-          return false;
-        if (goes_to_and_fro && sets.size() % 2 == 0)
-          return true;
-      }
-      set_is_guess_ = sets.size() == most_sets;
-      return true;
-    }
-
-    /// Does the step solve the equations as they were assembled last, well enough for an iteration?
-    bool solves_linear_equations()
-    {
-      system_.linear_residual(d_, linear_);
-      const double enough = std::max(share_of_residual * residual_, share_of_tolerance * settings_.force_tolerance);
-      return norm_of_free(linear_, scale_, is_prescribed_) <= enough * magnitude_;
+      searched_ = active_set_ != nullptr && (first || residual_ <= near_equilibrium);
+      const SetSearch::Solve how = [this](const double shift) { return solve(shift); };
+      return !searched_ || sets_.run(q_, d_, residual_, magnitude_, how);
     }
 
     /// d.R over the unknowns that are not prescribed.
@@ -377,9 +329,10 @@ namespace deltaform
 
     NewtonResult result_;
     const Stagnation stagnation_;
-    Vector increments_, d_, linear_, start_; ///< of prescribed unknowns; the step; R + K d; where it starts
+    Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
+    SetSearch sets_;
     unsigned int iteration_ = 0, n_creeping_ = 0;
-    bool set_is_guess_ = false; ///< find_active_set() came to no end
+    bool searched_ = false; ///< for a set in this iteration
     double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to
     double pending_ = 0., travelled_ = 0.;
     double factor_ = 1., work_start_ = 0.; ///< of the step that is taken, and of the residual along it at its start

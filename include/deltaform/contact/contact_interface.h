@@ -135,8 +135,7 @@ namespace deltaform
     ///@{
     unsigned int correct_factors_early()
     {
-      iteration_.discard_rows();
-      return factors_.correct_early(trial_.points);
+      return iteration_.correct_early(trial_.points);
     }
 
     unsigned int correct_factors(const Vector &q)

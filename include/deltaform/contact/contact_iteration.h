@@ -73,6 +73,9 @@ namespace deltaform
     /// Hash of the set of touching points, as it was assembled last.
     std::size_t signature(const Points &trial) const;
 
+    /// See FactorControl.
+    unsigned int correct_early(Points &trial);
+
     const Tensor1 &tool_force() const
     {
       return tool_force_;
@@ -144,6 +147,7 @@ namespace deltaform
 
     const NormalLaw &law_;
     ContactProjector &projector_;
+    const FactorControl &factors_;
     PointIteration points_;
     unsigned int group_ = 1; ///< points of an edge; a node is alone
     bool every_point_ = true; ///< is every one asked? An unknown of its own asks for its equation

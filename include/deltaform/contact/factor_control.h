@@ -54,8 +54,8 @@ namespace deltaform
                Points &trial) const;
 
     /// Between two iterations close to equilibrium: the normal factors of a rule that promises, and the tangential
-    /// ones. They only grow. @return how many points have other factors than before
-    unsigned int correct_early(Points &trial) const;
+    /// ones. They only grow. @param touching points @return how many have other factors than before
+    unsigned int correct_early(const std::vector<unsigned int> &touching, Points &trial) const;
 
     /// After a converged solve. @return how many points have other factors than before
     unsigned int correct(Points &trial);

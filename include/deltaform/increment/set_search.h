@@ -1,0 +1,55 @@
+#pragma once
+
+#include <deltaform/increment/newton.h>
+
+#include <functional>
+#include <vector>
+
+namespace deltaform
+{
+  /**
+   * Looks, before a step is made, for the set of active inequalities that the step leads to, until a set leads to
+   * itself: with the tangent of the blank, which changes little close to equilibrium. Else a zone of contact grows or
+   * shrinks by a point in an iteration (doc/theory/solver.md).
+   */
+  class SetSearch
+  {
+  public:
+    /// Solve the equations as they were assembled last for the step, with a shift of the diagonal. @return could it?
+    using Solve = std::function<bool(double shift)>;
+
+    /// All but the settings, which are copied, has to outlive it.
+    SetSearch(Equations &equations,
+              const System &system,
+              const NewtonSettings &settings,
+              const std::vector<double> &scale,
+              const std::vector<bool> &is_prescribed);
+
+    /**
+     * @param q         place of the last assembly
+     * @param d         the step from there, which @p solve renews
+     * @param residual  at q, relative to @p magnitude
+     * @param solve     how
+     * @return false if there is no step for a set that was met
+     */
+    bool run(const Vector &q, const Vector &d, double residual, double magnitude, const Solve &solve);
+
+    /// Has the last search come to no end? The step is then that of a guess.
+    bool is_guess() const
+    {
+      return is_guess_;
+    }
+
+  private:
+    /// Does the step solve the equations as they were assembled last, well enough for an iteration?
+    bool solves_linear_equations(const Vector &d, double residual, double magnitude);
+
+    Equations &equations_;
+    const System &system_;
+    double force_tolerance_;
+    const std::vector<double> &scale_;
+    const std::vector<bool> &is_prescribed_;
+    Vector linear_; ///< R + K d
+    bool is_guess_ = false;
+  };
+} // namespace deltaform

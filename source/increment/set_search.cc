@@ -1,0 +1,75 @@
+#include <deltaform/increment/set_search.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace deltaform
+{
+  namespace
+  {
+    // doc/decisions/README.md, "Sets for each tangent"
+    constexpr unsigned int most_sets = 60;
+    constexpr unsigned int sets_before_peeling = 20, sets_between_peelings = 10, peeled_places = 2;
+    constexpr unsigned int most_returns_of_a_set = 2; ///< the first may be due to points that had not been projected
+
+    // A step is good enough if the linear equations with the set that it leads to hold up to this share of the
+    // residual, or of the force tolerance.
+    constexpr double share_of_residual = 1e-4, share_of_tolerance = .01;
+  } // namespace
+
+
+  SetSearch::SetSearch(Equations &equations,
+                       const System &system,
+                       const NewtonSettings &settings,
+                       const std::vector<double> &scale,
+                       const std::vector<bool> &is_prescribed)
+    : equations_(equations), system_(system), force_tolerance_(settings.force_tolerance), scale_(scale),
+      is_prescribed_(is_prescribed), linear_(scale.size())
+  {
+  }
+
+
+  bool SetSearch::run(const Vector &q,
+                      const Vector &d,
+                      const double residual,
+                      const double magnitude,
+                      const Solve &solve)
+  {
+    is_guess_ = false;
+    ActiveSet &active_set = *equations_.active_set();
+    std::vector<std::size_t> sets;
+    while (sets.size() < most_sets && active_set.foresee(q, d))
+    {
+      // A zone that touches grows wherever points would penetrate, but peels off at its ends only, a place in a set.
+      if (sets.size() >= sets_before_peeling && sets.size() % sets_between_peelings == 0)
+        active_set.peel(peeled_places);
+      if (!equations_.assemble_foreseen(q))
+        return true;
+      if (!sets.empty() && solves_linear_equations(d, residual, magnitude))
+        return true;
+      // Where the tangent is indefinite (a blank that snaps), two sets may lead to each other. The step is then that
+      // of the one that an even number of sets ends with.
+      const std::size_t set = active_set.signature();
+      const bool goes_to_and_fro = std::count(sets.begin(), sets.end(), set) >= most_returns_of_a_set;
+      sets.push_back(set);
+      if (!solve(0.) && !(equations_.assemble_foreseen(q) && solve(1e-6)))
+        return false;
+      if (goes_to_and_fro && sets.size() % 2 == 0)
+        return true;
+    }
+    is_guess_ = sets.size() == most_sets;
+    return true;
+  }
+
+
+  bool SetSearch::solves_linear_equations(const Vector &d, const double residual, const double magnitude)
+  {
+    system_.linear_residual(d, linear_);
+    double square = 0.;
+    for (unsigned int i = 0; i < scale_.size(); ++i)
+      if (!is_prescribed_[i])
+        square += (linear_[i] / scale_[i]) * (linear_[i] / scale_[i]);
+    const double enough = std::max(share_of_residual * residual, share_of_tolerance * force_tolerance_);
+    return std::sqrt(square) <= enough * magnitude;
+  }
+} // namespace deltaform
