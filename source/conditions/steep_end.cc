@@ -50,6 +50,13 @@ namespace deltaform
         return std::isfinite(now) && std::isfinite(before) && std::abs(now) > 2. * std::abs(before);
       }
 
+      /// What the force rises by over the travel @p way, over the force, if it goes on as in the last increment.
+      double rise_over(const double way) const
+      {
+        const double result = rise() * way / std::abs(travel[0] - travel[1]);
+        return std::isfinite(result) ? result : 0.;
+      }
+
       template <class Archive>
       void serialize(Archive &archive, unsigned int)
       {
@@ -59,12 +66,14 @@ namespace deltaform
 
 
     /// Does a stage end where the force of a tool that has its place rises steeply? The metal fills the gap there, and
-    /// the largest force is as good as the gap.
+    /// the largest force is as good as the gap. Of a sheet, whose gap is known to about a hundredth of its thickness,
+    /// that is seen whatever the increments are.
     class SteepEnd : public SavedCondition<SteepEnd>
     {
     public:
       explicit SteepEnd(const Actors &actors)
-        : actors_(actors), last_(actors.tools.size()), sentences_(actors.tools.size())
+        : actors_(actors), uncertain_(actors.blank->fields().is_sheet() ? .01 * actors.blank->initial_thickness() : 0.),
+          last_(actors.tools.size()), sentences_(actors.tools.size())
       {
       }
 
@@ -100,22 +109,33 @@ namespace deltaform
       }
 
     private:
-      static constexpr double doubtful = .25; // of the force, where random V bends are bottomed (doc/stress.md)
+      // Of the force, where random V bends are bottomed and joggles pressed (doc/stress.md): in an increment, and over
+      // the uncertain part of the gap of a sheet.
+      static constexpr double doubtful = .25, doubtful_over_gap = .05;
 
       /// What is doubtful if the stage ends with the last increment; empty: nothing.
       std::string sentence(const unsigned int i) const
       {
         const LastIncrements &last = last_[i];
-        if (!(std::abs(last.force[0]) == last.largest && last.rise() > doubtful && last.gets_steeper()))
+        if (std::abs(last.force[0]) != last.largest)
+          return "";
+        const double over_gap = last.rise_over(uncertain_);
+        std::string way;
+        if (last.rise() > doubtful && last.gets_steeper())
+          way = text::percent(last.rise()) + " of itself in the last increment, over " +
+                text::rounded(std::abs(last.travel[0] - last.travel[1])) + " of its travel";
+        else if (over_gap > doubtful_over_gap)
+          way = text::percent(over_gap) + " of itself over a hundredth of the thickness";
+        else
           return "";
         return "steep end: at the end of stage '" + stage_ + "' the force of tool '" + actors_.tools[i]->name() +
-               "' rises by " + text::percent(last.rise()) + " of itself in the last increment, over " +
-               text::rounded(std::abs(last.travel[0] - last.travel[1])) +
-               " of its travel: it depends more on the gap that is left than on the process. End the stage at a force "
+               "' rises by " + way +
+               ": it depends more on the gap that is left than on the process. End the stage at a force "
                "(Ends when), or before; or take shorter elements and a smaller Largest increment.";
       }
 
       const Actors &actors_;
+      double uncertain_; ///< part of the gap of a sheet (length); 0: not a sheet
       std::string stage_; ///< of the last increment
       std::vector<LastIncrements> last_; ///< tool by tool
       std::vector<std::string> sentences_; ///< of each; empty: none

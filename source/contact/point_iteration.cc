@@ -111,9 +111,9 @@ namespace deltaform
       law_.respond(state,
                    {state.gap, point.compliance, factors_.share(before), work.foreseen, held});
     state.gap = normal.gap;
-    FrictionResponse friction;
-    if (friction_ && normal.touching)
-      friction = friction_->respond(i, before, state, projection, point.offset, normal.force);
+    const FrictionResponse friction =
+      friction_ && normal.touching ? friction_->respond(i, before, state, projection, point.offset, normal.force)
+                                   : FrictionResponse();
     status_changed_ |= state.touching != normal.touching;
     state.touching = normal.touching;
     state.force = normal.force;

@@ -35,11 +35,15 @@ namespace deltaform
 
   void PointRows::add_gradient(const Tensor1 &force, const Tensor2 &gradient)
   {
-    std::fill_n(matrix_.begin(), n_ * n_, 0.);
+    std::array<Tensor1, most> by_unknown;
+    for (unsigned int l = 0; l < n_motion_; ++l)
+      by_unknown[l] = gradient * jacobian_[l];
+    if (n_ > n_motion_)
+      std::fill_n(matrix_.begin(), n_ * n_, 0.);
     for (unsigned int k = 0; k < n_motion_; ++k)
     {
       for (unsigned int l = 0; l < n_motion_; ++l)
-        matrix_[k * n_ + l] = -(jacobian_[k] * (gradient * jacobian_[l]));
+        matrix_[k * n_ + l] = -(jacobian_[k] * by_unknown[l]);
       if (k < point_.n_dofs)
         matrix_[k * n_ + k] -= force * point_.second[k];
     }

@@ -90,21 +90,23 @@ namespace deltaform
     const double whole = curve.slip(a, b);
     if (offset == 0. || whole == 0.)
       return whole;
-    // Where the integrand has kinks: the joints and their images, and the offset before and after each.
     const double first = std::min(a, a + whole), last = std::max(a, a + whole);
-    std::vector<double> kinks{first, last};
+    const auto for_joints = [&](const auto &action) {
+      for (const Segment &segment : curve.segments())
+        for (const double joint : {segment.arc_start, segment.arc_start + segment.length})
+          curve.for_each_image(joint, action);
+    };
     bool any = false;
-    for (const Segment &segment : curve.segments())
-      for (const double joint : {segment.arc_start, segment.arc_start + segment.length})
-        curve.for_each_image(joint,
-                             [&](const double s) {
-                               any |= s + offset > first && s - offset < last;
-                               for (const double kink : {s - offset, s, s + offset})
-                                 if (kink > first && kink < last)
-                                   kinks.push_back(kink);
-                             });
+    for_joints([&](const double s) { any |= s + offset > first && s - offset < last; });
     if (!any)
       return whole;
+    // Where the integrand has kinks: the joints and their images, and the offset before and after each.
+    std::vector<double> kinks{first, last};
+    for_joints([&](const double s) {
+      for (const double kink : {s - offset, s, s + offset})
+        if (kink > first && kink < last)
+          kinks.push_back(kink);
+    });
     std::sort(kinks.begin(), kinks.end());
     const double gauss = std::sqrt(.6);
     const std::array<double, 3> point = {{-gauss, 0., gauss}}, weight = {{5. / 18., 8. / 18., 5. / 18.}};
