@@ -21,12 +21,15 @@ namespace deltaform
       std::array<double, 3> travel{}, force{};
       double time = 0.;
       double largest = 0.; ///< force of the run
+      double start = 0.; ///< travel when there was no force yet
 
       void add(const double at, const double new_travel, const double new_force)
       {
         // Another mesh at the same time
         if (at != time)
         {
+          if (largest == 0.)
+            start = travel[0];
           travel = {{new_travel, travel[0], travel[1]}};
           force = {{new_force, force[0], force[1]}};
         }
@@ -57,22 +60,28 @@ namespace deltaform
         return std::isfinite(result) ? result : 0.;
       }
 
+      /// The same over all of the travel since the tool touched: 1 of a force that is proportional to it.
+      double steepness() const
+      {
+        return rise_over(std::abs(travel[0] - start));
+      }
+
       template <class Archive>
       void serialize(Archive &archive, unsigned int)
       {
-        archive &travel &force &time &largest;
+        archive &travel &force &time &largest &start;
       }
     };
 
 
     /// Does a stage end where the force of a tool that has its place rises steeply? The metal fills the gap there, and
-    /// the largest force is as good as the gap. Of a sheet, whose gap is known to about a hundredth of its thickness,
-    /// that is seen whatever the increments are.
+    /// the largest force is as good as the gap. What a hundredth of the thickness does to it does not depend on the
+    /// increments.
     class SteepEnd : public SavedCondition<SteepEnd>
     {
     public:
       explicit SteepEnd(const Actors &actors)
-        : actors_(actors), uncertain_(actors.blank->fields().is_sheet() ? .01 * actors.blank->initial_thickness() : 0.),
+        : actors_(actors), uncertain_(.01 * actors.blank->initial_thickness()),
           last_(actors.tools.size()), sentences_(actors.tools.size())
       {
       }
@@ -109,9 +118,9 @@ namespace deltaform
       }
 
     private:
-      // Of the force, where random V bends are bottomed and joggles pressed (doc/stress.md): in an increment, and over
-      // the uncertain part of the gap of a sheet.
-      static constexpr double doubtful = .25, doubtful_over_gap = .05;
+      // Of the force: in an increment, and over the uncertain part of the gap, where random V bends are bottomed and
+      // joggles pressed (doc/stress.md). These are steep, by 15 to 160; a punch that sinks into a block is not, by 1.
+      static constexpr double doubtful = .25, doubtful_over_gap = .03, steep = 10.;
 
       /// What is doubtful if the stage ends with the last increment; empty: nothing.
       std::string sentence(const unsigned int i) const
@@ -124,7 +133,7 @@ namespace deltaform
         if (last.rise() > doubtful && last.gets_steeper())
           way = text::percent(last.rise()) + " of itself in the last increment, over " +
                 text::rounded(std::abs(last.travel[0] - last.travel[1])) + " of its travel";
-        else if (over_gap > doubtful_over_gap)
+        else if (over_gap > doubtful_over_gap && last.steepness() > steep)
           way = text::percent(over_gap) + " of itself over a hundredth of the thickness";
         else
           return "";
@@ -135,7 +144,7 @@ namespace deltaform
       }
 
       const Actors &actors_;
-      double uncertain_; ///< part of the gap of a sheet (length); 0: not a sheet
+      double uncertain_; ///< part of a gap (length)
       std::string stage_; ///< of the last increment
       std::vector<LastIncrements> last_; ///< tool by tool
       std::vector<std::string> sentences_; ///< of each; empty: none
