@@ -9,17 +9,6 @@
 
 namespace deltaform
 {
-  namespace
-  {
-    /// log(a / b) to the last digits; of neighbours by the series of atanh, a quarter of the time.
-    double log_of_ratio(const double a, const double b)
-    {
-      const double x = (a - b) / (a + b), square = x * x;
-      return square < 1e-5 ? 2. * x * (1. + square * (1. / 3. + square * (1. / 5. + square / 7.))) : std::log(a / b);
-    }
-  } // namespace
-
-
   Shell::Shell(Section &section)
     : settings_(section), space_(section, settings_), points_(section, settings_, space_),
       state_(settings_, space_, points_), surface_(section, space_, points_, material_, state_),
@@ -203,42 +192,32 @@ namespace deltaform
   }
 
 
-  double Shell::thickness_strain_work(const unsigned int place,
-                                      const ShellStrain &strain,
-                                      const double new_ratio,
-                                      const double *volume) const
+  double Shell::layer_force(const ShellStrain &strain, const unsigned int place) const
   {
-    // Moving the layers of a curved shell to the new thickness strains them at fixed displacements.
-    const double ratio = state_.thickness_ratio(place);
-    if (new_ratio == ratio)
-      return 0.;
-    double work = 0.;
+    const ShellPoint &point = points_[place];
+    const double sine = settings_.axisymmetric ? std::sin(point.angle) : 0., ratio = state_.layer_ratio(place);
+    double force = 0.;
     for (unsigned int l = 0; l < points_.n_layers(); ++l)
     {
-      const double before = ratio * points_.layer_position(l), after = new_ratio * points_.layer_position(l);
+      const double position = points_.layer_position(l), zeta = ratio * position;
       const auto &tau = material_.stress(place * points_.n_layers() + l);
-      work += volume[l] * tau[0] *
-              log_of_ratio(strain.lambda - after * strain.theta_prime, strain.lambda - before * strain.theta_prime);
+      double rate = -tau[0] * position * strain.theta_prime / (strain.lambda - zeta * strain.theta_prime);
       if (settings_.axisymmetric)
-        work += volume[l] * tau[1] * log_of_ratio(strain.r + after * strain.d_r(), strain.r + before * strain.d_r());
+        rate += tau[1] * position * strain.d_r() / (strain.r + zeta * strain.d_r());
+      force += points_.layer_volume(point, sine, l) * rate;
     }
-    return work;
+    return force;
   }
 
 
-  void Shell::add_energy(const Vector &q,
-                         const unsigned int cell,
-                         const unsigned int place,
-                         const double new_ratio,
-                         BlankEnergy &sum) const
+  void Shell::add_energy(const ShellStrain &strain, const unsigned int place, BlankEnergy &sum) const
   {
     const ShellPoint &point = points_[place];
     const unsigned int n_layers = points_.n_layers();
     const double sine = settings_.axisymmetric ? std::sin(point.angle) : 0.;
-    std::array<double, ShellSettings::most_layers> volumes;
     for (unsigned int l = 0, i = place * n_layers; l < n_layers; ++l, ++i)
     {
-      const double volume = volumes[l] = points_.layer_volume(point, sine, l);
+      const double volume = points_.layer_volume(point, sine, l);
       const Mandel before = material_.plastic_strain(i);
       const Mandel after = material_.trial_plastic_strain(i);
       const Mandel &start = material_.committed_stress(i), &end = material_.stress(i);
@@ -249,9 +228,7 @@ namespace deltaform
       sum.normal += .5 * volume * (end[2] + start[2]) * (material_.strain(i)[2] - state_.strain(i)[2]);
       sum.elastic += volume * material_.stored_energy(i);
     }
-    const ShellStrain strain = points_.strain(q, cell, place);
     const double gamma = strain.gamma - point.gamma;
-    sum.normal += thickness_strain_work(place, strain, new_ratio, volumes.data());
     if (core_.follows())
       sum.plastic += core_work(place);
     sum.elastic += .5 * kernel_.shear_stiffness() * point.weight * point.radius * gamma * gamma;
@@ -277,17 +254,18 @@ namespace deltaform
     BlankEnergy sum;
     for (unsigned int place = 0; place < points_.size(); ++place)
     {
-      const double ratio = trial_thickness(place) / settings_.thickness;
+      const ShellStrain strain = points_.strain(q, place / points_.per_cell(), place);
+      double force = 0.;
       if (material_.account().counts())
-        add_energy(q, place / points_.per_cell(), place, ratio, sum);
-      if (core_.follows())
       {
-        const ShellStrain strain = points_.strain(q, place / points_.per_cell(), place);
-        core_.commit(place,
-                     {points_[place], strain, state_.thickness_ratio(place), settings_.axisymmetric},
-                     *state_.third_stress(static_cast<std::size_t>(place) * points_.n_layers()));
+        add_energy(strain, place, sum);
+        force = layer_force(strain, place);
       }
-      state_.set_thickness_ratio(place, ratio);
+      if (core_.follows())
+        core_.commit(place,
+                     {points_[place], strain, state_.layer_ratio(place), settings_.axisymmetric},
+                     *state_.third_stress(static_cast<std::size_t>(place) * points_.n_layers()));
+      sum.normal += state_.accept_thickness(place, trial_thickness(place) / settings_.thickness, force);
     }
     material_.account().add(sum.elastic, sum.plastic, sum.normal);
     material_.commit();
@@ -306,6 +284,9 @@ namespace deltaform
   void Shell::set_pressure(const FaceValues &pressure)
   {
     state_.set_contact_pressure(pressure, surface_.areas());
+    // A pressure that could not be foreseen has changed the thickness as little foreseen.
+    for (unsigned int place = 0; place < points_.size(); ++place)
+      state_.set_layer_ratio(place, trial_thickness(place) / settings_.thickness);
   }
 
 
@@ -370,7 +351,7 @@ namespace deltaform
     const Vector q = parts_.come_over(transfer, formed);
     BlankEnergy sum;
     for (unsigned int place = 0; place < points_.size(); ++place)
-      add_energy(q, place / points_.per_cell(), place, state_.thickness_ratio(place), sum);
+      add_energy(points_.strain(q, place / points_.per_cell(), place), place, sum);
     material_.account().add(sum.elastic, 0.);
     return {q, std::nullopt};
   }

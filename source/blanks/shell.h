@@ -70,17 +70,14 @@ namespace deltaform
     /// Thickness of a quadrature point in the trial state (length).
     double trial_thickness(unsigned int place) const;
 
-    /// Count the energies of the layers of a quadrature point and of its transverse shear. @p new_ratio: of the
-    /// thickness, at the end of the increment
-    void add_energy(const Vector &q, unsigned int cell, unsigned int place, double new_ratio, BlankEnergy &sum) const;
+    /// Count the energies of the layers of a quadrature point and of its transverse shear.
+    void add_energy(const ShellStrain &strain, unsigned int place, BlankEnergy &sum) const;
 
     /// Work of what corrects the layers at the ends of the elastic core, at a quadrature point.
     double core_work(unsigned int place) const;
 
-    /// Work of the layers, which stand for @p volume each, when the thickness is updated to @p new_ratio: no virtual
-    /// work belongs to it.
-    double
-    thickness_strain_work(unsigned int place, const ShellStrain &strain, double new_ratio, const double *volume) const;
+    /// Of the stresses at a quadrature point, on the ratio of its layers (force*length).
+    double layer_force(const ShellStrain &strain, unsigned int place) const;
 
     // Its parts, in the order in which the scene is read
     ShellSettings settings_;

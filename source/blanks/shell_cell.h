@@ -127,7 +127,7 @@ namespace deltaform
     LayerMotion motion_of(const unsigned int p) const
     {
       const std::size_t place = static_cast<std::size_t>(cell_) * n_points_ + p;
-      return {points_[place], strains_[p], state_.thickness_ratio(place), axisymmetric_};
+      return {points_[place], strains_[p], state_.layer_ratio(place), axisymmetric_};
     }
 
     void add_corrections(const unsigned int p, Resultants &total)

@@ -17,6 +17,9 @@ namespace deltaform
     const unsigned int n = space_.n_nodes();
     strain_.assign(static_cast<std::size_t>(points_.size()) * points_.n_layers(), Mandel{});
     thickness_ratio_.assign(points_.size(), 1.);
+    ratio_change_.assign(points_.size(), 0.);
+    layer_ratio_ = accepted_layer_ratio_ = thickness_ratio_;
+    layer_force_.assign(points_.size(), 0.);
     node_thickness_.assign(n, points_.thickness());
     node_recovery_.assign(n, 0.);
     thickness_change_.assign(n, 0.);
@@ -37,12 +40,20 @@ namespace deltaform
   {
     for (unsigned int i = 0; i < face_thickness_.size(); ++i)
       face_thickness_[i] = node_thickness_[i] + std::max(0., ratio * thickness_change_[i]);
+    // The rate of a short increment in which the blank has snapped says nothing about a long one.
+    constexpr double largest_share = .1;
+    for (unsigned int p = 0; p < layer_ratio_.size(); ++p)
+    {
+      const double most = largest_share * thickness_ratio_[p];
+      layer_ratio_[p] = thickness_ratio_[p] + std::clamp(ratio * ratio_change_[p], -most, most);
+    }
   }
 
 
   void ShellState::renew()
   {
     begin_increment(0.);
+    layer_ratio_ = accepted_layer_ratio_;
     present_pressure_ = contact_pressure_;
     if (transverse_normal_stress_)
       update_third_stress();
@@ -119,6 +130,17 @@ namespace deltaform
         for (unsigned int l = 0; l < points_.n_layers(); ++l)
           third_stress_[p * points_.n_layers() + l] = -.5 * sum;
       }
+  }
+
+
+  double ShellState::accept_thickness(const std::size_t point, const double ratio, const double force)
+  {
+    const double work = .5 * (layer_force_[point] + force) * (layer_ratio_[point] - accepted_layer_ratio_[point]);
+    ratio_change_[point] = ratio - thickness_ratio_[point];
+    thickness_ratio_[point] = ratio;
+    accepted_layer_ratio_[point] = layer_ratio_[point];
+    layer_force_[point] = force;
+    return work;
   }
 
 

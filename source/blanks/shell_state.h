@@ -31,10 +31,24 @@ namespace deltaform
     {
       return thickness_ratio_[point];
     }
-    void set_thickness_ratio(const std::size_t point, const double ratio)
+
+    /// The same as the layers have it in the increment that is solved: that of its end, by the rate of the last one
+    /// (doc/theory/shell.md).
+    double layer_ratio(const std::size_t point) const
     {
-      thickness_ratio_[point] = ratio;
+      return layer_ratio_[point];
     }
+    void set_layer_ratio(const std::size_t point, const double ratio)
+    {
+      layer_ratio_[point] = ratio;
+    }
+
+    /**
+     * Accept the thickness of a quadrature point. @param force that the layers put up against a change of their ratio
+     * (force*length). @return what they have done since the last increment as their ratio changed, at fixed
+     * displacements: no virtual work belongs to it.
+     */
+    double accept_thickness(std::size_t point, double ratio, double force);
 
     double smallest_thickness() const;
 
@@ -82,7 +96,7 @@ namespace deltaform
       return &third_stress_[first];
     }
 
-    /// Accept the strains of the layers and the ratios that were set. @p modulus: Young's
+    /// Accept the strains of the layers, after the thickness of all points. @p modulus: Young's
     void commit(const std::vector<Mandel> &strains, double modulus);
 
     /// Every array of the state with its name.
@@ -91,6 +105,9 @@ namespace deltaform
     {
       action("strain", state.strain_);
       action("thickness ratio", state.thickness_ratio_);
+      action("change of thickness ratio", state.ratio_change_);
+      action("ratio of layers", state.accepted_layer_ratio_);
+      action("force on the ratio of layers", state.layer_force_);
       action("thickness at nodes", state.node_thickness_);
       action("change of thickness at nodes", state.thickness_change_);
       action("elastic recovery at nodes", state.node_recovery_);
@@ -109,7 +126,9 @@ namespace deltaform
     const ShellPoints &points_;
     bool transverse_normal_stress_;
     std::vector<Mandel> strain_;
-    std::vector<double> thickness_ratio_; ///< of the quadrature points
+    std::vector<double> thickness_ratio_, ratio_change_; ///< of the quadrature points; in the last increment
+    std::vector<double> layer_ratio_, accepted_layer_ratio_; ///< of the increment that is solved, of the last one
+    std::vector<double> layer_force_; ///< accepted
     std::vector<double> node_thickness_, node_recovery_;
     std::vector<double> thickness_change_; ///< at the nodes, in the last increment
     std::vector<double> face_thickness_; ///< of the increment that is solved; not kept: each one begins with it

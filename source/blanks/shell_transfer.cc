@@ -240,6 +240,7 @@ namespace deltaform
       strain[i] += change[i];
     own.put("strain", strain);
     own.put("thickness ratio", ratio);
+    own.put("ratio of layers", ratio);
     if (plastic == nullptr)
       return;
     const KeyedArrays before = own;

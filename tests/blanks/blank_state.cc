@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(elastic_forces_have_a_potential)
 BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
 {
   // Along a path of many increments with plastic flow the work of the internal forces is what the energies say. The
-  // thickness is updated between the increments: its work is in energy().normal.
+  // layers of a shell are moved between the increments: their work is in energy().normal.
   std::mt19937 generator(2);
   for_all_blanks(curved(plastic),
                  [&](Blank &blank, const Entries &) {
@@ -123,11 +123,12 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
                        const double share = 1. - std::abs(4. * k / (3. * n) - 1.);
                        Vector next = goal;
                        next *= share;
+                       blank.begin_increment(1. / n, 1.);
                        const auto forces = residual(blank, next);
                        for (unsigned int i = 0; i < q.size(); ++i)
                          work += .5 * (forces[i] + before[i]) * (next[i] - q[i]);
                        blank.commit(next);
-                       before = residual(blank, next); // with the new thickness
+                       before = forces;
                        q = next;
                      }
                      const BlankEnergy energy = blank.energy();
