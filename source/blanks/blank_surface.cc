@@ -73,7 +73,35 @@ namespace deltaform
   }
 
 
-  std::vector<double> BlankSurface::flow_stress(const Side side) const
+  double BlankSurface::flow_stress(const Side side, const unsigned int point) const
+  {
+    return flow_stress_[static_cast<unsigned int>(side)].values()[point];
+  }
+
+
+  void BlankSurface::follow_flow_stress(const Side side)
+  {
+    follows_[static_cast<unsigned int>(side)] = true;
+    flow_stress_[static_cast<unsigned int>(side)].reset(accepted_flow_stress(side));
+  }
+
+
+  void BlankSurface::take_flow_stress(void (ForeseenValues::*const take)(std::vector<double>))
+  {
+    for (const Side side : {Side::bottom, Side::top})
+      if (follows_[static_cast<unsigned int>(side)])
+        (flow_stress_[static_cast<unsigned int>(side)].*take)(accepted_flow_stress(side));
+  }
+
+
+  void BlankSurface::foresee_flow_stress(const double ratio)
+  {
+    for (auto &values : flow_stress_)
+      values.begin_increment(ratio);
+  }
+
+
+  std::vector<double> BlankSurface::accepted_flow_stress(const Side side) const
   {
     std::vector<double> values = nodal_flow_stress(side);
     if (at_nodes())

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foreseen_values.h"
 #include "material_points.h"
 
 #include <deltaform/assembly/contact_surface.h>
@@ -26,7 +27,11 @@ namespace deltaform
 
     unsigned int n_contact_points(Side side) const override;
     double modulus() const override;
-    std::vector<double> flow_stress(Side side) const override;
+    double flow_stress(Side side, unsigned int point) const override;
+
+    /// See Blank::follow_flow_stress().
+    void follow_flow_stress(Side side);
+
     void contact_point(const Vector &q,
                        Side side,
                        unsigned int point,
@@ -60,12 +65,32 @@ namespace deltaform
     /// The edges of @p side are there, or others than before.
     void find_ends(Side side);
 
+    /// Take the flow stresses that are followed as @p take says.
+    void take_flow_stress(void (ForeseenValues::*take)(std::vector<double>));
+
+    /// See Blank::begin_increment().
+    void foresee_flow_stress(double ratio);
+
+    /// Every array of the state with its name: the flow stresses that are followed.
+    template <typename Surface, typename Action>
+    static void each_flow_stress(Surface &surface, const Action &action)
+    {
+      for (unsigned int side = 0; side < 2; ++side)
+        if (surface.follows_[side])
+          ForeseenValues::each_array(surface.flow_stress_[side],
+                                     side == 0 ? "flow stress of the face, bottom" : "flow stress of the face, top",
+                                     action);
+    }
+
     /// Areas of the contact points of a side at @p q, if they lie inside the edges.
     std::vector<double> areas_of_points(const Vector &q, Side side) const;
 
     const MaterialPoints &material_;
 
   private:
+    /// Accepted, at the contact points.
+    std::vector<double> accepted_flow_stress(Side side) const;
+
     /// Accepted, at the nodes that may touch (stress).
     virtual std::vector<double> nodal_flow_stress(Side side) const = 0;
 
@@ -92,6 +117,8 @@ namespace deltaform
 
     unsigned int n_inside_ = 0, degree_ = 0; ///< see read_points()
     dealii::Quadrature<1> inner_, outer_; ///< of an edge between others, of one where the face ends; empty: nodes touch
+    std::array<bool, 2> follows_{{false, false}}; ///< see follow_flow_stress()
+    std::array<ForeseenValues, 2> flow_stress_; ///< of the contact points of sides that are followed
     std::array<std::vector<bool>, 2> ends_; ///< does the face end at this edge? For each side
   };
 } // namespace deltaform

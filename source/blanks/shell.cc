@@ -152,10 +152,17 @@ namespace deltaform
   }
 
 
+  void Shell::follow_flow_stress(const Side side)
+  {
+    surface_.follow_flow_stress(side);
+  }
+
+
   void Shell::begin_increment(const double duration, const double ratio)
   {
     material_.begin_increment(duration, ratio);
     state_.begin_increment(ratio);
+    surface_.begin_increment(ratio);
   }
 
 
@@ -206,7 +213,7 @@ namespace deltaform
         rate += tau[1] * position * strain.d_r() / (strain.r + zeta * strain.d_r());
       force += points_.layer_volume(point, sine, l) * rate;
     }
-    return force;
+    return force / (point.weight * point.radius);
   }
 
 
@@ -255,7 +262,7 @@ namespace deltaform
     for (unsigned int place = 0; place < points_.size(); ++place)
     {
       const ShellStrain strain = points_.strain(q, place / points_.per_cell(), place);
-      double force = 0.;
+      double force = 0.; // on an area
       if (material_.account().counts())
       {
         add_energy(strain, place, sum);
@@ -265,12 +272,13 @@ namespace deltaform
         core_.commit(place,
                      {points_[place], strain, state_.layer_ratio(place), settings_.axisymmetric},
                      *state_.third_stress(static_cast<std::size_t>(place) * points_.n_layers()));
-      sum.normal += state_.accept_thickness(place, trial_thickness(place) / settings_.thickness, force);
+      sum.normal += points_[place].weight * points_[place].radius *
+                    state_.accept_thickness(place, trial_thickness(place) / settings_.thickness, force);
     }
     material_.account().add(sum.elastic, sum.plastic, sum.normal);
     material_.commit();
     state_.commit(material_.strains(), surface_.modulus());
-    surface_.update(q);
+    surface_.accept(q);
     refinement_.update(q);
   }
 

@@ -52,6 +52,7 @@ namespace deltaform
     Status assemble(const Vector &q, AssemblyTarget &target) override;
     double admissible_step(const Vector &q, const Vector &dq) const override;
     void touch_inside() override;
+    void follow_flow_stress(Side side) override;
     void begin_increment(double duration, double ratio) override;
     double flow_error() const override;
     IncrementSize increment_size(const Vector &dq) const override;
@@ -76,7 +77,8 @@ namespace deltaform
     /// Work of what corrects the layers at the ends of the elastic core, at a quadrature point.
     double core_work(unsigned int place) const;
 
-    /// Of the stresses at a quadrature point, on the ratio of its layers (force*length).
+    /// Of the stresses at a quadrature point, on the ratio of its layers, on its area (force/length): what does not
+    /// depend on the length of the element is carried over where a mesh is refined.
     double layer_force(const ShellStrain &strain, unsigned int place) const;
 
     // Its parts, in the order in which the scene is read

@@ -29,6 +29,7 @@ namespace deltaform
     ElasticCore::each_array(core_, TakeFrom(state));
     state_.renew();
     ShellSurface::each_array(surface_, TakeFrom(state));
+    surface_.renew();
     for (unsigned int i = 0; i < material_.size(); ++i)
       material_.strain(i) = state_.strain(i);
   }
@@ -39,8 +40,8 @@ namespace deltaform
     space_.set_mesh(std::move(mesh));
     points_.set_up();
     state_.set_up();
-    surface_.set_up();
     material_.reset(static_cast<std::size_t>(points_.size()) * points_.n_layers());
+    surface_.set_up();
     core_.set_up();
   }
 

@@ -1,5 +1,7 @@
 #include "shell_state.h"
 
+#include "foreseen_values.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,13 +42,8 @@ namespace deltaform
   {
     for (unsigned int i = 0; i < face_thickness_.size(); ++i)
       face_thickness_[i] = node_thickness_[i] + std::max(0., ratio * thickness_change_[i]);
-    // The rate of a short increment in which the blank has snapped says nothing about a long one.
-    constexpr double largest_share = .1;
     for (unsigned int p = 0; p < layer_ratio_.size(); ++p)
-    {
-      const double most = largest_share * thickness_ratio_[p];
-      layer_ratio_[p] = thickness_ratio_[p] + std::clamp(ratio * ratio_change_[p], -most, most);
-    }
+      layer_ratio_[p] = foreseen(thickness_ratio_[p], ratio_change_[p], ratio);
   }
 
 

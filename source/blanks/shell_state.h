@@ -45,8 +45,8 @@ namespace deltaform
 
     /**
      * Accept the thickness of a quadrature point. @param force work of its stresses for a change of the layers' ratio
-     * by one (force*length). @return the work of its stresses as the layers moved since the last increment: no virtual
-     * work belongs to it.
+     * by one, on an area (force/length). @return the work of its stresses on an area as the layers moved since the last
+     * increment: no virtual work belongs to it.
      */
     double accept_thickness(std::size_t point, double ratio, double force);
 

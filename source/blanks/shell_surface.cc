@@ -184,7 +184,7 @@ namespace deltaform
 
   double ShellSurface::point_area(Side, const unsigned int point) const
   {
-    return point_areas_[point];
+    return point_areas_.values()[point];
   }
 
 
@@ -206,7 +206,7 @@ namespace deltaform
     result.set_node(node);
     std::copy_n(space_.dofs()[node].begin(), 3, result.dofs.begin());
     result.x = space_.position(q, node);
-    result.area = areas_[node];
+    result.area = areas_.values()[node];
     result.reference_coordinate = space_.mesh().nodes()[node][0];
     result.arc_coordinate = space_.mesh().arc_length()[node];
     result.thickness = state_.node_thickness(node);
@@ -250,10 +250,37 @@ namespace deltaform
 
   void ShellSurface::update(const Vector &q)
   {
-    areas_ = areas_at(q);
+    measure(q, &ForeseenValues::reset);
+  }
+
+
+  void ShellSurface::accept(const Vector &q)
+  {
+    measure(q, &ForeseenValues::accept);
+  }
+
+
+  void ShellSurface::begin_increment(const double ratio)
+  {
+    areas_.begin_increment(ratio);
+    point_areas_.begin_increment(ratio);
+    foresee_flow_stress(ratio);
+  }
+
+
+  void ShellSurface::renew()
+  {
+    begin_increment(0.);
+  }
+
+
+  void ShellSurface::measure(const Vector &q, void (ForeseenValues::*const take)(std::vector<double>))
+  {
+    (areas_.*take)(areas_at(q));
+    take_flow_stress(take);
     if (at_nodes())
       return;
     meridian_.update(q);
-    point_areas_ = areas_of_points(q, Side::top);
+    (point_areas_.*take)(areas_of_points(q, Side::top));
   }
 } // namespace deltaform

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "blank_surface.h"
+#include "foreseen_values.h"
 #include "shell_meridian.h"
 #include "shell_points.h"
 #include "shell_space.h"
@@ -57,28 +58,41 @@ namespace deltaform
     /// Tributary areas of the nodes at @p q; zero for those that never have one.
     std::vector<double> areas_at(const Vector &q) const;
 
-    /// Accepted.
+    /// Of the nodes; in an increment those foreseen.
     const std::vector<double> &areas() const
     {
-      return areas_;
+      return areas_.values();
     }
 
-    /// An increment was accepted.
+    /// The state is one that no increment led to.
     void update(const Vector &q);
+
+    /// An increment was accepted.
+    void accept(const Vector &q);
+
+    /// See Blank::begin_increment().
+    void begin_increment(double ratio);
+
+    /// A saved state was taken.
+    void renew();
 
     /// Every array of the state with its name.
     template <typename Surface, typename Action>
     static void each_array(Surface &surface, const Action &action)
     {
-      action("area of nodes", surface.areas_);
+      ForeseenValues::each_array(surface.areas_, "area of nodes", action);
       if (!surface.at_nodes())
       {
-        action("area of contact points", surface.point_areas_);
+        ForeseenValues::each_array(surface.point_areas_, "area of contact points", action);
         action("length of tangents", surface.meridian_.tangent_lengths());
       }
+      each_flow_stress(surface, action);
     }
 
   private:
+    /// Measure areas at @p q, and take them as @p take says.
+    void measure(const Vector &q, void (ForeseenValues::*take)(std::vector<double>));
+
     /// Read where the contact points are.
     void read(Section &section);
 
@@ -104,7 +118,7 @@ namespace deltaform
     std::vector<std::array<unsigned int, 3>> edges_;
     std::vector<double> angle_; ///< of the reference tangent at the nodes, averaged at kinks
     std::vector<bool> weightless_; ///< nodes whose tributary area vanishes: no contact
-    std::vector<double> areas_;
-    std::vector<double> point_areas_; ///< of the contact points between nodes
+    ForeseenValues areas_; ///< of the nodes
+    ForeseenValues point_areas_; ///< of the contact points between them
   };
 } // namespace deltaform

@@ -203,8 +203,15 @@ namespace deltaform
   }
 
 
+  void Solid::follow_flow_stress(const Side side)
+  {
+    surface_.follow_flow_stress(side);
+  }
+
+
   void Solid::begin_increment(const double duration, const double ratio)
   {
+    surface_.begin_increment(ratio);
     if (material_.begin_increment(duration, ratio))
       motion_.turn_flow(material_, ratio);
   }
@@ -277,7 +284,7 @@ namespace deltaform
       material_.account().add(ranks::sum(elastic), ranks::sum(plastic));
     material_.commit();
     motion_.commit();
-    surface_.update(q);
+    surface_.accept(q);
     refinement_.update(q);
   }
 
@@ -311,6 +318,7 @@ namespace deltaform
     material_.take(state);
     SolidSurface::each_array(surface_, TakeFrom(state));
     SolidMotion::each_array(motion_, TakeFrom(state));
+    surface_.renew();
     motion_.start_from_committed();
     kernel_.turn_axes();
   }
@@ -338,10 +346,8 @@ namespace deltaform
   {
     if (goes_on_like(formed))
     {
-      if (surface_.at_nodes())
-        return Blank::take_formed(formed);
       KeyedArrays open = formed;
-      SolidSurface::leave_points_open(open);
+      surface_.leave_open(open);
       TakenOver taken = Blank::take_formed(open);
       surface_.update(taken.unknowns);
       return taken;

@@ -58,6 +58,7 @@ namespace deltaform
     bool depends_on_time() const override;
     bool constant_stiffness() const override;
     void touch_inside() override;
+    void follow_flow_stress(Side side) override;
     bool shared_at_nodes() const override
     {
       return shared_at_nodes_;

@@ -45,7 +45,6 @@ namespace deltaform
       }
       add(chain);
     }
-    area_.assign(nodes_.size(), 0.);
     weightless_.assign(nodes_.size(), false);
   }
 
@@ -77,16 +76,16 @@ namespace deltaform
   void SolidFace::set_up_areas(const double length)
   {
     const Vector zero(space_.hanging().n_unknowns());
-    update_areas(zero);
+    const std::vector<double> areas = areas_at(zero);
     for (unsigned int i = 0; i < nodes_.size(); ++i)
-      weightless_[i] = area_[i] < 1e-9 * length * (space_.axisymmetric() ? length : 1.);
-    update_areas(zero);
+      weightless_[i] = areas[i] < 1e-9 * length * (space_.axisymmetric() ? length : 1.);
+    areas_.reset(areas_at(zero));
   }
 
 
-  void SolidFace::update_areas(const Vector &q)
+  std::vector<double> SolidFace::areas_at(const Vector &q) const
   {
-    std::fill(area_.begin(), area_.end(), 0.);
+    std::vector<double> result(nodes_.size(), 0.);
     for (const auto &edge : edges_)
     {
       std::array<Point2, 3> x;
@@ -94,11 +93,12 @@ namespace deltaform
         x[a] = space_.position(q, nodes_[edge[a]]);
       const auto areas = edge_areas(x, space_.degree(), space_.axisymmetric());
       for (unsigned int a = 0; a <= space_.degree(); ++a)
-        area_[edge[a]] += areas[a];
+        result[edge[a]] += areas[a];
     }
     for (unsigned int i = 0; i < nodes_.size(); ++i)
       if (weightless_[i])
-        area_[i] = 0.;
+        result[i] = 0.;
+    return result;
   }
 
 
@@ -112,7 +112,7 @@ namespace deltaform
     result.dofs[1] = dofs[1];
     result.x = space_.position(q, own);
     result.offset = 0.;
-    result.area = area_[node];
+    result.area = areas_.values()[node];
     result.reference_coordinate = space_.nodes()[own][0];
     result.arc_coordinate = arc_[node];
     result.jacobian[0] = Tensor1({1., 0.});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "foreseen_values.h"
 #include "solid_boundary.h"
 #include "solid_space.h"
 
@@ -27,8 +28,8 @@ namespace deltaform
     /// there. @p length: a typical one of edges. Areas are those of the undeformed body afterwards.
     void set_up_areas(double length);
 
-    /// Tributary areas of the nodes at @p q.
-    void update_areas(const Vector &q);
+    /// Tributary areas of the nodes at @p q; zero for those that never have one.
+    std::vector<double> areas_at(const Vector &q) const;
 
     /// By the numbers of the space.
     const std::vector<unsigned int> &nodes() const
@@ -48,13 +49,13 @@ namespace deltaform
       return {{nodes_[edge[0]], nodes_[edge[1]]}};
     }
 
-    std::vector<double> &areas()
+    ForeseenValues &areas()
     {
-      return area_;
+      return areas_;
     }
-    const std::vector<double> &areas() const
+    const ForeseenValues &areas() const
     {
-      return area_;
+      return areas_;
     }
 
     /// See ContactSurface; all but the thickness.
@@ -82,6 +83,6 @@ namespace deltaform
     std::vector<Edge> edges_;
     std::vector<double> arc_; ///< S0
     std::vector<bool> weightless_;
-    std::vector<double> area_; ///< accepted
+    ForeseenValues areas_; ///< of the nodes
   };
 } // namespace deltaform

@@ -91,14 +91,44 @@ namespace deltaform
 
   void SolidSurface::update(const Vector &q)
   {
+    measure(q, &ForeseenValues::reset);
+  }
+
+
+  void SolidSurface::accept(const Vector &q)
+  {
+    measure(q, &ForeseenValues::accept);
+  }
+
+
+  void SolidSurface::begin_increment(const double ratio)
+  {
+    for (unsigned int side = 0; side < 2; ++side)
+    {
+      faces_[side].areas().begin_increment(ratio);
+      point_areas_[side].begin_increment(ratio);
+    }
+    foresee_flow_stress(ratio);
+  }
+
+
+  void SolidSurface::renew()
+  {
+    begin_increment(0.);
+  }
+
+
+  void SolidSurface::measure(const Vector &q, void (ForeseenValues::*const take)(std::vector<double>))
+  {
     const Vector none(q.size());
     for (unsigned int side = 0; side < 2; ++side)
     {
       SolidFace &face = faces_[side];
-      face.update_areas(moves_ ? q : none);
+      (face.areas().*take)(face.areas_at(moves_ ? q : none));
       if (!at_nodes())
-        point_areas_[side] = areas_of_points(moves_ ? q : none, static_cast<Side>(side));
+        (point_areas_[side].*take)(areas_of_points(moves_ ? q : none, static_cast<Side>(side)));
     }
+    take_flow_stress(take);
 
     const SolidSpace &space = body_.space();
     smallest_thickness_ = std::numeric_limits<double>::infinity();
@@ -185,7 +215,7 @@ namespace deltaform
 
   double SolidSurface::point_area(const Side side, const unsigned int point) const
   {
-    return point_areas_[static_cast<unsigned int>(side)][point];
+    return point_areas_[static_cast<unsigned int>(side)].values()[point];
   }
 
 

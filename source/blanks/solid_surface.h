@@ -35,8 +35,17 @@ namespace deltaform
       return left_open_;
     }
 
-    /// Areas and thickness of the accepted state.
+    /// Areas and thickness of a state that no increment led to.
     void update(const Vector &q);
+
+    /// Of an increment that was accepted.
+    void accept(const Vector &q);
+
+    /// See Blank::begin_increment().
+    void begin_increment(double ratio);
+
+    /// A saved state was taken.
+    void renew();
 
     unsigned int n_contact_dofs() const override;
     unsigned int n_nodes() const override;
@@ -75,25 +84,33 @@ namespace deltaform
     template <typename Surface, typename Action>
     static void each_array(Surface &surface, const Action &action)
     {
-      action("area of nodes, bottom", surface.faces_[0].areas());
-      action("area of nodes, top", surface.faces_[1].areas());
+      for (unsigned int side = 0; side < 2; ++side)
+        ForeseenValues::each_array(surface.faces_[side].areas(), names_of_nodes[side], action);
       action("smallest thickness", surface.smallest_thickness_);
       if (!surface.at_nodes())
-      {
-        action("area of contact points, bottom", surface.point_areas_[0]);
-        action("area of contact points, top", surface.point_areas_[1]);
-      }
+        for (unsigned int side = 0; side < 2; ++side)
+          ForeseenValues::each_array(surface.point_areas_[side], names_of_points[side], action);
+      each_flow_stress(surface, action);
     }
 
-    /// The earlier operation of this state may have touched elsewhere: the areas of its contact points are left to
-    /// update().
-    static void leave_points_open(KeyedArrays &state)
+    /// The earlier operation of this state may have touched elsewhere, with another friction: what belongs to contact
+    /// points is left to update().
+    void leave_open(KeyedArrays &state) const
     {
-      for (const char *const name : {"area of contact points, bottom", "area of contact points, top"})
-        state.put(name, std::vector<double>());
+      if (!at_nodes())
+        for (const auto *const name : names_of_points)
+          ForeseenValues::each_array(ForeseenValues(), name, PutInto(state));
+      each_flow_stress(*this, PutInto(state));
     }
 
   private:
+    /// Measure areas at @p q, take them as @p take says, and measure the thickness.
+    void measure(const Vector &q, void (ForeseenValues::*take)(std::vector<double>));
+
+    static constexpr std::array<const char *, 2> names_of_nodes{{"area of nodes, bottom", "area of nodes, top"}};
+    static constexpr std::array<const char *, 2> names_of_points{
+      {"area of contact points, bottom", "area of contact points, top"}};
+
     std::vector<double> nodal_flow_stress(Side side) const override;
     unsigned int n_contact_nodes(Side side) const override;
     void nodal_point(const Vector &q, Side side, unsigned int node, ContactThickness thickness, ContactPoint &result)
@@ -106,7 +123,7 @@ namespace deltaform
     bool left_open_ = false;
     std::array<std::vector<std::string>, 2> parts_; ///< of the boundary: bottom, top
     std::array<SolidFace, 2> faces_;
-    std::array<std::vector<double>, 2> point_areas_; ///< of the contact points inside edges, accepted
+    std::array<ForeseenValues, 2> point_areas_; ///< of the contact points inside edges
     double shortest_edge_ = 0;
     double smallest_thickness_ = 0;
   };

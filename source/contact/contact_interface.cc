@@ -68,8 +68,6 @@ namespace deltaform
     trial_ = committed_;
     trial_.time = time;
     factors_.begin_increment(time, committed_);
-    if (friction_)
-      friction_->begin_increment();
     const double delta = allowed_penetration(settings_, *this, time);
     projector_.find_flat(committed_.points, delta);
     for (auto &state : trial_.points)

@@ -7,13 +7,6 @@
 
 namespace deltaform
 {
-  void InterfaceFriction::begin_increment()
-  {
-    if (law_->needs_flow_stress())
-      flow_stress_ = projector_.surface().flow_stress(projector_.side());
-  }
-
-
   void
   InterfaceFriction::start_slip(const unsigned int i, const ContactPointState &before, ContactPointState &now) const
   {
@@ -33,8 +26,8 @@ namespace deltaform
     result.stiffness = now.tangential_factor;
     result.area = now.area;
     result.slip = before.slip;
-    if (!flow_stress_.empty())
-      result.flow_stress = flow_stress_[i];
+    if (law_->needs_flow_stress())
+      result.flow_stress = projector_.surface().flow_stress(projector_.side(), i);
     return result;
   }
 

@@ -152,6 +152,8 @@ namespace deltaform
       const Tool &tool = *actors.tools.back();
       actors.interfaces.push_back(std::make_unique<ContactInterface>(
         actors.blank->surface(), tool, make_counterpart(tool), *actors.contact, own));
+      if (const FrictionLaw *law = actors.interfaces.back()->friction(); law != nullptr && law->needs_flow_stress())
+        actors.blank->follow_flow_stress(tool.side());
     }
   }
 } // namespace deltaform

@@ -30,7 +30,7 @@ namespace deltaform
       stage.first_increment =
         own.number("First increment", length / 100, Range::positive(), "time", "Size of the first increment.");
       stage.largest_increment =
-        own.number("Largest increment", length / 50, Range::positive(), "time", "Largest increment.");
+        own.number("Largest increment", 0.015 * length, Range::positive(), "time", "Largest increment.");
       stage.smallest_increment = own.number("Smallest increment",
                                             1e-7 * length,
                                             Range::positive(),

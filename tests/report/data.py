@@ -120,7 +120,7 @@ class Data(unittest.TestCase):
 
     def test_cuts_have_their_causes(self):
         folder = os.path.join(WORK, "cut")
-        subprocess.run([PROGRAM, SCENE, "--quiet", "--output", folder, "--set", "Solver/Maximal iterations=6", "--set", "Output/Pictures=0"],
+        subprocess.run([PROGRAM, SCENE, "--quiet", "--output", folder, "--set", "Solver/Maximal iterations=5", "--set", "Output/Pictures=0"],
                        capture_output=True)
         one = report(folder)[2][0]
         self.assertGreater(len(one["cuts"]), 0)

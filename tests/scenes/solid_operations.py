@@ -72,13 +72,19 @@ def second(first):
     return f"set Start from = {first}\n" + scene("1.9+t", "press", press=1)
 
 
+def force_at(rows, time):
+    """On the line between the increments before and after @p time."""
+    after = next(k for k, row in enumerate(rows) if float(row["time"]) >= time)
+    (t0, f0), (t1, f1) = [(float(row["time"]), float(row["die_force_z"])) for row in (rows[max(after - 1, 0)], rows[after])]
+    return f1 if t1 == time else f0 + (f1 - f0) * (time - t0) / (t1 - t0)
+
+
 class Pressed:
     """What the second operation says: force, dissipation before (its share of the work is known), criterion."""
 
     def __init__(self, folder):
         rows = history(folder, "press")
-        self.forces = [float(min(rows, key=lambda row: abs(float(row["time"]) - float(rows[-1]["time"]) + rest))["die_force_z"])
-                       for rest in (.8, 0)]
+        self.forces = [force_at(rows, float(rows[-1]["time"]) - rest) for rest in (.8, 0)]
         self.stored = float(rows[0]["elastic_energy"])
         self.damage = float(rows[0]["cockcroft_latham"])
         with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:

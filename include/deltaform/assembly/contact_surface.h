@@ -29,9 +29,9 @@ namespace deltaform
     /// Young's modulus of the body behind the surface (stress).
     virtual double modulus() const = 0;
 
-    /// Accepted flow stress of the material at every contact point of one side (stress); infinite where it is elastic.
-    /// To be asked by all processes together.
-    virtual std::vector<double> flow_stress(Side side) const = 0;
+    /// Flow stress of the material at a contact point (stress), in an increment the one foreseen for its end; infinite
+    /// where it is elastic. Known once Blank::follow_flow_stress() has asked for it.
+    virtual double flow_stress(Side side, unsigned int point) const = 0;
 
     /// Describe contact point @p point of one side at @p q.
     virtual void contact_point(const Vector &q,

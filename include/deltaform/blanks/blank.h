@@ -145,6 +145,12 @@ namespace deltaform
     {
     }
 
+    /// Friction depends on the flow stress of this face: from here on it is followed. To be said by all processes
+    /// together, once contact points are where they stay.
+    virtual void follow_flow_stress(Side /*side*/)
+    {
+    }
+
     /// Has touch_inside() been refused only because several processes share the blank?
     virtual bool shared_at_nodes() const
     {

@@ -7,7 +7,6 @@
 
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace deltaform
 {
@@ -24,8 +23,6 @@ namespace deltaform
     {
       return *law_;
     }
-
-    void begin_increment();
 
     /// Largest |t| of point @p i at the normal force @p normal_force.
     double limit(unsigned int i,
@@ -72,6 +69,5 @@ namespace deltaform
 
     std::unique_ptr<FrictionLaw> law_;
     const ContactProjector &projector_;
-    std::vector<double> flow_stress_; ///< accepted, of the blank's surface; empty if the law does not ask
   };
 } // namespace deltaform
