@@ -75,6 +75,8 @@ namespace deltaform
       state.delta = delta;
       state.multiplier = state.touching ? state.force : 0.;
     }
+    if (friction_)
+      friction_->begin_increment(trial_.points);
   }
 
 

@@ -10,8 +10,9 @@ namespace deltaform
   ContactIteration::ContactIteration(const NormalLaw &law,
                                      ContactProjector &projector,
                                      const FactorControl &factors,
-                                     const InterfaceFriction *friction)
-    : law_(law), projector_(projector), factors_(factors), points_(law, projector, factors, friction), clear_(projector)
+                                     InterfaceFriction *friction)
+    : law_(law), projector_(projector), factors_(factors), friction_(friction),
+      points_(law, projector, factors, friction), clear_(projector)
   {
   }
 
@@ -20,6 +21,8 @@ namespace deltaform
   {
     points_.resize(n_points);
     group_ = projector_.group();
+    if (friction_ != nullptr)
+      friction_->resize(n_points);
     every_point_ = law_.has_multiplier() || group_ < 3;
     edges_.assign(group_ > 1 ? n_points / group_ : 0, Edge());
   }
@@ -99,6 +102,13 @@ namespace deltaform
     Edge &edge = edges_[e];
     edge.rows.begin(tangent);
     edge.touching = 0;
+    // The mean pressure asks for the areas of all points.
+    if (friction_ != nullptr && friction_->shares())
+    {
+      if (!points_.in_place())
+        for_points(e, [&](const unsigned int i) { points_.describe(i, q, shift, trial[i]); });
+      friction_->look_at(e, trial, stride(e));
+    }
     for_points(e, [&](const unsigned int i) {
       points_.assemble(i, q, shift, committed, trial, edge.rows);
       if (trial[i].touching)

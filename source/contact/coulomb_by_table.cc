@@ -91,6 +91,11 @@ namespace deltaform
         return {share * mu.value * input.normal_force, share * (mu.value + mu.slope * pressure)};
       }
 
+      bool depends_on_pressure() const override
+      {
+        return true;
+      }
+
       bool acts() const override
       {
         const auto positive = [](const std::vector<double> &row) { return row[1] > 0.; };

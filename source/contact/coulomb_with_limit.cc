@@ -41,6 +41,11 @@ namespace deltaform
         return coefficient_ > 0.;
       }
 
+      bool depends_on_pressure() const override
+      {
+        return true;
+      }
+
       bool needs_flow_stress() const override
       {
         return true;

@@ -9,10 +9,11 @@ namespace deltaform
   {
     const double trial = input.committed + input.stiffness * input.slip_increment;
     const FrictionLimit bound = limit(input);
-    if (std::abs(trial) <= bound.value)
+    const double value = input.share * bound.value;
+    if (std::abs(trial) <= value)
       return {trial, input.stiffness, 0., true};
     const double sign = trial > 0 ? 1. : -1.;
-    return {sign * bound.value, 0., sign * bound.rate, false};
+    return {sign * value, 0., sign * bound.rate, false};
   }
 
 

@@ -7,6 +7,36 @@
 
 namespace deltaform
 {
+  void InterfaceFriction::resize(const unsigned int n_points)
+  {
+    if (projector_.group() > 1 && law_->depends_on_pressure())
+      mean_pressure_.assign(n_points / projector_.group(), 0.);
+  }
+
+
+  void InterfaceFriction::begin_increment(const std::vector<ContactPointState> &points)
+  {
+    for (unsigned int e = 0; e < mean_pressure_.size(); ++e)
+      look_at(e, points, 1);
+  }
+
+
+  void InterfaceFriction::look_at(const unsigned int e,
+                                  const std::vector<ContactPointState> &points,
+                                  const unsigned int stride)
+  {
+    const unsigned int group = projector_.group();
+    double force = 0., area = 0.;
+    for (unsigned int i = e * group; i < (e + 1) * group; i += stride)
+      if (points[i].multiplier > 0.)
+      {
+        force += points[i].multiplier;
+        area += points[i].area;
+      }
+    mean_pressure_[e] = area > 0. ? force / area : 0.;
+  }
+
+
   void
   InterfaceFriction::start_slip(const unsigned int i, const ContactPointState &before, ContactPointState &now) const
   {
@@ -26,6 +56,12 @@ namespace deltaform
     result.stiffness = now.tangential_factor;
     result.area = now.area;
     result.slip = before.slip;
+    if (shares())
+      if (const double of_mean = mean_pressure_[i / projector_.group()] * now.area; of_mean > 0.)
+      {
+        result.share = normal_force / of_mean;
+        result.normal_force = of_mean;
+      }
     if (law_->needs_flow_stress())
       result.flow_stress = projector_.surface().flow_stress(projector_.side(), i);
     return result;
@@ -40,11 +76,12 @@ namespace deltaform
                                               const double normal_force) const
   {
     // The limit belongs to the estimate of lambda; what the iterate's force differs from it enters linearly.
-    FrictionInput what = input(i, before, now, std::max(now.multiplier, 0.));
+    const double estimate = std::max(now.multiplier, 0.);
+    FrictionInput what = input(i, before, now, estimate);
     const Curve &profile = projector_.counterpart().profile();
     what.slip_increment = offset_slip(profile, start(before, now), closest.arc_length, offset);
     FrictionResponse result = law_->update(what);
-    result.force += result.force_rate * (normal_force - what.normal_force);
+    result.force += result.force_rate * (normal_force - estimate);
     return result;
   }
 

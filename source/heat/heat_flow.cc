@@ -49,6 +49,23 @@ namespace deltaform
   }
 
 
+  namespace
+  {
+    /// Over what touches of the points from @p first to before @p end (stress).
+    double mean_pressure(const std::vector<ContactPointState> &points, const unsigned int first, const unsigned int end)
+    {
+      double force = 0., area = 0.;
+      for (unsigned int i = first; i < end; ++i)
+        if (points[i].touching)
+        {
+          force += points[i].force;
+          area += points[i].area;
+        }
+      return area > 0. ? force / area : 0.;
+    }
+  } // namespace
+
+
   HeatFlow::HeatFlow(Blank &blank)
     : blank_(blank), conducting_(*blank.conducting()), rise_(blank.n_dofs())
   {
@@ -72,15 +89,20 @@ namespace deltaform
     {
       const ToolHeat &tool = tools_.at(&interface->tool());
       const auto half_space = half_spaces_.find(&interface->tool());
+      const unsigned int group = interface->projector().group();
+      double pressure = 0.;
       for (unsigned int i = 0; i < interface->n_points(); ++i)
       {
+        // Which of the points of an edge carry its force is nearly arbitrary.
+        if (i % group == 0)
+          pressure = mean_pressure(interface->committed(), i, i + group);
         // A point that has let go may have slipped before.
         const ContactPointState &state = interface->committed()[i];
         const double friction = interface->account().friction_work()[i];
         if (!state.touching && friction == 0.)
           continue;
         const ContactPoint point = interface->point(q, i);
-        double conductance = state.touching && point.area > 0. ? tool.conductance(state.force / point.area) : 0.;
+        double conductance = state.touching ? tool.conductance(pressure) : 0.;
         double outside = tool.rise();
         if (half_space != half_spaces_.end() && point.area > 0. && duration > 0.)
         {

@@ -24,7 +24,7 @@ namespace deltaform
     ContactIteration(const NormalLaw &law,
                      ContactProjector &projector,
                      const FactorControl &factors,
-                     const InterfaceFriction *friction);
+                     InterfaceFriction *friction);
 
     void resize(unsigned int n_points);
 
@@ -148,6 +148,7 @@ namespace deltaform
     const NormalLaw &law_;
     ContactProjector &projector_;
     const FactorControl &factors_;
+    InterfaceFriction *friction_; ///< null: none
     PointIteration points_;
     unsigned int group_ = 1; ///< points of an edge; a node is alone
     bool every_point_ = true; ///< is every one asked? An unknown of its own asks for its equation

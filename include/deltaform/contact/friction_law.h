@@ -21,7 +21,8 @@ namespace deltaform
   /// constants of the tangent.
   struct FrictionInput
   {
-    double normal_force = 0; ///< lambda (force)
+    double normal_force = 0; ///< lambda (force), that of the mean pressure where others share an edge with the point
+    double share = 1; ///< of the limit, where they do: what the point itself has of lambda
     double committed = 0; ///< t at the last accepted increment (force)
     double slip_increment = 0; ///< change of the closest point's arc length since then
     double stiffness = 0; ///< eps_t > 0 (force/length)
@@ -47,6 +48,7 @@ namespace deltaform
   public:
     virtual ~FrictionLaw() = default;
 
+    /// For a share of one.
     virtual FrictionLimit limit(const FrictionInput &input) const = 0;
 
     /// Return mapping of the trial force t_n + eps_t ds to the limit (Giannakopoulos, Comput. Struct. 32 (1989) 157).
@@ -54,6 +56,12 @@ namespace deltaform
 
     /// Can the law, with its coefficients, exert a force at all?
     virtual bool acts() const = 0;
+
+    /// Is the limit no multiple of lambda? The points of an edge then have to share it.
+    virtual bool depends_on_pressure() const
+    {
+      return false;
+    }
 
     /// Does it want FrictionInput::flow_stress?
     virtual bool needs_flow_stress() const

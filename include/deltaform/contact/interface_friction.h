@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace deltaform
 {
@@ -24,13 +25,34 @@ namespace deltaform
       return *law_;
     }
 
+    /// @name Mean pressure of edges that hold several points
+    /// Which of them carry the force of the edge is nearly arbitrary, and a law that is not linear in lambda would see
+    /// it: the points share the limit of their mean pressure (doc/theory/friction.md).
+    ///@{
+    /// There are so many contact points.
+    void resize(unsigned int n_points);
+
+    /// An increment begins with the accepted forces.
+    void begin_increment(const std::vector<ContactPointState> &points);
+
+    /// Is the mean pressure of interest?
+    bool shares() const
+    {
+      return !mean_pressure_.empty();
+    }
+
+    /// The estimates of lambda of edge @p e are others. @p stride: from each point that counts to the next one
+    void look_at(unsigned int e, const std::vector<ContactPointState> &points, unsigned int stride);
+    ///@}
+
     /// Largest |t| of point @p i at the normal force @p normal_force.
     double limit(unsigned int i,
                  const ContactPointState &before,
                  const ContactPointState &now,
                  const double normal_force) const
     {
-      return law_->limit(input(i, before, now, normal_force)).value;
+      const FrictionInput what = input(i, before, now, normal_force);
+      return what.share * law_->limit(what).value;
     }
 
     /// First touch of point @p i within an increment: its slip starts where it was when the increment began.
@@ -69,5 +91,6 @@ namespace deltaform
 
     std::unique_ptr<FrictionLaw> law_;
     const ContactProjector &projector_;
+    std::vector<double> mean_pressure_; ///< edge by edge; empty: of no interest
   };
 } // namespace deltaform
