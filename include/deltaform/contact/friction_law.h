@@ -17,7 +17,7 @@ namespace deltaform
     bool sticking = true;
   };
 
-  /// What a law may know of a contact point. Area, path and flow stress are those of the last accepted increment:
+  /// What a law may know of a contact point. Area and flow stress are foreseen, the path is that of the last increment:
   /// constants of the tangent.
   struct FrictionInput
   {
