@@ -18,7 +18,7 @@ import draw_shop
 from stress import MeasuredTable, csv_rows, run_limited, warnings_of, wrong_results
 from study import options, results_of
 
-LARGEST = .02  # default of Largest increment, of a stage
+LARGEST = .015  # default of Largest increment, of a stage
 
 
 def elements(factor):
