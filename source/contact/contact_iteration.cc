@@ -72,7 +72,10 @@ namespace deltaform
     projector_.counterpart().add_load(q, time, target);
     if (edges_.empty())
       for (unsigned int i = 0; i < trial.size(); ++i)
-        points_.assemble(i, q, shift, committed, trial, target);
+      {
+        points_.press(i, q, shift, committed, trial);
+        points_.add(i, q, committed, trial, target);
+      }
     tool_force_ = points_.take_force();
     for (unsigned int e = 0; e < edges_.size(); ++e)
     {
@@ -102,18 +105,20 @@ namespace deltaform
     Edge &edge = edges_[e];
     edge.rows.begin(tangent);
     edge.touching = 0;
-    // The mean pressure asks for the areas of all points.
-    if (friction_ != nullptr && friction_->shares())
-    {
-      if (!points_.in_place())
-        for_points(e, [&](const unsigned int i) { points_.describe(i, q, shift, trial[i]); });
-      friction_->look_at(e, trial, stride(e));
-    }
     for_points(e, [&](const unsigned int i) {
-      points_.assemble(i, q, shift, committed, trial, edge.rows);
+      points_.press(i, q, shift, committed, trial);
       if (trial[i].touching)
         boost::hash_combine(edge.touching, i);
     });
+    const bool shared = friction_ != nullptr && friction_->shares();
+    if (shared)
+    {
+      friction_->look_at(e, trial, stride(e));
+      points_.begin_edge();
+    }
+    for_points(e, [&](const unsigned int i) { points_.add(i, q, committed, trial, edge.rows); });
+    if (shared)
+      points_.end_edge(edge.rows);
     edge.tool_force = points_.take_force();
     edge.known = true;
   }

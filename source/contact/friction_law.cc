@@ -11,9 +11,12 @@ namespace deltaform
     const FrictionLimit bound = limit(input);
     const double value = input.share * bound.value;
     if (std::abs(trial) <= value)
-      return {trial, input.stiffness, 0., true};
+      return {trial, input.stiffness, 0., 0., true};
     const double sign = trial > 0 ? 1. : -1.;
-    return {sign * value, 0., sign * bound.rate, false};
+    if (!input.coupled)
+      return {sign * value, 0., sign * bound.rate, 0., false};
+    const double mean = bound.value / input.normal_force;
+    return {sign * value, 0., sign * mean, sign * input.share * input.area * (bound.rate - mean), false};
   }
 
 

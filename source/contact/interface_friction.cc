@@ -10,7 +10,7 @@ namespace deltaform
   void InterfaceFriction::resize(const unsigned int n_points)
   {
     if (projector_.group() > 1 && law_->depends_on_pressure())
-      mean_pressure_.assign(n_points / projector_.group(), 0.);
+      mean_pressure_.assign(n_points / projector_.group(), MeanPressure());
   }
 
 
@@ -26,14 +26,7 @@ namespace deltaform
                                   const unsigned int stride)
   {
     const unsigned int group = projector_.group();
-    double force = 0., area = 0.;
-    for (unsigned int i = e * group; i < (e + 1) * group; i += stride)
-      if (points[i].multiplier > 0.)
-      {
-        force += points[i].multiplier;
-        area += points[i].area;
-      }
-    mean_pressure_[e] = area > 0. ? force / area : 0.;
+    mean_pressure_[e] = MeanPressure(points, e * group, (e + 1) * group, stride);
   }
 
 
@@ -57,7 +50,7 @@ namespace deltaform
     result.area = now.area;
     result.slip = before.slip;
     if (shares())
-      if (const double of_mean = mean_pressure_[i / projector_.group()] * now.area; of_mean > 0.)
+      if (const double of_mean = mean_pressure(i).value * now.area; of_mean > 0.)
       {
         result.share = normal_force / of_mean;
         result.normal_force = of_mean;
@@ -73,15 +66,19 @@ namespace deltaform
                                               const ContactPointState &now,
                                               const Projection &closest,
                                               const double offset,
-                                              const double normal_force) const
+                                              const NormalResponse &normal) const
   {
-    // The limit belongs to the estimate of lambda; what the iterate's force differs from it enters linearly.
+    // The limit belongs to the estimates of lambda; what the iterate's forces differ from them enters linearly.
     const double estimate = std::max(now.multiplier, 0.);
     FrictionInput what = input(i, before, now, estimate);
+    // A force that is an unknown has its own column, which those of the other points are not.
+    what.coupled = shares() && mean_pressure(i).area > 0. && normal.derivative < 0.;
     const Curve &profile = projector_.counterpart().profile();
     what.slip_increment = offset_slip(profile, start(before, now), closest.arc_length, offset);
     FrictionResponse result = law_->update(what);
-    result.force += result.force_rate * (normal_force - estimate);
+    result.force += result.force_rate * (normal.force - estimate);
+    if (what.coupled)
+      result.force += result.pressure_rate * mean_pressure(i).excess;
     return result;
   }
 

@@ -48,37 +48,33 @@ namespace deltaform
   }
 
 
-  void PointIteration::assemble(const unsigned int i,
-                                const Vector &q,
-                                const Tensor1 &shift,
-                                const Points &committed,
-                                Points &trial,
-                                AssemblyTarget &target)
+  void PointIteration::press(const unsigned int i,
+                             const Vector &q,
+                             const Tensor1 &shift,
+                             const Points &committed,
+                             Points &trial)
   {
     Work &work = work_[i];
-    const ContactPoint &point = work.point;
     ContactPointState &state = trial[i];
     if (!in_place_)
       describe(i, q, shift, state);
     const bool known = in_place_ && work.is_near;
-    work.is_near = point.area > 0 && (work.foreseen || !law_.is_free_when_clear(state) ||
-                                      !projector_.certainly_clear(i, state.position, point.offset));
+    work.is_near =
+      work.point.area > 0 && (work.foreseen || !law_.is_free_when_clear(state) ||
+                              !projector_.certainly_clear(i, state.position, work.point.offset));
     if (work.is_near)
-      meet(i, known, q, committed, trial, target);
+      meet(i, known, q, committed, trial);
     else
-      leave(i, q, state, target);
+      leave(i, state);
   }
 
 
-  void PointIteration::leave(const unsigned int i, const Vector &q,
-                             ContactPointState &state,
-                             AssemblyTarget &to)
+  void PointIteration::leave(const unsigned int i, ContactPointState &state)
   {
     status_changed_ |= state.touching;
     state.touching = false;
     state.force = state.tangential_force = 0.;
     state.gap = projector_.last_distance(i) - work_[i].point.offset;
-    law_.close(q, first_multiplier_ + i, to);
   }
 
 
@@ -86,8 +82,7 @@ namespace deltaform
                             const bool known,
                             const Vector &q,
                             const Points &committed,
-                            Points &trial,
-                            AssemblyTarget &target)
+                            Points &trial)
   {
     ContactPointState &state = trial[i];
     const ContactPointState &before = committed[i];
@@ -95,45 +90,61 @@ namespace deltaform
     const ContactPoint &point = work.point;
     if (!known)
       work.projection = projector_.project(i, state.position);
-    const Projection &projection = work.projection;
-    state.gap = gap_of(projection, point, state);
-    state.arc_length = projection.arc_length;
+    state.gap = gap_of(work.projection, point, state);
+    state.arc_length = work.projection.arc_length;
     if ((law_.is_concerned(state) || work.foreseen.value_or(false)) && !(state.stiffness > 0))
     {
-      factors_.touch(i, point, projection, committed, trial);
+      factors_.touch(i, point, work.projection, committed, trial);
       if (friction_)
         friction_->start_slip(i, before, state);
     }
     law_.read_unknown(q, first_multiplier_ + i, state);
 
     const bool held = at_start_ && before.touching;
-    const NormalResponse normal =
+    work.normal =
       law_.respond(state,
                    {state.gap, point.compliance, factors_.share(before), work.foreseen, held});
-    state.gap = normal.gap;
-    const FrictionResponse friction =
-      friction_ && normal.touching ? friction_->respond(i, before, state, projection, point.offset, normal.force)
-                                   : FrictionResponse();
-    status_changed_ |= state.touching != normal.touching;
-    state.touching = normal.touching;
-    state.force = normal.force;
-    state.tangential_force = friction.force;
-    state.sticking = friction.sticking;
-    if (normal.touching)
+    state.gap = work.normal.gap;
+    status_changed_ |= state.touching != work.normal.touching;
+    state.touching = work.normal.touching;
+    state.force = work.normal.force;
+    if (work.normal.touching)
       state.compliance = point.compliance;
-    if (law_.acts(normal))
-      add(i, point, projection, normal, friction, state, target);
   }
 
 
   void PointIteration::add(const unsigned int i,
-                           const ContactPoint &point,
-                           const Projection &projection,
-                           const NormalResponse &normal,
+                           const Vector &q,
+                           const Points &committed,
+                           Points &trial,
+                           AssemblyTarget &target)
+  {
+    const Work &work = work_[i];
+    ContactPointState &state = trial[i];
+    if (!work.is_near)
+    {
+      law_.close(q, first_multiplier_ + i, target);
+      return;
+    }
+    const FrictionResponse friction =
+      friction_ && state.touching
+        ? friction_->respond(i, committed[i], state, work.projection, work.point.offset, work.normal)
+        : FrictionResponse();
+    state.tangential_force = friction.force;
+    state.sticking = friction.sticking;
+    if (law_.acts(work.normal))
+      add(i, friction, state, target);
+  }
+
+
+  void PointIteration::add(const unsigned int i,
                            const FrictionResponse &friction,
                            ContactPointState &state,
                            AssemblyTarget &target)
   {
+    const ContactPoint &point = work_[i].point;
+    const Projection &projection = work_[i].projection;
+    const NormalResponse &normal = work_[i].normal;
     const ContactForce force(projection, friction_ ? friction_->transfer(projection, point.offset) : SlipTransfer(),
                              normal, friction);
     if (normal.touching)
@@ -144,7 +155,13 @@ namespace deltaform
     rows.add_force(force.value());
     rows.copy_residual(state.residual);
     if (target.wants_tangent())
+    {
       rows.add_gradient(force.value(), force.gradient(normal.touching ? std::max(state.multiplier, 0.) : 0.));
+      if (friction_ && friction_->shares())
+        pressure_rows_.add(rows, force.by_mean_pressure(),
+                           state.multiplier > 0. ? force.normal_force_by_place() / friction_->mean_pressure(i).area
+                                                 : Tensor1());
+    }
     law_.add_equation(normal, state, point.compliance, force, rows);
     rows.add_to(target, target.wants_tangent());
   }

@@ -42,7 +42,19 @@ namespace deltaform
     /// dF/dlambda of a force that is an unknown of its own.
     Tensor1 by_multiplier() const;
 
-    /// dF/dx (force/length). @param pressing the normal force that turns with the tool's curvature: its estimate
+    /// dF/d mean pressure of the edge (area).
+    Tensor1 by_mean_pressure() const
+    {
+      return -friction_.pressure_rate * slip_.share * projection_.tangent;
+    }
+
+    /// d lambda/dx (force/length).
+    Tensor1 normal_force_by_place() const
+    {
+      return normal_.derivative * projection_.normal;
+    }
+
+    /// dF/dx (force/length), at a constant mean pressure. @param pressing the normal force that turns with the tool's curvature: its estimate
     Tensor2 gradient(double pressing) const;
 
   private:

@@ -13,7 +13,8 @@ namespace deltaform
   {
     double force = 0; ///< t (force)
     double slip_rate = 0; ///< dt/d slip
-    double force_rate = 0; ///< dt/d lambda
+    double force_rate = 0; ///< dt/d lambda, of a point that is coupled at a constant mean pressure
+    double pressure_rate = 0; ///< dt/d mean pressure of the edge (area), of such a point
     bool sticking = true;
   };
 
@@ -22,6 +23,7 @@ namespace deltaform
   struct FrictionInput
   {
     double normal_force = 0; ///< lambda (force), that of the mean pressure where others share an edge with the point
+    bool coupled = false; ///< does the tangent know how they do?
     double share = 1; ///< of the limit, where they do: what the point itself has of lambda
     double committed = 0; ///< t at the last accepted increment (force)
     double slip_increment = 0; ///< change of the closest point's arc length since then

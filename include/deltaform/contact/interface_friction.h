@@ -4,6 +4,7 @@
 #include <deltaform/contact/contact_point_state.h>
 #include <deltaform/contact/contact_projector.h>
 #include <deltaform/contact/friction_law.h>
+#include <deltaform/contact/mean_pressure.h>
 
 #include <memory>
 #include <utility>
@@ -41,8 +42,14 @@ namespace deltaform
       return !mean_pressure_.empty();
     }
 
-    /// The estimates of lambda of edge @p e are others. @p stride: from each point that counts to the next one
+    /// The forces of edge @p e are others. @p stride: from each point that counts to the next one
     void look_at(unsigned int e, const std::vector<ContactPointState> &points, unsigned int stride);
+
+    /// Of the edge of point @p i.
+    const MeanPressure &mean_pressure(const unsigned int i) const
+    {
+      return mean_pressure_[i / projector_.group()];
+    }
     ///@}
 
     /// Largest |t| of point @p i at the normal force @p normal_force.
@@ -59,13 +66,13 @@ namespace deltaform
     void start_slip(unsigned int i, const ContactPointState &before, ContactPointState &now) const;
 
     /// Force of point @p i, whose face is @p offset away from its place, with its closest point @p closest, at
-    /// the normal force @p normal_force.
+    /// the normal force @p normal.
     FrictionResponse respond(unsigned int i,
                              const ContactPointState &before,
                              const ContactPointState &now,
                              const Projection &closest,
                              double offset,
-                             double normal_force) const;
+                             const NormalResponse &normal) const;
 
     /// What the point receives of that force.
     SlipTransfer transfer(const Projection &closest, double offset) const;
@@ -91,6 +98,6 @@ namespace deltaform
 
     std::unique_ptr<FrictionLaw> law_;
     const ContactProjector &projector_;
-    std::vector<double> mean_pressure_; ///< edge by edge; empty: of no interest
+    std::vector<MeanPressure> mean_pressure_; ///< edge by edge; empty: of no interest
   };
 } // namespace deltaform

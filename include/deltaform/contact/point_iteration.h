@@ -5,6 +5,7 @@
 #include <deltaform/contact/factor_control.h>
 #include <deltaform/contact/interface_friction.h>
 #include <deltaform/contact/normal_law.h>
+#include <deltaform/contact/pressure_rows.h>
 
 #include <optional>
 #include <utility>
@@ -107,13 +108,26 @@ namespace deltaform
     /// And put down where it is.
     void describe(unsigned int i, const Vector &q, const Tensor1 &shift, ContactPointState &state);
 
-    /// Residual and tangent.
-    void assemble(unsigned int i,
-                  const Vector &q,
-                  const Tensor1 &shift,
-                  const Points &committed,
-                  Points &trial,
-                  AssemblyTarget &target);
+    /// Residual and tangent: find status and normal force, then add the forces. Friction of points that share an edge
+    /// asks for the normal forces of all of them first.
+    ///@{
+    void press(unsigned int i, const Vector &q, const Tensor1 &shift, const Points &committed, Points &trial);
+    void add(unsigned int i, const Vector &q, const Points &committed, Points &trial, AssemblyTarget &target);
+    ///@}
+
+    /// Points of an edge are added, which shares its friction.
+    ///@{
+    void begin_edge()
+    {
+      pressure_rows_.begin();
+    }
+
+    void end_edge(AssemblyTarget &target) const
+    {
+      if (target.wants_tangent())
+        pressure_rows_.add_to(target);
+    }
+    ///@}
 
     /// Will it change its status in the step @p d?
     bool foresee(unsigned int i, const Vector &d, const ContactPointState &state);
@@ -158,6 +172,7 @@ namespace deltaform
       ContactPoint point; ///< at the last assembly
       Projection projection; ///< the same, of a point that may have contact
       bool is_near = false; ///< it may have contact: it was projected
+      NormalResponse normal; ///< of such a point, at the last assembly
       std::optional<bool> foreseen; ///< will it touch? See ContactInterface::foresee()
       double base_multiplier = 0, step_multiplier = 0; ///< estimates of lambda along a Newton step
     };
@@ -166,24 +181,13 @@ namespace deltaform
     Tensor1 motion(unsigned int i, const Vector &d) const;
 
     /// A point that has no contact, whatever its force was.
-    void leave(unsigned int i, const Vector &q, ContactPointState &state, AssemblyTarget &target);
+    void leave(unsigned int i, ContactPointState &state);
 
     /// A point that may have contact. @p known: its projection is
-    void meet(unsigned int i,
-              bool known,
-              const Vector &q,
-              const Points &committed,
-              Points &trial,
-              AssemblyTarget &target);
+    void meet(unsigned int i, bool known, const Vector &q, const Points &committed, Points &trial);
 
     /// Add the forces of a point.
-    void add(unsigned int i,
-             const ContactPoint &point,
-             const Projection &projection,
-             const NormalResponse &normal,
-             const FrictionResponse &friction,
-             ContactPointState &state,
-             AssemblyTarget &target);
+    void add(unsigned int i, const FrictionResponse &friction, ContactPointState &state, AssemblyTarget &target);
 
     const NormalLaw &law_;
     ContactProjector &projector_;
@@ -195,6 +199,7 @@ namespace deltaform
     bool status_changed_ = false;
     bool in_place_ = false; ///< no step has been made since the last assembly: points are described as it left them
     bool at_start_ = false; ///< no step has been made in this increment: points touch that did in the last one
+    PressureRows pressure_rows_;
     Tensor1 force_;
   };
 } // namespace deltaform

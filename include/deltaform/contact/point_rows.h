@@ -15,6 +15,8 @@ namespace deltaform
   class PointRows
   {
   public:
+    static constexpr unsigned int most = ContactPoint::max_dofs + Counterpart::max_unknowns + 1;
+
     explicit PointRows(const ContactPoint &point);
 
     /// An unknown that moves the counterpart along @p direction under the point.
@@ -42,9 +44,25 @@ namespace deltaform
     /// @p tangent: has the gradient been added?
     void add_to(AssemblyTarget &target, bool tangent) const;
 
-  private:
-    static constexpr unsigned int most = ContactPoint::max_dofs + Counterpart::max_unknowns + 1;
+    /// Unknowns that move the point relative to its counterpart, their numbers, and by what they do.
+    ///@{
+    unsigned int n_motion() const
+    {
+      return n_motion_;
+    }
 
+    DofIndex dof(const unsigned int k) const
+    {
+      return dofs_[k];
+    }
+
+    const Tensor1 &jacobian(const unsigned int k) const
+    {
+      return jacobian_[k];
+    }
+    ///@}
+
+  private:
     const ContactPoint &point_;
     unsigned int n_ = 0, n_motion_ = 0;
     std::array<DofIndex, most> dofs_;
