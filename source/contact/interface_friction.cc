@@ -72,7 +72,7 @@ namespace deltaform
     const double estimate = std::max(now.multiplier, 0.);
     FrictionInput what = input(i, before, now, estimate);
     // A force that is an unknown has its own column, which those of the other points are not.
-    what.coupled = shares() && mean_pressure(i).area > 0. && normal.derivative < 0.;
+    what.coupled = shares() && what.normal_force > 0. && normal.derivative < 0.;
     const Curve &profile = projector_.counterpart().profile();
     what.slip_increment = offset_slip(profile, start(before, now), closest.arc_length, offset);
     FrictionResponse result = law_->update(what);

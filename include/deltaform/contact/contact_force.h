@@ -54,7 +54,8 @@ namespace deltaform
       return normal_.derivative * projection_.normal;
     }
 
-    /// dF/dx (force/length), at a constant mean pressure. @param pressing the normal force that turns with the tool's curvature: its estimate
+    /// dF/dx (force/length) at a constant mean pressure. @param pressing the normal force that turns with the tool's
+    /// curvature: its estimate
     Tensor2 gradient(double pressing) const;
 
   private:
