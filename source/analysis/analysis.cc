@@ -208,6 +208,7 @@ namespace deltaform
       cost_.rejected_iterations += result.cost.iterations;
       ++cost_.cutbacks;
       journal_.detail(cut_back_in_words(*result.rejected, state_.n_increments + 1, next));
+      state_.predictor.passage().distrust();
       if (!control_->reject(next - time()))
         return give_up(*result.rejected);
     }
@@ -226,7 +227,8 @@ namespace deltaform
   {
     const Timers::Remainder rest(timers_, timer_attempt_);
     workspace_.follow_mesh();
-    const IncrementStart start{end, end - time(), settings_.steps.extrapolate, state_.predictor};
+    const IncrementStart start{end, end - time(), settings_.steps.extrapolate, state_.predictor,
+                               model_.blank().chain()};
     IncrementResult result = increment_.attempt(start, effort);
     outcome_.iterations += result.cost.iterations;
     return result;
@@ -237,12 +239,14 @@ namespace deltaform
   {
     const double flow_error = settings_.steps.flow_error > 0. ? actors_.blank->flow_error() : 0.;
     const double length = next - time();
-    state_.predictor.accept(model_.committed(), result.q, length, workspace_.system());
+    state_.predictor.accept(model_.committed(), result.q, length, workspace_.system(),
+                            model_.blank().chain());
     observers_.tell([&](Observer &observer) { observer.solved(model_, workspace_.system(), result.q); });
     workspace_.before_contact({});
     model_.commit(result.q, workspace_);
     ++state_.n_increments;
     control_->accept(result.iterations_of_its_length(), flow_error, result.longest(length), cost_.iterations);
+    control_->shorten(state_.predictor.passage().longest());
     state_.pace.accept(next);
     ++state_.since_refinement;
     const bool refined = refinement_marked();

@@ -59,6 +59,12 @@ namespace deltaform
   }
 
 
+  const ElementChain &Shell::chain() const
+  {
+    return space_.chain();
+  }
+
+
   void Shell::add_couplings(dealii::DynamicSparsityPattern &pattern) const
   {
     space_.add_couplings(pattern);

@@ -34,6 +34,7 @@ namespace deltaform
     Adaptive *adaptive() override;
     const Adaptive *adaptive() const override;
     unsigned int n_dofs() const override;
+    const ElementChain &chain() const override;
     void add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
     std::vector<DofIndex> fixed_dofs() const override;
     double dof_scale(DofIndex dof) const override;

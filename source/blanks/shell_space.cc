@@ -78,6 +78,29 @@ namespace deltaform
         is_rotation_[dofs[i]] = component == 2;
       }
     }
+    link();
+  }
+
+
+  void ShellSpace::link()
+  {
+    const auto &cells = mesh_.cells();
+    chain_.ahead.resize(n_dofs());
+    chain_.behind.resize(n_dofs());
+    chain_.rotations = {dofs_[cells.front().nodes[0]][2]};
+    for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+      // A node between two elements is the first of one and the second of the other.
+      const auto &own = cells[k].nodes, &next = cells[std::min(k + 1, cells.size() - 1)].nodes,
+                 &last = cells[k > 0 ? k - 1 : 0].nodes;
+      for (unsigned int a = 0; a < n_nodes_per_cell(); ++a)
+        for (unsigned int c = 0; c < 3; ++c)
+        {
+          chain_.ahead[dofs_[own[a]][c]] = dofs_[a == 0 ? own[1] : next[a]][c];
+          chain_.behind[dofs_[own[a]][c]] = dofs_[a == 1 ? own[0] : last[a]][c];
+        }
+      chain_.rotations.push_back(dofs_[own[1]][2]);
+    }
   }
 
 

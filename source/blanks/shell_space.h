@@ -4,6 +4,7 @@
 #include "shell_settings.h"
 
 #include <deltaform/assembly/types.h>
+#include <deltaform/blanks/element_chain.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
@@ -78,6 +79,11 @@ namespace deltaform
       return dofs_;
     }
 
+    const ElementChain &chain() const
+    {
+      return chain_;
+    }
+
     bool is_rotation(const DofIndex dof) const
     {
       return is_rotation_[dof];
@@ -126,6 +132,7 @@ namespace deltaform
 
   private:
     void number();
+    void link();
     void set_up_load_quadrature();
 
     unsigned int degree_;
@@ -137,6 +144,7 @@ namespace deltaform
     dealii::DoFHandler<1, 2> dof_handler_;
     std::vector<std::array<DofIndex, 3>> dofs_;
     std::vector<bool> is_rotation_;
+    ElementChain chain_;
     std::vector<LoadPoint> load_quadrature_;
   };
 } // namespace deltaform

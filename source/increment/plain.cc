@@ -13,7 +13,7 @@ namespace deltaform
         problem.begin(start.time, start.ratio());
         Vector q = problem.committed();
         if (start.extrapolate)
-          start.predictor.predict(start.length, q);
+          start.predictor.predict(start.length, q, start.chain);
         return q;
       }
     };

@@ -5,8 +5,13 @@
 
 namespace deltaform
 {
-  void Predictor::accept(const Vector &before, const Vector &now, const double length, const StiffnessView &tangent)
+  void Predictor::accept(const Vector &before,
+                         const Vector &now,
+                         const double length,
+                         const StiffnessView &tangent,
+                         const ElementChain &chain)
   {
+    passage_.accept(before, now, rate_.size() > 0 ? step(length) : Vector(now.size()), length, tangent, chain);
     Vector rate = now;
     rate -= before;
     rate /= length;
@@ -44,11 +49,21 @@ namespace deltaform
   }
 
 
-  void Predictor::predict(const double length, Vector &q) const
+  Vector Predictor::step(const double length) const
   {
-    if (rate_.size() > 0)
-      q.add(length, rate_);
+    Vector result = rate_;
+    result *= length;
     if (change_.size() > 0)
-      q.add(weight() * length * .5 * (length + length_), change_);
+      result.add(weight() * length * .5 * (length + length_), change_);
+    return result;
+  }
+
+
+  void Predictor::predict(const double length, Vector &q, const ElementChain &chain) const
+  {
+    if (rate_.size() == 0)
+      return;
+    const Vector expected = step(length);
+    q += passage_.step(expected, length, chain).value_or(expected);
   }
 } // namespace deltaform

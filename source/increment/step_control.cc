@@ -89,7 +89,13 @@ namespace deltaform
     }
     else
       take_back_cuts();
-    increment_ = std::max(std::min(increment_, safety * longest), smallest_);
+    shorten(safety * longest);
+  }
+
+
+  void StepControl::shorten(const double longest)
+  {
+    increment_ = std::max(std::min(increment_, longest), smallest_);
   }
 
 

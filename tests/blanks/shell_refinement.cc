@@ -3,7 +3,9 @@
 
 #include <deltaform/blanks/refinement.h>
 
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 using namespace deltaform;
 using namespace deltaform::testing;
@@ -117,6 +119,35 @@ BOOST_AUTO_TEST_CASE(new_nodes_lie_on_the_undeformed_meridian)
       }
       // Free of stress: so are the angles of the director.
       BOOST_TEST(residual(*blank, q).norm() < 1e-12);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(elements_follow_each_other)
+{
+  for (const std::string degree : {"1", "2"})
+    BOOST_TEST_CONTEXT("degree " << degree)
+    {
+      const auto blank = make_blank("shell", strip("8", {"Blank/Degree=" + degree}));
+      for (const double h : {.5, .25})
+      {
+        const ElementChain &chain = blank->chain();
+        // Unknowns that know their node: the place of it, and which they are.
+        const Vector x = state(*blank, [](const unsigned int k, const Point2 &X) { return X[0] + 100. * k; });
+        BOOST_TEST_REQUIRE(chain.ahead.size() == blank->n_dofs());
+        BOOST_TEST_REQUIRE(chain.behind.size() == blank->n_dofs());
+        for (DofIndex i = 0; i < blank->n_dofs(); ++i)
+        {
+          const double place = std::fmod(x[i], 100.);
+          BOOST_TEST(std::abs(x[chain.ahead[i]] - x[i] - (place + h < 4. + 1e-9 ? h : 0.)) < 1e-9);
+          BOOST_TEST(std::abs(x[i] - x[chain.behind[i]] - (place - h > -1e-9 ? h : 0.)) < 1e-9);
+        }
+        BOOST_TEST_REQUIRE(chain.rotations.size() == 1 + std::lround(4. / h));
+        for (std::size_t e = 0; e < chain.rotations.size(); ++e)
+          BOOST_TEST(std::abs(x[chain.rotations[e]] - 200. - h * static_cast<double>(e)) < 1e-9);
+        std::vector<unsigned int> all(blank->surface().contact_edges(Side::top).size());
+        std::iota(all.begin(), all.end(), 0U);
+        refined(*blank, Vector(blank->n_dofs()), short_edges(*blank, all));
+      }
     }
 }
 

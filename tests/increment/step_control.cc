@@ -217,6 +217,18 @@ BOOST_AUTO_TEST_CASE(increments_that_are_nearly_too_large_do_not_grow)
   BOOST_TEST(control.increment() == 1e-2);
 }
 
+BOOST_AUTO_TEST_CASE(the_next_increment_is_shortened)
+{
+  const StepSettings what = settings();
+  StepControl control(what, 0., 10., 1., 1e-2, 5., {});
+  control.shorten(2.);
+  BOOST_TEST(control.increment() == 1.);
+  control.shorten(.3);
+  BOOST_TEST(control.increment() == .3);
+  control.shorten(1e-4);
+  BOOST_TEST(control.increment() == 1e-2);
+}
+
 BOOST_AUTO_TEST_CASE(the_first_increment_lies_between_the_limits)
 {
   const StepSettings what = settings();

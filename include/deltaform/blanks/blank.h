@@ -8,6 +8,7 @@
 #include <deltaform/blanks/adaptive.h>
 #include <deltaform/blanks/boundary.h>
 #include <deltaform/blanks/conducting.h>
+#include <deltaform/blanks/element_chain.h>
 #include <deltaform/blanks/fields.h>
 #include <deltaform/blanks/increment_size.h>
 #include <deltaform/io/keyed_arrays.h>
@@ -86,6 +87,12 @@ namespace deltaform
     virtual bool may_be_distributed() const
     {
       return false;
+    }
+
+    /// Of a sheet whose elements pass a tool one after the other; else empty.
+    virtual const ElementChain &chain() const
+    {
+      return ElementChain::none();
     }
 
     /// Enter the couplings between unknowns that the cells of this process make.

@@ -68,6 +68,9 @@ namespace deltaform
                 double longest = std::numeric_limits<double>::infinity(),
                 unsigned int spent = 0);
 
+    /// The next increment is to be no longer than this.
+    void shorten(double longest);
+
     /// The increment failed: a shorter one is next; at the smallest one, some longer ones. @return false if nothing is
     /// left to try
     bool reject(double tried);

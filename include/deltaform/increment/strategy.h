@@ -20,6 +20,7 @@ namespace deltaform
     double length;
     bool extrapolate; ///< may Newton start from where the last increments lead?
     const Predictor &predictor;
+    const ElementChain &chain = ElementChain::none(); ///< of the blank
 
     /// Of its length to that of the last one; 0: there is none that it continues.
     double ratio() const
