@@ -56,8 +56,7 @@ namespace deltaform
     remember_residual();
     if (problem_.active_set() != nullptr)
       problem_.active_set()->keep();
-    while (n_iterations_ < most_iterations_ && viscosity_ < largest_viscosity &&
-           ranks::max(interruption::signal()) == 0)
+    while (may_go_on() && viscosity_ < largest_viscosity && ranks::max(interruption::signal()) == 0)
     {
       viscous_.begin_step(q_, viscosity_ * stiffness);
       if (!solve(is_nearly_at_rest() ? exactly_ : roughly_) || !descends())
@@ -125,6 +124,14 @@ namespace deltaform
     if (problem_.active_set() != nullptr)
       problem_.active_set()->go_back();
     return false;
+  }
+
+
+  bool ViscousMotion::may_go_on()
+  {
+    if (n_iterations_ >= most_iterations_ && is_nearly_at_rest())
+      most_iterations_ += std::exchange(last_way_, 0U);
+    return n_iterations_ < most_iterations_;
   }
 
 

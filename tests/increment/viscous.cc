@@ -4,6 +4,7 @@
 
 #include <deltaform/increment/strategy.h>
 #include <deltaform/increment/viscous_equations.h>
+#include <deltaform/increment/viscous_motion.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -128,6 +129,23 @@ BOOST_AUTO_TEST_CASE(the_nearest_equilibrium_down_the_potential)
     BOOST_TEST(solve(fixture, q, .1).converged());
     BOOST_TEST((start < .9 ? q[0] < .1 : q[0] > 2.), q[0]);
   }
+}
+
+BOOST_AUTO_TEST_CASE(close_to_rest_it_goes_on)
+{
+  const auto with = [](const unsigned int most_iterations) {
+    ArchFixture fixture;
+    fixture.problem.begin(beyond_the_limit, 0.);
+    Vector q = fixture.problem.committed();
+    return ViscousMotion(fixture.problem, fixture.newton, q, most_iterations).run();
+  };
+  const NewtonResult whole = with(1000);
+  BOOST_REQUIRE(whole.converged());
+  BOOST_REQUIRE(whole.iterations > 10);
+  BOOST_TEST(with(whole.iterations - 1).iterations == whole.iterations);
+  BOOST_TEST(with(whole.iterations - 1).converged());
+  // On the way it ends.
+  BOOST_TEST((with(whole.iterations / 3).outcome == Outcome::diverged));
 }
 
 BOOST_AUTO_TEST_CASE(what_nothing_holds_is_said)

@@ -18,7 +18,7 @@ namespace deltaform
   public:
     /// @param newton          for the equations of the problem without the medium
     /// @param q               in: where the blank is; out: the equilibrium, if there is one
-    /// @param most_iterations of all steps
+    /// @param most_iterations of all steps; some more where it is nearly at rest
     ViscousMotion(IncrementProblem &problem, Newton &newton, Vector &q, unsigned int most_iterations);
 
     /// To rest. Diverged: the iterations or the viscosity have come to their end; singular: nothing holds the blank.
@@ -44,6 +44,9 @@ namespace deltaform
     /// Has it moved by more than its size?
     bool is_free() const;
 
+    /// Are there iterations left?
+    bool may_go_on();
+
     /// Do steps have to be exact?
     bool is_nearly_at_rest() const;
 
@@ -64,6 +67,7 @@ namespace deltaform
     Vector trial_;
     Vector residual_; ///< R where the blank is, of unknowns that are not prescribed
     unsigned int most_iterations_;
+    unsigned int last_way_ = 200; ///< further ones, if the blank is nearly at rest when these are used up
 
     ViscousEquations viscous_;
     const NewtonSettings rough_;
