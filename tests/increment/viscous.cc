@@ -133,19 +133,21 @@ BOOST_AUTO_TEST_CASE(the_nearest_equilibrium_down_the_potential)
 
 BOOST_AUTO_TEST_CASE(close_to_rest_it_goes_on)
 {
-  const auto with = [](const unsigned int most_iterations) {
+  const auto from = [](const double start, const unsigned int most_iterations) {
     ArchFixture fixture;
-    fixture.problem.begin(beyond_the_limit, 0.);
+    fixture.problem.q[0] = start;
+    fixture.problem.begin(.1, 0.);
     Vector q = fixture.problem.committed();
     return ViscousMotion(fixture.problem, fixture.newton, q, most_iterations).run();
   };
-  const NewtonResult whole = with(1000);
-  BOOST_REQUIRE(whole.converged());
-  BOOST_REQUIRE(whole.iterations > 10);
-  BOOST_TEST(with(whole.iterations - 1).iterations == whole.iterations);
-  BOOST_TEST(with(whole.iterations - 1).converged());
-  // On the way it ends.
-  BOOST_TEST((with(whole.iterations / 3).outcome == Outcome::diverged));
+  // A start where the forces of the medium are small at once; it takes more than the three iterations of a first step.
+  const NewtonResult close = from(1.8, 1000);
+  BOOST_REQUIRE(close.converged());
+  BOOST_REQUIRE(close.iterations > 5);
+  BOOST_TEST(from(1.8, 3).converged());
+  // Far from rest it ends.
+  BOOST_TEST(from(1.5, 1000).converged());
+  BOOST_TEST((from(1.5, 30).outcome == Outcome::diverged));
 }
 
 BOOST_AUTO_TEST_CASE(what_nothing_holds_is_said)
