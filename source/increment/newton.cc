@@ -2,6 +2,7 @@
 #include <deltaform/increment/newton.h>
 #include <deltaform/increment/set_search.h>
 #include <deltaform/increment/stagnation.h>
+#include <deltaform/increment/step_damping.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,6 +106,7 @@ namespace deltaform
         // 6. Close to equilibrium, with penalty factors that keep the promise.
         if (!correct_early(residual))
           return ended(Outcome::inadmissible);
+        judge_step(residual);
         finish_iteration(residual);
         // 7. Steps that are all but taken back far from equilibrium are given up early.
         if (creeps())
@@ -167,14 +169,18 @@ namespace deltaform
 
     bool is_balanced()
     {
-      const bool late = iteration_ >= settings_.max_iterations;
+      const bool late = iteration_ >= settings_.max_iterations && !last_is_damped_;
       // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
       const double tolerance = late ? settings_.relaxed_tolerance : settings_.force_tolerance;
       const bool fresh = iteration_ == 0 && result_.rounds == 0; // forces of the extrapolated start
       if (fresh || pending_ != 0. || !(residual_ <= tolerance) ||
           (active_set_ != nullptr && !active_set_->consistent(tolerance * magnitude_)))
         return false;
-      const bool moved = last_step_ <= settings_.displacement_tolerance * travelled_ || last_step_ <= 1e-14;
+      // A damped step is no measure of the error.
+      if (last_is_damped_)
+        damping_ = StepDamping();
+      const bool moved =
+        !last_is_damped_ && (last_step_ <= settings_.displacement_tolerance * travelled_ || last_step_ <= 1e-14);
       return moved || residual_ <= 1e-3 * tolerance || late;
     }
 
@@ -213,8 +219,16 @@ namespace deltaform
       return find_direction() && find_active_set();
     }
 
+    /// What the damping adds to the tangent of this iteration.
+    double damping() const
+    {
+      return newton_.damps_ && pending_ == 0. ? damping_.stiffness(residual_, magnitude_) : 0.;
+    }
+
     bool find_direction()
     {
+      if (damping() > 0.)
+        system_.add_to_diagonal(damping(), scale_);
       // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
       return solve(0.) || (assemble() && solve(1e-6));
     }
@@ -225,7 +239,7 @@ namespace deltaform
       const bool first = result_.rounds == 0 && iteration_ < first_iterations;
       searched_ = active_set_ != nullptr && (first || residual_ <= near_equilibrium);
       const SetSearch::Solve how = [this](const double shift) { return solve(shift); };
-      return !searched_ || sets_.run(q_, d_, residual_, magnitude_, how);
+      return !searched_ || sets_.run(q_, d_, {residual_, magnitude_, damping()}, how);
     }
 
     /// d.R over the unknowns that are not prescribed.
@@ -300,6 +314,17 @@ namespace deltaform
       return true;
     }
 
+    void judge_step(const double residual)
+    {
+      if (pending_ != 0.)
+        return;
+      double square = 0.;
+      for (unsigned int i = 0; i < d_.size(); ++i)
+        square += (scale_[i] * d_[i]) * (scale_[i] * d_[i]);
+      last_is_damped_ = damping() > 0.;
+      damping_.judge(residual_, residual, factor_, std::sqrt(square));
+    }
+
     void finish_iteration(const double residual)
     {
       residual_ = residual;
@@ -331,7 +356,9 @@ namespace deltaform
     const Stagnation stagnation_;
     Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
     SetSearch sets_;
+    StepDamping damping_;
     unsigned int iteration_ = 0, n_creeping_ = 0;
+    bool last_is_damped_ = false; ///< the last step
     bool searched_ = false; ///< for a set in this iteration
     double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to
     double pending_ = 0., travelled_ = 0.;

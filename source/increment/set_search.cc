@@ -19,7 +19,7 @@ namespace deltaform
 
 
   SetSearch::SetSearch(Equations &equations,
-                       const System &system,
+                       System &system,
                        const NewtonSettings &settings,
                        const std::vector<double> &scale,
                        const std::vector<bool> &is_prescribed)
@@ -31,8 +31,7 @@ namespace deltaform
 
   bool SetSearch::run(const Vector &q,
                       const Vector &d,
-                      const double residual,
-                      const double magnitude,
+                      const Place &place,
                       const Solve &solve)
   {
     is_guess_ = false;
@@ -45,7 +44,9 @@ namespace deltaform
         active_set.peel(peeled_places);
       if (!equations_.assemble_foreseen(q))
         return true;
-      if (!sets.empty() && solves_linear_equations(d, residual, magnitude))
+      if (place.damping > 0.)
+        system_.add_to_diagonal(place.damping, scale_);
+      if (!sets.empty() && solves_linear_equations(d, place))
         return true;
       // Where the tangent is indefinite (a blank that snaps), two sets may lead to each other. The step is then that
       // of the one that an even number of sets ends with.
@@ -62,14 +63,14 @@ namespace deltaform
   }
 
 
-  bool SetSearch::solves_linear_equations(const Vector &d, const double residual, const double magnitude)
+  bool SetSearch::solves_linear_equations(const Vector &d, const Place &place)
   {
     system_.linear_residual(d, linear_);
     double square = 0.;
     for (unsigned int i = 0; i < scale_.size(); ++i)
       if (!is_prescribed_[i])
         square += (linear_[i] / scale_[i]) * (linear_[i] / scale_[i]);
-    const double enough = std::max(share_of_residual * residual, share_of_tolerance * force_tolerance_);
-    return std::sqrt(square) <= enough * magnitude;
+    const double enough = std::max(share_of_residual * place.residual, share_of_tolerance * force_tolerance_);
+    return std::sqrt(square) <= enough * place.magnitude;
   }
 } // namespace deltaform

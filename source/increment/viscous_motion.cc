@@ -41,7 +41,8 @@ namespace deltaform
   ViscousMotion::ViscousMotion(IncrementProblem &problem, Newton &newton, Vector &q, const unsigned int most_iterations)
     : problem_(problem), newton_(newton), q_(q), trial_(q), most_iterations_(most_iterations),
       viscous_(problem, newton.system(), newton.scale()), rough_(settings_of_rough_steps(newton.settings())),
-      roughly_(newton.for_equations(viscous_, rough_)), exactly_(newton.for_equations(viscous_, newton.settings())),
+      roughly_(newton.for_viscous_equations(viscous_, rough_)),
+      exactly_(newton.for_viscous_equations(viscous_, newton.settings())),
       viscosity_(first_viscosity), next_trial_(first_trial)
   {
   }

@@ -213,6 +213,20 @@ BOOST_AUTO_TEST_CASE(the_line_search_finds_what_full_steps_miss)
   BOOST_TEST(problem.factors[1] < 1.);
 }
 
+BOOST_AUTO_TEST_CASE(steps_that_nothing_resists_are_damped)
+{
+  // Of two large forces in balance, one takes part of a step only: full steps go to and fro farther and farther away.
+  Scalar problem = saturating(0.);
+  problem.internal = [](const double u) { return 1e3 + std::atan(u); };
+  problem.load = 1e3;
+  const NewtonResult result = problem.solve(100.);
+  BOOST_TEST(result.converged(), listed_residuals(result.residuals));
+  BOOST_TEST(std::abs(problem.q[0]) < 2.1e-3); // the tolerance, 1e-6 of 2e3
+  // Undamped steps only grow: the first one already.
+  BOOST_TEST(problem.factors.size() > 2u);
+  BOOST_TEST(problem.visited[1] < -1e4);
+}
+
 BOOST_AUTO_TEST_CASE(forbidden_states_are_avoided)
 {
   Scalar problem = stiffening(10.);

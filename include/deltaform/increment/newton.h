@@ -75,10 +75,13 @@ namespace deltaform
     NewtonResult solve(Vector &q, const Vector &prescribed, const std::vector<bool> &is_prescribed,
                        const Vector &q_committed, double force_floor);
 
-    /// The same method for other equations of the same unknowns. All three have to outlive it.
-    Newton for_equations(Equations &equations, const NewtonSettings &settings) const
+    /// The same method, without StepDamping, for equations of the same unknowns that resist every step. All three have
+    /// to outlive it.
+    Newton for_viscous_equations(Equations &equations, const NewtonSettings &settings) const
     {
-      return {equations, system_, settings, scale_, size_, timers_};
+      Newton newton(equations, system_, settings, scale_, size_, timers_);
+      newton.damps_ = false;
+      return newton;
     }
 
     /// What it solves with.
@@ -112,6 +115,7 @@ namespace deltaform
     NewtonSettings settings_;
     const std::vector<double> &scale_, &size_;
     double smallest_motion_; ///< displacements below are not a scale to measure steps by
+    bool damps_ = true; ///< steps that nothing resists
     Timers &timers_;
     Timers::Index timer_solve_;
   };

@@ -20,19 +20,25 @@ namespace deltaform
 
     /// All but the settings, which are copied, has to outlive it.
     SetSearch(Equations &equations,
-              const System &system,
+              System &system,
               const NewtonSettings &settings,
               const std::vector<double> &scale,
               const std::vector<bool> &is_prescribed);
 
+    /// Of the last assembly: the residual, relative to the magnitude, and what StepDamping adds to the tangent there.
+    struct Place
+    {
+      double residual, magnitude, damping;
+    };
+
     /**
      * @param q         place of the last assembly
      * @param d         the step from there, which @p solve renews
-     * @param residual  at q, relative to @p magnitude
+     * @param place     what is known of q
      * @param solve     how
      * @return false if there is no step for a set that was met
      */
-    bool run(const Vector &q, const Vector &d, double residual, double magnitude, const Solve &solve);
+    bool run(const Vector &q, const Vector &d, const Place &place, const Solve &solve);
 
     /// Has the last search come to no end? The step is then that of a guess.
     bool is_guess() const
@@ -42,10 +48,10 @@ namespace deltaform
 
   private:
     /// Does the step solve the equations as they were assembled last, well enough for an iteration?
-    bool solves_linear_equations(const Vector &d, double residual, double magnitude);
+    bool solves_linear_equations(const Vector &d, const Place &place);
 
     Equations &equations_;
-    const System &system_;
+    System &system_;
     double force_tolerance_;
     const std::vector<double> &scale_;
     const std::vector<bool> &is_prescribed_;

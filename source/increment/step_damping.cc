@@ -1,0 +1,34 @@
+#include <deltaform/increment/step_damping.h>
+
+#include <cmath>
+
+namespace deltaform
+{
+  namespace
+  {
+    // doc/decisions/README.md, "Steps along what nothing resists"
+    constexpr double near_equilibrium = 1e-3; ///< relative residual
+    constexpr double cut = .5; ///< share of a step that is taken
+    constexpr unsigned int in_a_row = 2; ///< one may be where metal begins or ceases to flow
+    constexpr double growth = 4.; ///< of the radius after a step that is not cut
+    constexpr double large = 1e3; ///< against such a step: the radius says nothing any more
+  } // namespace
+
+
+  double StepDamping::stiffness(const double residual, const double magnitude) const
+  {
+    return residual <= near_equilibrium ? residual * magnitude / radius_ : 0.;
+  }
+
+
+  void StepDamping::judge(const double residual, const double next, const double factor, const double length)
+  {
+    if (residual > near_equilibrium)
+      return;
+    n_cut_ = factor < cut ? n_cut_ + 1 : 0;
+    if (n_cut_ >= in_a_row)
+      radius_ = factor * length;
+    else if (n_cut_ == 0 && next < residual && std::isfinite(radius_))
+      radius_ = growth * radius_ > large * length ? std::numeric_limits<double>::infinity() : growth * radius_;
+  }
+} // namespace deltaform
