@@ -126,8 +126,29 @@ namespace deltaform
       nodal_point(q, side, point, thickness, result);
       return;
     }
-    const unsigned int n = inner_.size();
-    contact_place(q, side, point / n, rule(side, point / n).point(point % n)[0], thickness, result);
+    contact_place(q, side, point / inner_.size(), place_in_edge(side, point), thickness, result);
+    set_share(side, point, result);
+  }
+
+
+  void BlankSurface::locate_point(const Vector &q,
+                                  const Side side,
+                                  const unsigned int point,
+                                  const ContactThickness thickness,
+                                  ContactPoint &result) const
+  {
+    if (at_nodes())
+    {
+      nodal_point(q, side, point, thickness, result);
+      return;
+    }
+    locate_place(q, side, point / inner_.size(), place_in_edge(side, point), thickness, result);
+    set_share(side, point, result);
+  }
+
+
+  void BlankSurface::set_share(const Side side, const unsigned int point, ContactPoint &result) const
+  {
     result.area = point_area(side, point);
     result.compliance = result.offset > 0. ? result.offset / (modulus() * result.area) : 0.;
   }

@@ -37,6 +37,11 @@ namespace deltaform
                        unsigned int point,
                        ContactThickness thickness,
                        ContactPoint &result) const override;
+    void locate_point(const Vector &q,
+                      Side side,
+                      unsigned int point,
+                      ContactThickness thickness,
+                      ContactPoint &result) const override;
     unsigned int points_per_edge() const override;
     std::vector<dealii::Point<1>> points_of_edge(Side side, unsigned int edge) const override;
     double point_weight(Side side, unsigned int point) const override;
@@ -102,6 +107,16 @@ namespace deltaform
                              unsigned int node,
                              ContactThickness thickness,
                              ContactPoint &result) const = 0;
+
+    /// What belongs to a contact point inside an edge, and not to its place.
+    void set_share(Side side, unsigned int point, ContactPoint &result) const;
+
+    /// Where in its edge a contact point lies, from 0 to 1.
+    double place_in_edge(const Side side, const unsigned int point) const
+    {
+      const unsigned int n = inner_.size();
+      return rule(side, point / n).point(point % n)[0];
+    }
 
     /// Accepted, of a contact point inside an edge.
     virtual double point_area(Side side, unsigned int point) const = 0;

@@ -47,12 +47,17 @@ namespace deltaform
     };
 
 
-    Piece old_piece(const FacePoints &old, const Point2 &A, const Point2 &B)
+    /// The one from @p A to @p B. @param first edge to look at: most edges are still there, so that a search which
+    /// begins where the last one ended finds its piece at once.
+    Piece old_piece(const FacePoints &old, const Point2 &A, const Point2 &B, const unsigned int first)
     {
+      // Every other piece is as far as an edge is long.
+      const double found = 1e-6 * A.distance(B);
       Piece best{0, 0., 1.};
       double nearest = std::numeric_limits<double>::infinity();
-      for (unsigned int e = 0; e < old.edges.size(); ++e)
+      for (unsigned int k = 0; k < old.edges.size() && nearest > found; ++k)
       {
+        const unsigned int e = (first + k) % old.edges.size();
         const auto [a, b, m] = old.edges[e];
         const Point2 &start = old.places[a], &end = old.places[b];
         const Point2 half = m == invalid_index ? middle(start, end) : old.places[m];
@@ -117,8 +122,15 @@ namespace deltaform
       /// The edge that ends where @p edge begins, or begins where it ends.
       unsigned int neighbour(const unsigned int edge, const bool before) const
       {
-        for (unsigned int e = 0; e < face_.edges.size(); ++e)
-          if (face_.edges[e][before ? 1 : 0] == face_.edges[edge][before ? 0 : 1])
+        const unsigned int n = face_.edges.size();
+        const auto adjoins = [&](const unsigned int e) {
+          return face_.edges[e][before ? 1 : 0] == face_.edges[edge][before ? 0 : 1];
+        };
+        // Most often the next one; where a face closes, or has parts, another.
+        if (const unsigned int next = before ? edge - 1 : edge + 1; next < n && adjoins(next))
+          return next;
+        for (unsigned int e = 0; e < n; ++e)
+          if (adjoins(e))
             return e;
         return invalid_index;
       }
@@ -140,9 +152,10 @@ namespace deltaform
       return origins_of_nodes(old, now);
     const OldPoints points(old);
     std::vector<PointOrigin> result;
+    Piece piece{0, 0., 1.};
     for (unsigned int e = 0; e < now.edges.size(); ++e)
     {
-      const Piece piece = old_piece(old, now.places[now.edges[e][0]], now.places[now.edges[e][1]]);
+      piece = old_piece(old, now.places[now.edges[e][0]], now.places[now.edges[e][1]], piece.edge);
       for (const double xi : now.inside[e])
         result.push_back(points.at(piece.edge, piece.begin + xi * (piece.end - piece.begin)));
     }

@@ -73,10 +73,28 @@ namespace deltaform
   }
 
 
+  inline ShellMeridian::End ShellMeridian::add_end(const Vector &q,
+                                                   const unsigned int piece,
+                                                   const double xi,
+                                                   const unsigned int end,
+                                                   const unsigned int k,
+                                                   ContactPoint &result) const
+  {
+    const unsigned int node = pieces_[piece].nodes[end];
+    const Tensor1 &t = direction(q, piece, end);
+    const Point2 place = space_.position(q, node);
+    const double weight = by_place(xi, end), arm = by_tangent(xi, end) * length_[piece];
+    const End now{end == 0 ? 1. - xi : xi, weight, arm * t[0], arm * t[1]};
+    result.nodes[k] = {node, now.share};
+    result.x[0] += weight * place[0] + now.along_r;
+    result.x[1] += weight * place[1] + now.along_z;
+    return now;
+  }
+
+
   void
   ShellMeridian::describe(const Vector &q, const unsigned int piece, const double xi, ContactPoint &result) const
   {
-    const Piece &own = pieces_[piece];
     result.n_nodes = 2;
     result.n_dofs = 6;
     result.x = Point2();
@@ -84,18 +102,11 @@ namespace deltaform
     const unsigned int nearest = xi > .5 ? 1 : 0;
     for (unsigned int k = 0; k < 2; ++k)
     {
-      const unsigned int end = k == 0 ? nearest : 1 - nearest, node = own.nodes[end];
-      const double share = end == 0 ? 1. - xi : xi;
-      const Tensor1 &t = direction(q, piece, end);
-      const Point2 place = space_.position(q, node);
-      const double weight = by_place(xi, end), arm = by_tangent(xi, end) * length_[piece];
-      const double along_r = arm * t[0], along_z = arm * t[1];
-      result.nodes[k] = {node, share};
+      const auto [share, weight, along_r, along_z] = add_end(q, piece, xi, k == 0 ? nearest : 1 - nearest, k, result);
+      const unsigned int node = result.nodes[k].node;
       const auto &dofs = space_.dofs()[node];
       for (unsigned int c = 0; c < 3; ++c)
         result.dofs[3 * k + c] = dofs[c];
-      result.x[0] += weight * place[0] + along_r;
-      result.x[1] += weight * place[1] + along_z;
       const auto set = [&](const unsigned int c, const double r, const double z, const double dr, const double dz) {
         result.jacobian[3 * k + c][0] = r;
         result.jacobian[3 * k + c][1] = z;
@@ -108,6 +119,16 @@ namespace deltaform
       result.reference_coordinate += share * space_.mesh().nodes()[node][0];
       result.arc_coordinate += share * space_.mesh().arc_length()[node];
     }
+  }
+
+
+  void ShellMeridian::locate(const Vector &q, const unsigned int piece, const double xi, ContactPoint &result) const
+  {
+    result.n_nodes = 2;
+    result.x = Point2();
+    const unsigned int nearest = xi > .5 ? 1 : 0;
+    add_end(q, piece, xi, nearest, 0, result);
+    add_end(q, piece, xi, 1 - nearest, 1, result);
   }
 
 

@@ -32,6 +32,9 @@ namespace deltaform
     /// Describe the place @p xi (0 to 1) of a piece at @p q: row of unknowns, nodes that carry it, coordinates.
     void describe(const Vector &q, unsigned int piece, double xi, ContactPoint &result) const;
 
+    /// Only its place and the nodes that carry it.
+    void locate(const Vector &q, unsigned int piece, double xi, ContactPoint &result) const;
+
     /// Area per unit of xi at a place of a piece at @p q: of the full circumference, or per unit width.
     double area(const Vector &q, unsigned int piece, double xi) const;
 
@@ -62,6 +65,17 @@ namespace deltaform
       std::array<unsigned int, 2> nodes;
       std::array<double, 2> angle; ///< of the undeformed tangent at its ends
     };
+
+    /// What an end of a piece contributes to a place of it.
+    struct End
+    {
+      double share, weight; ///< linear; of the place of the end
+      double along_r, along_z; ///< by the tangent there
+    };
+
+    /// Add an end to a place of a piece, as the @p k-th node that carries it.
+    End add_end(const Vector &q, unsigned int piece, double xi, unsigned int end, unsigned int k, ContactPoint &result)
+      const;
 
     /// Direction of the tangent at an end of a piece. The points of a piece ask for the same one in turn: it is kept.
     const Tensor1 &direction(const Vector &q, unsigned int piece, unsigned int end) const;

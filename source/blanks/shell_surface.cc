@@ -164,6 +164,24 @@ namespace deltaform
                                    ContactPoint &result) const
   {
     meridian_.describe(q, edge, xi, result);
+    set_thickness(thickness, result);
+  }
+
+
+  void ShellSurface::locate_place(const Vector &q,
+                                  Side,
+                                  const unsigned int edge,
+                                  const double xi,
+                                  const ContactThickness thickness,
+                                  ContactPoint &result) const
+  {
+    meridian_.locate(q, edge, xi, result);
+    set_thickness(thickness, result);
+  }
+
+
+  void ShellSurface::set_thickness(const ContactThickness thickness, ContactPoint &result) const
+  {
     result.offset = .5 * thickness_at(result, thickness);
     result.thickness = thickness_at(result, ContactThickness::current);
     result.recovery = 0.;

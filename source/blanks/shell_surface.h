@@ -42,6 +42,13 @@ namespace deltaform
                        ContactThickness thickness,
                        ContactPoint &result) const override;
 
+    void locate_place(const Vector &q,
+                      Side side,
+                      unsigned int edge,
+                      double xi,
+                      ContactThickness thickness,
+                      ContactPoint &result) const override;
+
     double largest_motion(Side side,
                           unsigned int edge,
                           const std::array<double, ContactPoint::max_dofs> &change) const override;
@@ -105,6 +112,9 @@ namespace deltaform
       const override;
     double point_area(Side side, unsigned int point) const override;
     double area_at(const Vector &q, Side side, unsigned int edge, double xi) const override;
+
+    /// Thickness of the sheet as contact meets it, at the place that @p result is.
+    void set_thickness(ContactThickness thickness, ContactPoint &result) const;
 
     /// Between nodes, as asked for.
     double thickness_at(const ContactPoint &point, ContactThickness thickness) const;

@@ -50,15 +50,20 @@ namespace deltaform
             any_is_free |= points[i].area > 0 && !points[i].touching;
           contact_ends = any_touches && any_is_free;
         }
-        const ContactPoint first = contact.point(q, outermost[0]);
-        const Tensor1 way = first.x - points[outermost[0]].position;
-        offset = first.offset;
+        ContactPoint place;
+        projector.locate(q, outermost[0], place);
+        const Tensor1 way = place.x - points[outermost[0]].position;
+        offset = place.offset;
+        const auto locate = [&](const Vector &at, const unsigned int k) -> const Point2 & {
+          n == 0 ? projector.locate(at, outermost[k], place) : projector.locate(at, e, k, place);
+          return place.x;
+        };
         std::array<Point2, 2> X;
         for (const unsigned int k : {0, 1})
         {
           const unsigned int i = outermost[k];
-          X[k] = n == 0 ? contact.point(undeformed, i).x : projector.place(undeformed, e, k).x;
-          ends[k] = n == 0 ? points[i].position : projector.place(q, e, k).x - way;
+          X[k] = locate(undeformed, k);
+          ends[k] = n == 0 ? points[i].position : locate(q, k) - way;
           closest[k] = projector.look(i, ends[k]);
           touching[k] = points[i].touching;
         }

@@ -130,18 +130,23 @@ namespace deltaform
       return;
     double clearance = std::numeric_limits<double>::infinity();
     for_points(e, [&](const unsigned int i) { clearance = std::min(clearance, points_.clear_way(i, trial[i])); });
+    points_.find_row(e * group_, q);
     clear_.set(e, q, shift, points_.point(e * group_), clearance);
   }
 
 
-  void ContactIteration::describe(const unsigned int first,
-                                  const unsigned int end,
-                                  const Vector &q,
-                                  const Tensor1 &shift,
-                                  Points &trial)
+  void ContactIteration::locate(const unsigned int first,
+                                const unsigned int end,
+                                const Vector &q,
+                                const Tensor1 &shift,
+                                Points &trial) const
   {
+    ContactPoint point;
     for (unsigned int i = first; i < end; ++i)
-      points_.describe(i, q, shift, trial[i]);
+    {
+      projector_.locate(q, i, point);
+      trial[i].set_place(point, shift);
+    }
   }
 
 
@@ -150,9 +155,9 @@ namespace deltaform
     const unsigned int n = group_;
     for (unsigned int e = 0; e < edges_.size(); ++e)
       if (clear_.known(e))
-        describe(e * n, (e + 1) * n, q, shift, trial);
+        locate(e * n, (e + 1) * n, q, shift, trial);
       else if (stride(e) > 1)
-        describe(e * n + 1, (e + 1) * n - 1, q, shift, trial);
+        locate(e * n + 1, (e + 1) * n - 1, q, shift, trial);
   }
 
 
@@ -161,7 +166,7 @@ namespace deltaform
     const unsigned int n = group_;
     for (unsigned int e = 0; e < edges_.size(); ++e)
       if (stride(e) > 1 && edges_[e].touching != 0)
-        describe(e * n + 1, (e + 1) * n - 1, q, shift, trial);
+        locate(e * n + 1, (e + 1) * n - 1, q, shift, trial);
   }
 
 
@@ -178,7 +183,7 @@ namespace deltaform
       for_points(e, [&](const unsigned int i) {
         if (clear_.known(e))
           points_.describe(i, q);
-        own |= points_.foresee(i, d, trial[i]);
+        own |= points_.foresee(i, q, d, trial[i]);
       });
       if (own)
         look_again(e);

@@ -40,6 +40,21 @@ namespace deltaform
   }
 
 
+  void ContactProjector::locate(const Vector &q, const unsigned int i, ContactPoint &point) const
+  {
+    surface_.locate_point(q, side_, i, thickness_, point);
+    flat_.describe(surface_, side_, i, point);
+    release_face(point);
+  }
+
+
+  void ContactProjector::locate(const Vector &q, const unsigned int edge, const double xi, ContactPoint &place) const
+  {
+    surface_.locate_place(q, side_, edge, xi, thickness_, place);
+    release_face(place);
+  }
+
+
   void ContactProjector::release_face(ContactPoint &point) const
   {
     if (gives_way_)

@@ -81,6 +81,12 @@ namespace deltaform
           result_.off_corners = {depth, place};
       }
 
+      const ContactPoint &locate(const unsigned int e, const double xi)
+      {
+        projector_.locate(q_, e, xi, place_);
+        return place_;
+      }
+
       /// Where contact points lie inside the edges: by search.
       void search_between_points(const unsigned int e)
       {
@@ -88,7 +94,7 @@ namespace deltaform
         const auto *const own = &points_[e * n];
         if (std::none_of(own, own + n, [](const ContactPointState &state) { return state.touching; }))
           return;
-        const Point2 start = projector_.place(q_, e, 0.).x, end = projector_.place(q_, e, 1.).x;
+        const Point2 start = locate(e, 0.).x, end = locate(e, 1.).x;
         places_.clear();
         for (const auto &place : projector_.surface().points_of_edge(contact_.tool().side(), e))
           places_.push_back(place[0]);
@@ -103,7 +109,7 @@ namespace deltaform
         };
         const auto look = [&](const Point2 &x) { return projector_.look(e * n, x - shift_); };
         const auto gap = [&](const double xi) {
-          const ContactPoint place = projector_.place(q_, e, xi);
+          const ContactPoint &place = locate(e, xi);
           return look(place.x).distance - place.offset + compression(xi);
         };
         const unsigned int n_samples = 2 * n + 2;
@@ -121,7 +127,7 @@ namespace deltaform
           least = found;
         }
         if (-least > 0.)
-          tell(-least, look(start), look(end), projector_.place(q_, e, best).x);
+          tell(-least, look(start), look(end), locate(e, best).x);
       }
 
       /// Where the nodes are the contact points: edges are chords or parabolas.
@@ -178,6 +184,7 @@ namespace deltaform
       DeepestPlaces result_;
       unsigned int last_node_ = invalid_index; ///< whose projection is
       Projection last_{};
+      ContactPoint place_; ///< located last
       std::vector<double> places_; ///< of the contact points in an edge, from 0 to 1
     };
   } // namespace

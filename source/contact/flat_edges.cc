@@ -41,14 +41,15 @@ namespace deltaform
       /// By how much the deepest point between the ends is deeper than a straight line through them (length).
       double bulge() const
       {
+        const bool straight = on_straight_part();
         const Point2 &start = points_[first_].position;
-        const double length = start.distance(points_[last_].position);
+        const double length = start.distance(points_[last_].position), rise = end_.distance - begin_.distance;
         double result = 0.;
         for (unsigned int i = first_ + 1; i < last_; ++i)
         {
-          const double share = start.distance(points_[i].position) / length;
-          const double straight = (1. - share) * begin_.distance + share * end_.distance;
-          result = std::max(result, straight - look(i).distance);
+          const Tensor1 way = points_[i].position - start;
+          const double own = straight ? way * begin_.normal : look(i).distance - begin_.distance;
+          result = std::max(result, way.norm() / length * rise - own);
         }
         return result;
       }

@@ -41,10 +41,24 @@ namespace deltaform
   }
 
 
-  void PointIteration::describe(const unsigned int i, const Vector &q, const Tensor1 &shift, ContactPointState &state)
+  void PointIteration::describe(const unsigned int i, const Vector &q)
   {
-    describe(i, q);
-    state.set_place(work_[i].point, shift);
+    projector_.describe(q, i, work_[i].point);
+    work_[i].has_row = true;
+  }
+
+
+  void PointIteration::locate(const unsigned int i, const Vector &q)
+  {
+    projector_.locate(q, i, work_[i].point);
+    work_[i].has_row = false;
+  }
+
+
+  void PointIteration::find_row(const unsigned int i, const Vector &q)
+  {
+    if (!work_[i].has_row)
+      describe(i, q);
   }
 
 
@@ -57,15 +71,22 @@ namespace deltaform
     Work &work = work_[i];
     ContactPointState &state = trial[i];
     if (!in_place_)
-      describe(i, q, shift, state);
+    {
+      // What was clear will be clear, most often, and its row is not asked for.
+      work.is_near ? describe(i, q) : locate(i, q);
+      state.set_place(work.point, shift);
+    }
     const bool known = in_place_ && work.is_near;
     work.is_near =
       work.point.area > 0 && (work.foreseen || !law_.is_free_when_clear(state) ||
                               !projector_.certainly_clear(i, state.position, work.point.offset));
-    if (work.is_near)
-      meet(i, known, q, committed, trial);
-    else
+    if (!work.is_near)
+    {
       leave(i, state);
+      return;
+    }
+    find_row(i, q);
+    meet(i, known, q, committed, trial);
   }
 
 
@@ -173,7 +194,7 @@ namespace deltaform
   }
 
 
-  bool PointIteration::foresee(const unsigned int i, const Vector &d, const ContactPointState &state)
+  bool PointIteration::foresee(const unsigned int i, const Vector &q, const Vector &d, const ContactPointState &state)
   {
     Work &work = work_[i];
     if (work.is_near)
@@ -181,7 +202,10 @@ namespace deltaform
       work.foreseen = law_.foresee(state, work.projection.normal * motion(i, d), work.point.compliance);
       return *work.foreseen != state.touching;
     }
-    if (!(state.area > 0 && motion(i, d).norm() > state.gap))
+    if (!(state.area > 0))
+      return false;
+    find_row(i, q);
+    if (!(motion(i, d).norm() > state.gap))
       return false;
     // It was not projected. If it may come to the tool it has to be, and is free until that is known.
     work.foreseen = false;

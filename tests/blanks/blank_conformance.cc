@@ -264,6 +264,14 @@ BOOST_AUTO_TEST_CASE(derivatives_of_contact_points)
           BOOST_TEST(node.offset >= 0.);
           BOOST_TEST(node.thickness > 0.);
           BOOST_TEST(node.area >= 0.);
+          ContactPoint located;
+          blank.surface().locate_point(q, side, i, thickness, located);
+          BOOST_TEST(located.x.distance(node.x) == 0.);
+          BOOST_TEST(located.area == node.area);
+          BOOST_TEST(located.offset == node.offset);
+          BOOST_TEST(located.thickness == node.thickness);
+          BOOST_TEST(located.compliance == node.compliance);
+          BOOST_TEST(located.recovery == node.recovery);
           constexpr double h = 1e-4;
           for (unsigned int j = 0; j < q.size(); ++j)
           {

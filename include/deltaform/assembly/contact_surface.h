@@ -40,6 +40,17 @@ namespace deltaform
                                ContactThickness thickness,
                                ContactPoint &result) const = 0;
 
+    /// Describe where it is: as contact_point(), but the row over the unknowns and the coordinates on the undeformed
+    /// blank are unspecified. It is asked for at every point, touching or not.
+    virtual void locate_point(const Vector &q,
+                              const Side side,
+                              const unsigned int point,
+                              const ContactThickness thickness,
+                              ContactPoint &result) const
+    {
+      contact_point(q, side, point, thickness, result);
+    }
+
     /// Nodes of each edge along the side: its ends, then a middle node (invalid_index: none). Where the nodes are the
     /// contact points, the face between them is interpolated by Lagrange polynomials.
     virtual const std::vector<std::array<unsigned int, 3>> &contact_edges(Side side) const = 0;
@@ -71,6 +82,17 @@ namespace deltaform
                                ContactPoint & /*result*/) const
     {
       Assert(false, dealii::ExcPureFunctionCalled());
+    }
+
+    /// Where it is, in the same way as locate_point().
+    virtual void locate_place(const Vector &q,
+                              const Side side,
+                              const unsigned int edge,
+                              const double xi,
+                              const ContactThickness thickness,
+                              ContactPoint &result) const
+    {
+      contact_place(q, side, edge, xi, thickness, result);
     }
 
     /// Where contact points lie inside the edges: an upper bound of how far any place of an edge moves (length) if the

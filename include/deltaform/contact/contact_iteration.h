@@ -87,7 +87,7 @@ namespace deltaform
     }
     ///@}
 
-    /// The trial state is accepted: describe the points that assembly did not look at.
+    /// The trial state is accepted: locate the points that assembly did not look at.
     void complete(const Vector &q, const Tensor1 &shift, Points &trial);
 
     /// Of flat edges that touch only.
@@ -132,7 +132,7 @@ namespace deltaform
     }
 
     /// Points from @p first to @p end, which no assembly asks.
-    void describe(unsigned int first, unsigned int end, const Vector &q, const Tensor1 &shift, Points &trial);
+    void locate(unsigned int first, unsigned int end, const Vector &q, const Tensor1 &shift, Points &trial) const;
 
     /// Residual and tangent of the points of edge @p e.
     void assemble_edge(unsigned int e,

@@ -62,8 +62,14 @@ namespace deltaform
     /// Point @p i as the counterpart meets it, with its thickness before compression.
     void describe(const Vector &q, unsigned int i, ContactPoint &point) const;
 
+    /// Where it is, with area and thickness, but without its row (ContactSurface::locate_point()).
+    void locate(const Vector &q, unsigned int i, ContactPoint &point) const;
+
     /// A place of an edge, where contact points lie inside the edges, in the same way.
     ContactPoint place(const Vector &q, unsigned int edge, double xi) const;
+
+    /// Where it is, without its row.
+    void locate(const Vector &q, unsigned int edge, double xi, ContactPoint &place) const;
 
     ContactPoint point(const Vector &q, const unsigned int i) const
     {

@@ -100,13 +100,11 @@ namespace deltaform
       return std::exchange(force_, Tensor1());
     }
 
-    void describe(const unsigned int i, const Vector &q)
-    {
-      projector_.describe(q, i, work_[i].point);
-    }
-
-    /// And put down where it is.
-    void describe(unsigned int i, const Vector &q, const Tensor1 &shift, ContactPointState &state);
+    /// At @p q: with its row over the unknowns, or with the row if it has none.
+    ///@{
+    void describe(unsigned int i, const Vector &q);
+    void find_row(unsigned int i, const Vector &q);
+    ///@}
 
     /// Residual and tangent: find status and normal force, then add the forces. Friction of points that share an edge
     /// asks for the normal forces of all of them first.
@@ -129,8 +127,8 @@ namespace deltaform
     }
     ///@}
 
-    /// Will it change its status in the step @p d?
-    bool foresee(unsigned int i, const Vector &d, const ContactPointState &state);
+    /// Will it change its status in the step @p d from @p q?
+    bool foresee(unsigned int i, const Vector &q, const Vector &d, const ContactPointState &state);
 
     /// Does foresee() let a touching point go?
     bool is_released(const unsigned int i, const ContactPointState &state) const
@@ -157,7 +155,7 @@ namespace deltaform
     /// How far it may go from its place at the last assembly and stay without contact. Not positive: nobody knows.
     double clear_way(unsigned int i, const ContactPointState &state) const;
 
-    /// As it was assembled last.
+    /// As it was assembled last; one that was clear may be without its row.
     const ContactPoint &point(const unsigned int i) const
     {
       return work_[i].point;
@@ -170,6 +168,7 @@ namespace deltaform
     struct Work
     {
       ContactPoint point; ///< at the last assembly
+      bool has_row = false; ///< it was described, and not only located
       Projection projection; ///< the same, of a point that may have contact
       bool is_near = false; ///< it may have contact: it was projected
       NormalResponse normal; ///< of such a point, at the last assembly
@@ -179,6 +178,9 @@ namespace deltaform
 
     /// Of a point relative to the counterpart in the step @p d.
     Tensor1 motion(unsigned int i, const Vector &d) const;
+
+    /// Where it is at @p q, without its row.
+    void locate(unsigned int i, const Vector &q);
 
     /// A point that has no contact, whatever its force was.
     void leave(unsigned int i, ContactPointState &state);
