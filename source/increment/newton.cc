@@ -1,5 +1,6 @@
 #include <deltaform/increment/line_search.h>
 #include <deltaform/increment/newton.h>
+#include <deltaform/increment/returns.h>
 #include <deltaform/increment/set_search.h>
 #include <deltaform/increment/stagnation.h>
 #include <deltaform/increment/step_damping.h>
@@ -175,18 +176,20 @@ namespace deltaform
       const bool fresh = iteration_ == 0 && result_.rounds == 0; // forces of the extrapolated start
       if (fresh || pending_ != 0. || !(residual_ <= tolerance) ||
           (active_set_ != nullptr && !active_set_->consistent(tolerance * magnitude_)))
-        return false;
+        return returns_.leave();
       // A damped step is no measure of the error.
       if (last_is_damped_)
         damping_ = StepDamping();
       const bool moved =
         !last_is_damped_ && (last_step_ <= settings_.displacement_tolerance * travelled_ || last_step_ <= 1e-14);
-      return moved || residual_ <= 1e-3 * tolerance || late;
+      return moved || residual_ <= 1e-3 * tolerance || late ||
+             returns_.come(q_, scale_, settings_.displacement_tolerance * travelled_);
     }
 
     bool begin_round()
     {
       iteration_ = 0;
+      returns_ = Returns();
       result_.residuals.clear();
       if (!assemble())
         return false;
@@ -357,9 +360,9 @@ namespace deltaform
     Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
     SetSearch sets_;
     StepDamping damping_;
+    Returns returns_;
     unsigned int iteration_ = 0, n_creeping_ = 0;
-    bool last_is_damped_ = false; ///< the last step
-    bool searched_ = false; ///< for a set in this iteration
+    bool last_is_damped_ = false, searched_ = false; ///< the last step; for a set in this iteration
     double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to
     double pending_ = 0., travelled_ = 0.;
     double factor_ = 1., work_start_ = 0.; ///< of the step that is taken, and of the residual along it at its start

@@ -227,6 +227,20 @@ BOOST_AUTO_TEST_CASE(steps_that_nothing_resists_are_damped)
   BOOST_TEST(problem.visited[1] < -1e4);
 }
 
+BOOST_AUTO_TEST_CASE(a_balanced_state_that_the_solve_comes_back_to_is_its_end)
+{
+  // Balanced at 0 to 1e-7 of the forces, where the slope asks for a step of 200; what is there leads back.
+  const auto force = [](const double u) { return u > -1. ? 2e-4 + 1e-6 * u : u; };
+  Scalar problem([&](const double u) { return 1e3 + force(u); },
+                 [](const double u) { return u > -1. ? 1e-6 : 1.; },
+                 1e3);
+  problem.spring = 0.;
+  const NewtonResult result = problem.solve(-200., {"Line search=false"});
+  BOOST_TEST(result.converged(), listed_residuals(result.residuals));
+  BOOST_TEST(std::abs(problem.q[0]) < 1e-3);
+  BOOST_TEST(result.iterations == 3u); // to 0, away, and to 0 again
+}
+
 BOOST_AUTO_TEST_CASE(forbidden_states_are_avoided)
 {
   Scalar problem = stiffening(10.);
