@@ -5,8 +5,10 @@
 #include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace deltaform
@@ -14,7 +16,8 @@ namespace deltaform
   /**
    * Where the entries of element matrices lie in the array of values of a sparse matrix. Searching them is expensive,
    * so the places of every element that ever came are kept. Elements come in much the same order in every pass: the one
-   * that followed last time is looked at first, any other one is found by its unknowns.
+   * that followed last time is looked at first, then the one before that, as an edge in contact may name the same
+   * unknowns as the element of the blank. Any other one is found by its unknowns.
    */
   class EntryPlaces
   {
@@ -37,9 +40,17 @@ namespace deltaform
     const int *next(const DofIndex *dofs, const unsigned int n, const unsigned int kind, const Find &find)
     {
       const Name name{2 * n + kind, dofs};
-      if (!is(elements_[last_].follower, name))
-        elements_[last_].follower = element(name, find);
-      last_ = elements_[last_].follower;
+      auto &[recent, earlier] = elements_[last_].followers;
+      if (!is(recent, name))
+      {
+        std::swap(recent, earlier);
+        if (!is(recent, name))
+        {
+          const std::size_t found = element(name, find); // may move all elements
+          elements_[last_].followers[0] = found;
+        }
+      }
+      last_ = elements_[last_].followers[0];
       return places_.data() + elements_[last_].place;
     }
 
@@ -65,7 +76,7 @@ namespace deltaform
     {
       unsigned int head;
       std::size_t dof, place; ///< its first ones among those of all elements
-      std::size_t follower = start; ///< the element that came after it last time
+      std::array<std::size_t, 2> followers{{start, start}}; ///< what came after it, last and before
     };
 
     static constexpr std::size_t start = 0; ///< what comes before the first element
