@@ -6,12 +6,15 @@ namespace deltaform
                        const Vector &q,
                        const Tensor1 &shift,
                        const ContactPoint &first,
-                       const double clearance)
+                       const double clearance,
+                       const double offset)
   {
-    Edge &edge = edges_[e];
+    EdgeClearance &edge = edges_[e];
     edge.clearance = clearance;
     if (!(clearance > 0))
       return;
+    edge.edge = e;
+    edge.offset = offset;
     edge.shift = shift;
     edge.n_dofs = first.n_dofs;
     edge.dofs = first.dofs;
@@ -25,11 +28,6 @@ namespace deltaform
   {
     if (!known(e))
       return false;
-    const Edge &edge = edges_[e];
-    std::array<double, ContactPoint::max_dofs> change{};
-    for (unsigned int k = 0; k < edge.n_dofs; ++k)
-      change[k] = q[edge.dofs[k]] - edge.values[k] + (step != nullptr ? (*step)[edge.dofs[k]] : 0.);
-    const double way = projector_.surface().largest_motion(projector_.side(), e, change);
-    return way + (shift - edge.shift).norm() < edge.clearance;
+    return edges_[e].left(projector_.surface(), projector_.side(), q, step, shift) > 0;
   }
 } // namespace deltaform

@@ -52,7 +52,8 @@ namespace deltaform
         }
         ContactPoint place;
         projector.locate(q, outermost[0], place);
-        const Tensor1 way = place.x - points[outermost[0]].position;
+        // That of the tool: points of a far edge are not where they were accepted last.
+        const Tensor1 way = contact.travel(q) * contact.tool().direction();
         offset = place.offset;
         const auto locate = [&](const Vector &at, const unsigned int k) -> const Point2 & {
           n == 0 ? projector.locate(at, outermost[k], place) : projector.locate(at, e, k, place);

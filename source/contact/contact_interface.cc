@@ -18,7 +18,7 @@ namespace deltaform
       return nullptr;
     }
 
-    double allowed_penetration(const ContactSettings &settings, const ContactInterface &interface, const double time)
+    double delta_at(const ContactSettings &settings, const ContactInterface &interface, const double time)
     {
       const TimeFunction *own = interface.tool().allowed_penetration();
       const double asked = own ? (*own)(time) : settings.allowed_penetration(time);
@@ -35,111 +35,83 @@ namespace deltaform
     : settings_(settings), tool_(tool), counterpart_(std::move(counterpart)),
       projector_(surface, tool.side(), *counterpart_, tool_section), friction_(make_friction(tool_section, projector_)),
       factors_(settings, projector_, friction_.get()),
-      iteration_(*settings.normal_law, projector_, factors_, friction_.get()), account_(settings.stores_energy())
+      iteration_(*settings.normal_law, projector_, factors_, friction_.get()), states_(projector_),
+      account_(settings.stores_energy())
   {
     resize();
   }
 
 
-  void ContactInterface::start_multipliers(Vector &q) const
+  void ContactInterface::approach(const Vector &q, const Vector *const step)
   {
-    normal_law().start(committed_.points, multiplier_dof(0), q);
+    if (projector_.far().empty())
+      return;
+    const Tensor1 motion = step == nullptr ? Tensor1() : counterpart_->motion(*step);
+    for (const unsigned int e : states_.approach(q, step, shift(q), motion))
+      iteration_.renew(e);
   }
 
 
-  void ContactInterface::begin_stage(const Vector &q, const double time)
+  void ContactInterface::begin_increment(const Vector &q, const double time)
   {
-    committed_.time = trial_.time = time;
-    committed_.step = 0.;
-    const Tensor1 way = shift(q);
-    for (unsigned int i = 0; i < committed_.points.size(); ++i)
-    {
-      const ContactPoint description = point(q, i);
-      committed_.points[i].position = description.x - way;
-      committed_.points[i].thickness = description.thickness;
-    }
-    projector_.discard_distances();
-  }
-
-
-  void ContactInterface::begin_increment(const double time)
-  {
+    for (const unsigned int e : states_.look_at_near(q, counterpart_->way(q, states_.committed.time)))
+      iteration_.renew(e);
     iteration_.begin_increment();
-    trial_ = committed_;
-    trial_.time = time;
-    factors_.begin_increment(time, committed_);
-    const double delta = allowed_penetration(settings_, *this, time);
-    projector_.find_flat(committed_.points, delta);
-    for (auto &state : trial_.points)
-    {
-      state.delta = delta;
-      state.multiplier = state.touching ? state.force : 0.;
-    }
+    factors_.begin_increment(time, states_.committed);
+    states_.begin_increment(time, delta_at(settings_, *this, time));
     if (friction_)
-      friction_->begin_increment(trial_.points);
-  }
-
-
-  void ContactInterface::assemble(const Vector &q, AssemblyTarget &target)
-  {
-    iteration_.assemble(q, shift(q), trial_.time, committed_.points, trial_.points, target);
+      friction_->begin_increment(states_.trial.points);
   }
 
 
   bool ContactInterface::consistent(const double allowed_tension) const
   {
-    return std::all_of(trial_.points.begin(), trial_.points.end(), [&](const ContactPointState &state) {
-      return normal_law().is_solution(state, allowed_tension, !factors_.softened());
+    bool result = true;
+    projector_.for_near_points([&](const unsigned int i) {
+      result = result && normal_law().is_solution(states_.trial.points[i], allowed_tension, !factors_.softened());
     });
-  }
-
-
-  const double *ContactInterface::set_shifts(const double *next)
-  {
-    for (auto &state : trial_.points)
-      state.shift = *next++;
-    return next;
+    return result;
   }
 
 
   void ContactInterface::commit(const Vector &q)
   {
     account_.begin(n_points());
-    iteration_.complete(q, shift(q), trial_.points);
-    for (unsigned int i = 0; i < trial_.points.size(); ++i)
-    {
-      ContactPointState &state = trial_.points[i];
-      const ContactPointState &before = committed_.points[i];
-      // The trial states are those of the last assembly.
-      Assert(state.position.distance(point(q, i).x - shift(q)) <= 1e-12 * (1. + state.position.norm()),
-             dealii::ExcInternalError());
+    const InterfaceState &committed = states_.committed;
+    InterfaceState &trial = states_.trial;
+    const std::vector<EdgeClearance> far = iteration_.complete(q, shift(q), committed.points, trial.points);
+    projector_.for_near_points([&](const unsigned int i) {
+      ContactPointState &state = trial.points[i];
+      const ContactPointState &before = committed.points[i];
       state.previous_force = before.touching ? before.force : 0.;
       if (!state.touching)
         state.penalty_factor = state.tangential_factor = state.stiffness = state.shift = state.last_penetration = 0.;
       if (!state.touching && !(before.touching && account_.counts()))
-        continue;
+        return;
+      // The trial states are those of the last assembly.
+      Assert(state.position.distance(point(q, i).x - shift(q)) <= 1e-12 * (1. + state.position.norm()),
+             dealii::ExcInternalError());
       const double offset = state.touching ? iteration_.touching_point(i).offset : point(q, i).offset;
       const double slip = friction_ ? friction_->slip_of_increment(i, before, state, offset) : 0.;
       if (friction_ && state.touching && !state.sticking)
         state.slip += std::abs(slip);
       if (!account_.counts())
-        continue;
+        return;
       const Point2 &open = (state.touching ? before : state).position;
       const double open_gap = state.touching != before.touching ? projector_.look(i, open).distance - offset : 0.;
-      account_.add(i, before, state, slip, open_gap, trial_.energy);
+      account_.add(i, before, state, slip, open_gap, trial.energy);
       if (before.touching && state.touching)
-        trial_.energy.thickness += .5 * (before.force + state.force) * (offset - before.offset);
-    }
-    trial_.step = trial_.time - committed_.time;
-    account_.finish(trial_);
-    committed_ = trial_;
+        trial.energy.thickness += .5 * (before.force + state.force) * (offset - before.offset);
+    });
+    trial.step = trial.time - committed.time;
+    account_.finish(projector_, trial);
+    states_.accept(q, shift(q), far);
   }
 
 
   void ContactInterface::resize()
   {
-    committed_.points.assign(n_points(), ContactPointState());
-    trial_.points = committed_.points;
+    states_.resize();
     iteration_.resize(n_points());
     projector_.reset();
   }
@@ -147,26 +119,21 @@ namespace deltaform
 
   void ContactInterface::transfer(const Vector &q, const std::vector<PointOrigin> &origins)
   {
-    const double time = trial_.time;
-    committed_.points = transferred_points(committed_.points, origins, shift(q), q, projector_);
+    const double time = states_.trial.time;
+    states_.look_at_far(q, shift(q));
+    states_.committed.points = transferred_points(states_.committed.points, origins, shift(q), q, projector_);
     iteration_.resize(n_points());
-    account_.renew(committed_);
-    trial_ = committed_;
-    trial_.time = time;
+    account_.renew(projector_, states_.committed);
+    states_.trial = states_.committed;
+    states_.trial.time = time;
   }
 
 
   void ContactInterface::release(const Vector &q, AssemblyTarget &target)
   {
-    release_points(committed_.points, q, projector_, target);
-    trial_.points = committed_.points;
-    InterfaceAccount::release(committed_.energy);
-  }
-
-
-  void ContactInterface::count_no_energy()
-  {
-    account_.stop();
-    committed_.energy = trial_.energy = ContactEnergy();
+    states_.look_at_far(q, shift(q));
+    release_points(states_.committed.points, q, projector_, target);
+    states_.trial.points = states_.committed.points;
+    InterfaceAccount::release(states_.committed.energy);
   }
 } // namespace deltaform

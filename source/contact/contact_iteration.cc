@@ -38,8 +38,18 @@ namespace deltaform
 
   void ContactIteration::discard_rows()
   {
-    for (auto &edge : edges_)
-      edge.known = false;
+    if (!edges_.empty())
+      for (const unsigned int e : projector_.near_edges())
+        edges_[e].known = false;
+  }
+
+
+  void ContactIteration::renew(const unsigned int e)
+  {
+    look_again(e);
+    edges_[e].touching = 0;
+    for (unsigned int i = e * group_; i < (e + 1) * group_; ++i)
+      points_.renew(i);
   }
 
 
@@ -55,7 +65,7 @@ namespace deltaform
   template <typename Action>
   void ContactIteration::for_points(const Action &action) const
   {
-    for (unsigned int e = 0; e * group_ < points_.size(); ++e)
+    for (const unsigned int e : projector_.near_edges())
       if (!clear_.known(e))
         for_points(e, action);
   }
@@ -77,7 +87,9 @@ namespace deltaform
         points_.add(i, q, committed, trial, target);
       }
     tool_force_ = points_.take_force();
-    for (unsigned int e = 0; e < edges_.size(); ++e)
+    if (edges_.empty())
+      return;
+    for (const unsigned int e : projector_.near_edges())
     {
       Edge &edge = edges_[e];
       edge.known &= points_.in_place() && edge.rows.wants_tangent() == target.wants_tangent();
@@ -128,10 +140,13 @@ namespace deltaform
   {
     if (!clear_.used())
       return;
-    double clearance = std::numeric_limits<double>::infinity();
-    for_points(e, [&](const unsigned int i) { clearance = std::min(clearance, points_.clear_way(i, trial[i])); });
+    double clearance = std::numeric_limits<double>::infinity(), offset = 0.;
+    for_points(e, [&](const unsigned int i) {
+      clearance = std::min(clearance, points_.clear_way(i, trial[i]));
+      offset = std::max(offset, points_.point(i).offset);
+    });
     points_.find_row(e * group_, q);
-    clear_.set(e, q, shift, points_.point(e * group_), clearance);
+    clear_.set(e, q, shift, points_.point(e * group_), clearance, offset);
   }
 
 
@@ -150,21 +165,46 @@ namespace deltaform
   }
 
 
-  void ContactIteration::complete(const Vector &q, const Tensor1 &shift, Points &trial)
+  bool
+  ContactIteration::is_far(const unsigned int e, const Vector &q, const Tensor1 &shift, const Points &committed) const
   {
+    const auto first = committed.begin() + e * group_;
+    return projector_.far().is_far(projector_, clear_.of(e), q, shift) &&
+           std::none_of(first, first + group_, [](const ContactPointState &state) { return state.touching; });
+  }
+
+
+  std::vector<EdgeClearance>
+  ContactIteration::complete(const Vector &q, const Tensor1 &shift, const Points &committed, Points &trial)
+  {
+    std::vector<EdgeClearance> far;
     const unsigned int n = group_;
-    for (unsigned int e = 0; e < edges_.size(); ++e)
-      if (clear_.known(e))
+    // A tool that touches nowhere asks all points for the way that it has.
+    if (edges_.empty())
+      return far;
+    const std::vector<unsigned int> &near = projector_.near_edges();
+    const bool touches =
+      std::any_of(near.begin(), near.end(), [&](const unsigned int e) { return edges_[e].touching != 0; });
+    for (const unsigned int e : near)
+      if (!clear_.known(e))
+      {
+        if (stride(e) > 1)
+          locate(e * n + 1, (e + 1) * n - 1, q, shift, trial);
+      }
+      else if (touches && is_far(e, q, shift, committed))
+        far.push_back(clear_.of(e));
+      else
         locate(e * n, (e + 1) * n, q, shift, trial);
-      else if (stride(e) > 1)
-        locate(e * n + 1, (e + 1) * n - 1, q, shift, trial);
+    return far;
   }
 
 
   void ContactIteration::complete_flat(const Vector &q, const Tensor1 &shift, Points &trial)
   {
     const unsigned int n = group_;
-    for (unsigned int e = 0; e < edges_.size(); ++e)
+    if (edges_.empty())
+      return;
+    for (const unsigned int e : projector_.near_edges())
       if (stride(e) > 1 && edges_[e].touching != 0)
         locate(e * n + 1, (e + 1) * n - 1, q, shift, trial);
   }
@@ -175,7 +215,7 @@ namespace deltaform
     bool other = false;
     points_.stay_in_place();
     const Tensor1 end = shift + projector_.counterpart().motion(d);
-    for (unsigned int e = 0; e * group_ < trial.size(); ++e)
+    for (const unsigned int e : projector_.near_edges())
     {
       if (clear_.clear(e, q, &d, end))
         continue;
@@ -225,7 +265,7 @@ namespace deltaform
   unsigned int ContactIteration::correct_early(Points &trial)
   {
     std::vector<unsigned int> touching;
-    for (unsigned int e = 0; e * group_ < trial.size(); ++e)
+    for (const unsigned int e : projector_.near_edges())
       if (edges_.empty() || edges_[e].touching != 0)
         for (unsigned int i = e * group_; i < (e + 1) * group_; ++i)
           if (trial[i].touching)
@@ -246,8 +286,12 @@ namespace deltaform
         boost::hash_combine(result, state.touching);
       return result;
     }
-    for (const auto &edge : edges_)
-      boost::hash_combine(result, edge.touching);
+    for (const unsigned int e : projector_.near_edges())
+      if (edges_[e].touching != 0)
+      {
+        boost::hash_combine(result, e);
+        boost::hash_combine(result, edges_[e].touching);
+      }
     return result;
   }
 } // namespace deltaform

@@ -15,9 +15,10 @@ namespace deltaform
     {
       const unsigned int n = contact.projector().group();
       std::vector<bool> result(points.size() / n);
-      for (unsigned int i = 0; i < points.size(); ++i)
+      contact.projector().for_near_points([&](const unsigned int i) {
         if (points[i].touching)
           result[i / n] = true;
+      });
       const auto &edges = contact.projector().edges();
       if (contact.projector().surface().points_per_edge() == 0)
         return result;
@@ -44,10 +45,14 @@ namespace deltaform
   {
     std::vector<double> force(n_nodes, 0.), area(n_nodes, 0.);
     const std::vector<bool> concerned = groups_at_pressed_nodes(contact, points);
+    const unsigned int n = contact.projector().group();
     for (unsigned int i = 0; i < points.size(); ++i)
     {
-      if (!concerned[i / contact.projector().group()])
+      if (!concerned[i / n])
+      {
+        i += n - 1;
         continue;
+      }
       const ContactPoint point = contact.point(q, i);
       for (unsigned int a = 0; a < point.n_nodes; ++a)
       {
@@ -81,13 +86,12 @@ namespace deltaform
   {
     // A nodal pressure is a mean of those of the points.
     double largest = 0.;
-    for (unsigned int i = 0; i < contact.n_points(); ++i)
-    {
+    contact.projector().for_near_points([&](const unsigned int i) {
       const ContactPointState &before = contact.committed()[i], &now = contact.trial()[i];
       const double first = before.touching ? before.force : 0., last = now.touching ? now.force : 0.;
       if (first != last)
         largest = std::max(largest, std::abs(last - first) / (now.touching ? now.area : before.area));
-    }
+    });
     return largest;
   }
 

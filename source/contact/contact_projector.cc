@@ -100,6 +100,14 @@ namespace deltaform
   }
 
 
+  void ContactProjector::leave(const std::vector<EdgeClearance> &edges)
+  {
+    far_.add(edges);
+    for (const EdgeClearance &edge : edges)
+      flat_.discard(edge.edge);
+  }
+
+
   void ContactProjector::discard_distances()
   {
     for (auto &last : last_)
@@ -114,6 +122,7 @@ namespace deltaform
       renumbered[i].segment = last_[origins[i].first].segment;
     last_ = renumbered;
     flat_.set(flat);
+    look_at_all();
   }
 
 
@@ -121,5 +130,6 @@ namespace deltaform
   {
     last_.assign(n_points(), Last());
     flat_.set({});
+    look_at_all();
   }
 } // namespace deltaform

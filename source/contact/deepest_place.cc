@@ -66,8 +66,12 @@ namespace deltaform
       DeepestPlaces run()
       {
         const bool inside = projector_.surface().points_per_edge() > 0;
-        for (unsigned int e = 0; e < projector_.edges().size(); ++e)
-          inside ? search_between_points(e) : search_between_nodes(projector_.edges()[e]);
+        if (inside)
+          for (const unsigned int e : projector_.near_edges())
+            search_between_points(e);
+        else
+          for (const auto &edge : projector_.edges())
+            search_between_nodes(edge);
         return result_;
       }
 

@@ -21,9 +21,10 @@ namespace deltaform
     step_ = time - committed.time;
     last_step_ = committed.step;
     std::vector<double> factors;
-    for (const auto &state : committed.points)
-      if (state.touching && state.penalty_factor > 0)
+    projector_.for_near_points([&](const unsigned int i) {
+      if (const ContactPointState &state = committed.points[i]; state.touching && state.penalty_factor > 0)
         factors.push_back(state.penalty_factor);
+    });
     median_ = 0.;
     if (factors.empty())
       return;
@@ -44,25 +45,23 @@ namespace deltaform
       blocks_[e].dofs = point.dofs;
       stiffness.block(point.dofs.data(), point.n_dofs, blocks_[e].values.data());
     }
-    for (auto &state : trial)
-      // Touching points set their stiffness anew when factors are predicted; the others at their first touch.
-      state.stiffness = 0.;
+    // Touching points set their stiffness anew when factors are predicted; the others at their first touch.
+    projector_.for_near_points([&](const unsigned int i) { trial[i].stiffness = 0.; });
   }
 
 
   void FactorControl::add_mismatch(const Vector &q, const Tensor1 &shift, const Points &trial, Vector &direction) const
   {
-    for (unsigned int i = 0; i < trial.size(); ++i)
-    {
+    projector_.for_near_points([&](const unsigned int i) {
       const ContactPointState &state = trial[i];
       if (!state.touching)
-        continue;
+        return;
       const ContactPoint point = projector_.point(q, i);
       const Projection projection = projector_.look(i, point.x - shift);
       // C points into the tool
       for (unsigned int k = 0; k < point.n_dofs; ++k)
         direction[point.dofs[k]] -= (point.jacobian[k] * projection.normal) * (state.penetration() - state.delta);
-    }
+    });
   }
 
 
@@ -72,14 +71,13 @@ namespace deltaform
                               const Points &committed,
                               Points &trial) const
   {
-    for (unsigned int i = 0; i < trial.size(); ++i)
-    {
+    projector_.for_near_points([&](const unsigned int i) {
       ContactPointState &state = trial[i];
       if (!state.touching)
       {
         if (!committed[i].touching)
           state.penalty_factor = state.tangential_factor = 0.;
-        continue;
+        return;
       }
       const ContactPoint point = projector_.point(q, i);
       const Projection projection = projector_.look(i, point.x - shift);
@@ -90,7 +88,7 @@ namespace deltaform
         for (unsigned int k = 0; k < point.n_dofs; ++k)
           product -= (point.jacobian[k] * projection.normal) * (*coupling)[point.dofs[k]];
       predict(i, point, projection, product, committed, trial);
-    }
+    });
   }
 
 
@@ -251,8 +249,8 @@ namespace deltaform
       return 0;
     // Augmentation takes the penetration away, and leaves the factor as soft as it is.
     unsigned int changed = 0;
-    for (unsigned int i = 0; i < trial.size(); ++i)
-      changed += correct(i, settings_.stores_energy(), trial);
+    projector_.for_near_points(
+      [&](const unsigned int i) { changed += correct(i, settings_.stores_energy(), trial); });
     return changed;
   }
 

@@ -68,21 +68,28 @@ namespace deltaform
   } // namespace
 
 
-  void FlatEdges::find(const ContactProjector &projector, const Points &points, const double delta)
+  void FlatEdges::find(const ContactProjector &projector,
+                       const std::vector<unsigned int> &edges,
+                       const Points &points,
+                       const double delta)
   {
     if (projector.group() < 3)
       return;
-    flat_.assign(points.size() / projector.group(), false);
-    for (unsigned int e = 0; e < flat_.size(); ++e)
-      if (const Face face(projector, points, e); face.on_straight_part() && !face.touches_inside())
-        flat_[e] = face.bulge() <= flat_enough * delta;
+    flat_.resize(points.size() / projector.group(), false);
+    for (const unsigned int e : edges)
+    {
+      const Face face(projector, points, e);
+      flat_[e] = face.on_straight_part() && !face.touches_inside() && face.bulge() <= flat_enough * delta;
+    }
   }
 
 
   unsigned int FlatEdges::wake(const ContactProjector &projector, const Points &trial)
   {
     unsigned int n_woken = 0;
-    for (unsigned int e = 0; e < flat_.size(); ++e)
+    if (flat_.empty())
+      return n_woken;
+    for (const unsigned int e : projector.near_edges())
       if (flat_[e])
         if (const Face face(projector, trial, e);
             face.ends_touch() && face.bulge() > no_longer * trial[e * projector.group()].delta)

@@ -44,14 +44,14 @@ namespace deltaform
   }
 
 
-  void InterfaceAccount::finish(InterfaceState &accepted)
+  void InterfaceAccount::finish(const ContactProjector &projector, InterfaceState &accepted)
   {
     if (!counts_)
       return;
     // The force has changed by the growth somewhere within the increment; the trapezoidal rule has put it in the
     // middle. Where it was is as good as random: the error is evenly spread between half the growth and its negative.
     accepted.energy.friction_variance += growth_ * growth_ / 12.;
-    accepted.energy.stored = stored(accepted.points);
+    accepted.energy.stored = stored(projector, accepted.points);
   }
 
 
@@ -62,26 +62,25 @@ namespace deltaform
   {
     if (!counts_)
       return;
-    for (unsigned int i = 0; i < accepted.points.size(); ++i)
-    {
+    projector.for_near_points([&](const unsigned int i) {
       ContactPointState &state = accepted.points[i];
       if (!state.touching)
-        continue;
+        return;
       const ContactPoint point = projector.point(q, i);
       state.offset = point.offset;
       const double gap = projector.look(i, point.x - way).distance - face(point, state);
       // The force works on the face that moves towards the counterpart.
       accepted.energy.thickness += state.force * (state.gap - gap);
-    }
+    });
   }
 
 
-  void InterfaceAccount::renew(InterfaceState &state) const
+  void InterfaceAccount::renew(const ContactProjector &projector, InterfaceState &state) const
   {
     if (!counts_)
       return;
     const double before = state.energy.stored;
-    state.energy.stored = stored(state.points);
+    state.energy.stored = stored(projector, state.points);
     state.energy.epsilon += state.energy.stored - before;
   }
 
@@ -93,19 +92,20 @@ namespace deltaform
   }
 
 
-  double InterfaceAccount::stored(const std::vector<ContactPointState> &points) const
+  double InterfaceAccount::stored(const ContactProjector &projector, const std::vector<ContactPointState> &points) const
   {
     double sum = 0.;
-    for (const auto &state : points)
-      if (state.touching)
-      {
-        const double p = state.penetration();
-        if (normal_springs_)
-          sum += .5 * state.penalty_factor * p * p;
-        sum += .5 * state.compliance * state.force * state.force;
-        if (state.tangential_factor > 0)
-          sum += .5 * state.tangential_force * state.tangential_force / state.tangential_factor;
-      }
+    projector.for_near_points([&](const unsigned int i) {
+      const ContactPointState &state = points[i];
+      if (!state.touching)
+        return;
+      const double p = state.penetration();
+      if (normal_springs_)
+        sum += .5 * state.penalty_factor * p * p;
+      sum += .5 * state.compliance * state.force * state.force;
+      if (state.tangential_factor > 0)
+        sum += .5 * state.tangential_force * state.tangential_force / state.tangential_factor;
+    });
     return sum;
   }
 } // namespace deltaform

@@ -34,8 +34,7 @@ namespace deltaform
 
   void PointIteration::restart(const bool at_start)
   {
-    for (auto &work : work_)
-      work.foreseen.reset();
+    projector_.for_near_points([&](const unsigned int i) { work_[i].foreseen.reset(); });
     at_start_ = at_start;
     in_place_ = false;
   }

@@ -14,7 +14,7 @@ namespace deltaform
   {
     time_ = time;
     prescribed_ = model_.supports().prescribed(model_.committed_state(), time);
-    contact_.begin_increment(time);
+    contact_.begin_increment(model_.committed(), time);
     pressure_.begin_increment(model_.committed(), time);
     follow_mesh();
     system_.discard_factors();

@@ -14,7 +14,7 @@ namespace deltaform
       const DeepestPlaces found = deepest_places(interface, q);
       account.max_penetration_between_nodes = std::max(account.max_penetration_between_nodes, found.anywhere.depth);
       const auto [depth, place] = found.off_corners;
-      const double delta = depth > 0. ? interface.committed().front().delta : 0.;
+      const double delta = depth > 0. ? interface.allowed_penetration() : 0.;
       if (depth > account.deepest.over_delta * delta)
         account.deepest = {depth / delta, depth, place, tool};
     }
@@ -31,11 +31,10 @@ namespace deltaform
       const ContactInterface &interface = *actors.interfaces[tool];
       if (!contact.takes_part(interface))
         continue;
-      for (unsigned int i = 0; i < interface.n_points(); ++i)
-      {
+      interface.projector().for_near_points([&](const unsigned int i) {
         const ContactPointState &state = interface.committed()[i];
         if (!state.touching)
-          continue;
+          return;
         ++account.n_touching;
         account.max_penetration = std::max(account.max_penetration, state.penetration());
         account.max_penetration_over_delta =
@@ -43,7 +42,7 @@ namespace deltaform
         account.min_epsilon = std::min(account.min_epsilon, state.penalty_factor);
         account.max_epsilon = std::max(account.max_epsilon, state.penalty_factor);
         n_at_bound += interface.governed_by_floor(i);
-      }
+      });
       add_deepest(interface, tool, q, account);
     }
     if (account.n_touching == 0)

@@ -18,10 +18,10 @@ namespace deltaform
   }
 
 
-  void ContactSolve::begin_increment(const double time)
+  void ContactSolve::begin_increment(const Vector &committed, const double time)
   {
     for (auto *interface : contact_.interfaces())
-      interface->begin_increment(time);
+      interface->begin_increment(committed, time);
     augmentation_.restart();
     factors_due_ = !contact_.empty();
     cycling_ = false;

@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(an_increment_that_is_given_up_leaves_nothing)
   fixture.converge(place(fixture, .3, .5));
   for (unsigned int i = 0; i < 3; ++i)
     BOOST_TEST(same(fixture.contact.committed()[i], committed[i]));
-  fixture.contact.begin_increment(1.5);
+  fixture.contact.begin_increment(q, 1.5);
   for (unsigned int i = 0; i < 3; ++i)
     BOOST_TEST(same(fixture.contact.trial()[i], committed[i]));
   BOOST_TEST(fixture.contact.energy().epsilon == energy.epsilon);
@@ -317,7 +317,7 @@ BOOST_AUTO_TEST_CASE(who_touched_is_held_at_the_start)
     fixture.converge(q);
     fixture.contact.commit(q);
     BOOST_TEST(fixture.contact.committed()[0].force > 0.);
-    fixture.contact.begin_increment(2.);
+    fixture.contact.begin_increment(q, 2.);
     q[1] = .1;
     fixture.assemble(q);
     BOOST_TEST(fixture.contact.trial()[0].touching);
@@ -640,7 +640,7 @@ BOOST_AUTO_TEST_CASE(a_tool_leaves_with_the_forces_of_the_last_equilibrium)
 
         surface.offset = .06;
         DenseTarget again(fixture.n, false);
-        fixture.contact.begin_increment(1.);
+        fixture.contact.begin_increment(q, 1.);
         fixture.contact.assemble(q, again);
         if (enforcement == "penalty")
           BOOST_TEST((again.residual - balanced.residual).norm() > 1e-3);

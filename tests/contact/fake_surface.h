@@ -139,7 +139,7 @@ namespace deltaform
       /// An increment from @p before (where a stage begins if it is the first) begins.
       void begin_increment(const Vector &before, const double time, const double k)
       {
-        contact.begin_increment(time);
+        contact.begin_increment(before, time);
         read_stiffness(before, k);
         contact.predict_factors(before, nullptr);
       }

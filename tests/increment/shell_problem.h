@@ -159,7 +159,7 @@ namespace deltaform
           factors_due = true;
           if (fixture)
           {
-            fixture->contact.begin_increment(time);
+            fixture->contact.begin_increment(committed, time);
             fixture->contact.soften(share);
           }
           q = committed;

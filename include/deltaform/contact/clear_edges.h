@@ -1,9 +1,8 @@
 #pragma once
 
-#include <deltaform/contact/contact_point_state.h>
 #include <deltaform/contact/contact_projector.h>
+#include <deltaform/contact/edge_clearance.h>
 
-#include <array>
 #include <vector>
 
 namespace deltaform
@@ -23,7 +22,9 @@ namespace deltaform
     /// Nothing is known. @p used: may points be left alone? Nodes never are.
     void restart(const bool used)
     {
-      edges_.assign(used && projector_.surface().points_per_edge() > 0 ? projector_.edges().size() : 0, Edge());
+      edges_.resize(used && projector_.surface().points_per_edge() > 0 ? projector_.edges().size() : 0);
+      for (const unsigned int e : projector_.near_edges())
+        discard(e);
     }
 
     bool used() const
@@ -39,7 +40,19 @@ namespace deltaform
 
     /// The points of an edge were looked at with the unknowns @p q and the tool at @p shift. @p first: one of them;
     /// @p clearance: how far each of them may go and stay clear; not positive: the edge is not clear.
-    void set(unsigned int e, const Vector &q, const Tensor1 &shift, const ContactPoint &first, double clearance);
+    /// @p offset: the largest of them
+    void set(unsigned int e,
+             const Vector &q,
+             const Tensor1 &shift,
+             const ContactPoint &first,
+             double clearance,
+             double offset);
+
+    /// What is known of a clear edge.
+    const EdgeClearance &of(const unsigned int e) const
+    {
+      return edges_[e];
+    }
 
     /// Its points have to be looked at again.
     void discard(const unsigned int e)
@@ -52,16 +65,7 @@ namespace deltaform
     bool clear(unsigned int e, const Vector &q, const Vector *step, const Tensor1 &shift) const;
 
   private:
-    struct Edge
-    {
-      double clearance = -1; ///< at the unknowns below; not positive: nothing is known
-      Tensor1 shift; ///< of the tool
-      unsigned int n_dofs = 0;
-      std::array<DofIndex, ContactPoint::max_dofs> dofs{};
-      std::array<double, ContactPoint::max_dofs> values{};
-    };
-
     const ContactProjector &projector_;
-    std::vector<Edge> edges_;
+    std::vector<EdgeClearance> edges_;
   };
 } // namespace deltaform

@@ -5,7 +5,7 @@
 #include <deltaform/contact/contact_settings.h>
 #include <deltaform/contact/counterpart.h>
 #include <deltaform/contact/interface_account.h>
-#include <deltaform/contact/interface_state.h>
+#include <deltaform/contact/interface_states.h>
 #include <deltaform/tools/tool.h>
 
 #include <memory>
@@ -67,11 +67,11 @@ namespace deltaform
     /// Contact points of the last iteration, and of the last accepted increment.
     const std::vector<ContactPointState> &trial() const
     {
-      return trial_.points;
+      return states_.trial.points;
     }
     const std::vector<ContactPointState> &committed() const
     {
-      return committed_.points;
+      return states_.committed.points;
     }
 
     /// @name Unknowns: those of the counterpart, and those of the normal law, one per point if it has any
@@ -94,20 +94,27 @@ namespace deltaform
     }
 
     /// Unknowns of the law that belong to the committed forces.
-    void start_multipliers(Vector &q) const;
+    void start_multipliers(Vector &q) const
+    {
+      normal_law().start(states_.committed.points, multiplier_dof(0), q);
+    }
 
     /// Where the tool is: travel at the trial state.
     double travel(const Vector &q) const
     {
-      return tool().force_driven() ? q[travel_dof()] : tool().travel(trial_.time);
+      return tool().force_driven() ? q[travel_dof()] : tool().travel(states_.trial.time);
     }
     ///@}
 
     /// Begin a stage at @p q and @p time: remember where the points are, so that the slip of a first touch is known.
-    void begin_stage(const Vector &q, double time);
+    void begin_stage(const Vector &q, const double time)
+    {
+      states_.begin_stage(q, time, counterpart_->way(q, time));
+    }
 
-    /// Start an increment that ends at @p time: trial state from the committed one, allowed penetrations.
-    void begin_increment(double time);
+    /// Start an increment that ends at @p time, at the committed @p q: trial state from the committed one, allowed
+    /// penetrations.
+    void begin_increment(const Vector &q, double time);
 
     /// See FactorControl, also of the next ones.
     void soften(const double share)
@@ -117,77 +124,88 @@ namespace deltaform
 
     void read_stiffness(const Vector &q, const StiffnessView &stiffness)
     {
-      factors_.read_stiffness(q, stiffness, trial_.points);
+      factors_.read_stiffness(q, stiffness, states_.trial.points);
     }
 
     void add_mismatch(const Vector &q, Vector &direction) const
     {
-      factors_.add_mismatch(q, shift(q), trial_.points, direction);
+      factors_.add_mismatch(q, shift(q), states_.trial.points, direction);
     }
 
     void predict_factors(const Vector &q, const Vector *coupling)
     {
       iteration_.discard_rows();
-      factors_.predict(q, shift(q), coupling, committed_.points, trial_.points);
+      factors_.predict(q, shift(q), coupling, states_.committed.points, states_.trial.points);
     }
 
     /// Close to equilibrium and after convergence: let the rule correct the factors. @return of how many points
     ///@{
     unsigned int correct_factors_early()
     {
-      return iteration_.correct_early(trial_.points);
+      return iteration_.correct_early(states_.trial.points);
     }
 
     unsigned int correct_factors(const Vector &q)
     {
-      iteration_.complete_flat(q, shift(q), trial_.points);
+      iteration_.complete_flat(q, shift(q), states_.trial.points);
       iteration_.discard_rows();
-      return factors_.correct(trial_.points) + projector_.wake_flat(trial_.points);
+      return factors_.correct(states_.trial.points) + projector_.wake_flat(states_.trial.points);
     }
     ///@}
 
+    /// In the increment that was begun last (length).
+    double allowed_penetration() const
+    {
+      return states_.delta();
+    }
+
     bool governed_by_floor(const unsigned int i) const
     {
-      return factors_.governed_by_floor(i, committed_.points);
+      return factors_.governed_by_floor(i, states_.committed.points);
     }
 
     /// Residual and tangent of all points at @p q.
-    void assemble(const Vector &q, AssemblyTarget &target);
+    void assemble(const Vector &q, AssemblyTarget &target)
+    {
+      approach(q, nullptr);
+      iteration_.assemble(q, shift(q), states_.trial.time, states_.committed.points, states_.trial.points, target);
+    }
 
     /// Which points will touch after the step @p d from @p q, assembled last, if gaps are linear? Until the step
     /// is taken, assembly uses this set. @return does it differ from that of the last assembly?
     bool foresee(const Vector &q, const Vector &d)
     {
-      return iteration_.foresee(q, shift(q), d, trial_.points);
+      approach(q, &d);
+      return iteration_.foresee(q, shift(q), d, states_.trial.points);
     }
 
     /// Points that foresee() lets go take others with them, up to @p reach edges (or nodes) away.
     void peel(const unsigned int reach)
     {
-      iteration_.peel(reach, trial_.points);
+      iteration_.peel(reach, states_.trial.points);
     }
 
     /// A Newton step @p d was computed from the last assembled state. It is taken by a factor; the next assembly is at
     /// the new place.
     void prepare_step(const Vector &d)
     {
-      iteration_.prepare_step(d, committed_.points, trial_.points);
+      iteration_.prepare_step(d, states_.committed.points, states_.trial.points);
     }
 
     void advance(const double factor)
     {
-      iteration_.advance(factor, trial_.points);
+      iteration_.advance(factor, states_.trial.points);
     }
 
     /// Remember the trial state, and go back to it: what was tried in between led nowhere.
     ///@{
     void keep()
     {
-      kept_ = trial_.points;
+      states_.keep();
     }
     void go_back()
     {
-      trial_.points = kept_;
+      states_.go_back();
       iteration_.restart();
     }
     ///@}
@@ -195,7 +213,7 @@ namespace deltaform
     /// Hash of the set of touching points, as it was assembled last.
     std::size_t signature() const
     {
-      return iteration_.signature(trial_.points);
+      return iteration_.signature(states_.trial.points);
     }
 
     /// Did a point gain or lose contact in the last assembly?
@@ -210,18 +228,23 @@ namespace deltaform
     /// How far the tool can go before it touches, by the gaps of the last assembly; 0 if it touches.
     double free_travel() const
     {
-      return trial_.free_travel();
+      return states_.free_travel();
     }
 
     /// Set the forces at zero gap of all points, from @p next on. @return the position after them
-    const double *set_shifts(const double *next);
+    const double *set_shifts(const double *next)
+    {
+      for (auto &state : states_.trial.points)
+        state.shift = *next++;
+      return next;
+    }
 
     void commit(const Vector &q);
 
     /// After the blank's thickness was updated: count the work that this does.
     void refresh(const Vector &q)
     {
-      account_.refresh(projector_, q, shift(q), committed_);
+      account_.refresh(projector_, q, shift(q), states_.committed);
     }
 
     /// The blank has other nodes than before: points of all of them, without contact.
@@ -240,7 +263,11 @@ namespace deltaform
     }
 
     /// Switch energies off: they are zero from here on, and cost nothing.
-    void count_no_energy();
+    void count_no_energy()
+    {
+      account_.stop();
+      states_.committed.energy = states_.trial.energy = ContactEnergy();
+    }
 
     /// Force of the blank on the tool in the trial state (full circumference or per unit width).
     const Tensor1 &tool_force() const
@@ -250,41 +277,42 @@ namespace deltaform
 
     const ContactEnergy &energy() const
     {
-      return committed_.energy;
+      return states_.committed.energy;
     }
 
     unsigned int n_touching() const
     {
-      return trial_.n_touching();
+      return states_.n_touching();
     }
 
     /// Of all touching points, as assembled last.
     std::vector<Frame> frames() const
     {
-      return iteration_.frames(trial_.points);
+      return iteration_.frames(states_.trial.points);
     }
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
     {
       // The starts of searches as well, else a resumed run may differ from one left alone in a last digit.
-      const std::size_t n = committed_.points.size();
-      archive &committed_ &projector_;
-      if (committed_.points.size() != n)
-        throw SceneError("The saved state has another number of contact points: it is damaged. Start again.");
+      archive &states_ &projector_;
       if (!Archive::is_loading::value)
         return;
       if (!account_.counts())
-        committed_.energy = ContactEnergy();
-      trial_ = committed_;
+        states_.committed.energy = ContactEnergy();
+      states_.trial = states_.committed;
     }
 
   private:
     /// Way of the counterpart at the trial state.
     Tensor1 shift(const Vector &q) const
     {
-      return counterpart_->way(q, trial_.time);
+      return counterpart_->way(q, states_.trial.time);
     }
+
+    /// Far edges (FarEdges) that may have contact at @p q plus @p step, if there is one, are near: the trial state
+    /// begins there.
+    void approach(const Vector &q, const Vector *step);
 
     const ContactSettings &settings_;
     const Tool &tool_;
@@ -293,8 +321,7 @@ namespace deltaform
     std::unique_ptr<InterfaceFriction> friction_; ///< null: none
     FactorControl factors_;
     ContactIteration iteration_;
-    InterfaceState committed_, trial_;
-    std::vector<ContactPointState> kept_; ///< see keep()
+    InterfaceStates states_;
     InterfaceAccount account_;
   };
 } // namespace deltaform

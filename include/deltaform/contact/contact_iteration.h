@@ -87,8 +87,12 @@ namespace deltaform
     }
     ///@}
 
-    /// The trial state is accepted: locate the points that assembly did not look at.
-    void complete(const Vector &q, const Tensor1 &shift, Points &trial);
+    /// The trial state is accepted: locate the points that assembly did not look at. @return edges that are far from
+    /// here on (FarEdges), whose points stay where they are
+    std::vector<EdgeClearance> complete(const Vector &q, const Tensor1 &shift, const Points &committed, Points &trial);
+
+    /// Edge @p e is no longer far: nothing is known of its points.
+    void renew(unsigned int e);
 
     /// Of flat edges that touch only.
     void complete_flat(const Vector &q, const Tensor1 &shift, Points &trial);
@@ -141,6 +145,9 @@ namespace deltaform
                        const Points &committed,
                        Points &trial,
                        bool tangent);
+
+    /// Was edge @p e, which is clear, clear when the increment began, and is it far now?
+    bool is_far(unsigned int e, const Vector &q, const Tensor1 &shift, const Points &committed) const;
 
     /// The points of edge @p e were assembled: can they be left alone from now on?
     void find_clear(unsigned int e, const Vector &q, const Tensor1 &shift, const Points &trial);

@@ -3,6 +3,7 @@
 #include <deltaform/assembly/contact_surface.h>
 #include <deltaform/assembly/point_origin.h>
 #include <deltaform/contact/counterpart.h>
+#include <deltaform/contact/far_edges.h>
 #include <deltaform/contact/flat_edges.h>
 #include <deltaform/io/archive.h>
 #include <deltaform/parameters/scene_error.h>
@@ -108,9 +109,9 @@ namespace deltaform
 
     /// See FlatEdges.
     ///@{
-    void find_flat(const FlatEdges::Points &committed, const double delta)
+    void find_flat(const std::vector<unsigned int> &edges, const FlatEdges::Points &committed, const double delta)
     {
-      flat_.find(*this, committed, delta);
+      flat_.find(*this, edges, committed, delta);
     }
 
     /// From one point of edge @p e that is asked to the next: of a flat one only the outermost are.
@@ -122,6 +123,42 @@ namespace deltaform
     unsigned int wake_flat(const FlatEdges::Points &trial)
     {
       return flat_.wake(*this, trial);
+    }
+    ///@}
+
+    /// @name See FarEdges; a node is an edge of its own
+    ///@{
+    FarEdges &far()
+    {
+      return far_;
+    }
+    const FarEdges &far() const
+    {
+      return far_;
+    }
+
+    /// All edges are near.
+    void look_at_all()
+    {
+      far_.reset(n_points() / group());
+    }
+
+    /// These are far from here on, and count as not flat.
+    void leave(const std::vector<EdgeClearance> &edges);
+
+    const std::vector<unsigned int> &near_edges() const
+    {
+      return far_.near();
+    }
+
+    /// @p action(i) for the points of near edges, ascending.
+    template <typename Action>
+    void for_near_points(const Action &action) const
+    {
+      const unsigned int n = group();
+      for (const unsigned int e : far_.near())
+        for (unsigned int i = e * n; i < (e + 1) * n; ++i)
+          action(i);
     }
     ///@}
 
@@ -145,6 +182,7 @@ namespace deltaform
       archive_plain(archive, last_);
       if (last_.size() != n)
         throw SceneError("The saved state has another number of contact points: it is damaged. Start again.");
+      archive &far_;
     }
 
   private:
@@ -166,5 +204,6 @@ namespace deltaform
     bool gives_way_; ///< the sheet's half thickness on this side is a spring in series with the contact
     std::vector<Last> last_;
     FlatEdges flat_;
+    FarEdges far_;
   };
 } // namespace deltaform

@@ -20,9 +20,12 @@ namespace deltaform
   public:
     using Points = std::vector<ContactPointState>;
 
-    /// Find them where @p points were accepted; @p delta: the allowed penetration of the increment that begins. An
-    /// edge whose inner points carry a force keeps them.
-    void find(const ContactProjector &projector, const Points &points, double delta);
+    /// Find them among @p edges where @p points were accepted; @p delta: the allowed penetration of the increment that
+    /// begins. An edge whose inner points carry a force keeps them.
+    void find(const ContactProjector &projector,
+              const std::vector<unsigned int> &edges,
+              const Points &points,
+              double delta);
 
     /// Equilibrium: an edge that is not flat any more has all its points from here on, until the next find().
     /// @return how many edges
@@ -32,6 +35,13 @@ namespace deltaform
     void set(const std::vector<bool> &flat)
     {
       flat_ = flat;
+    }
+
+    /// Edge @p e is none, until it is looked at again.
+    void discard(const unsigned int e)
+    {
+      if (e < flat_.size())
+        flat_[e] = false;
     }
 
     /// Is edge @p e one, so that only its outermost points are asked?

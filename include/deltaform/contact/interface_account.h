@@ -43,7 +43,7 @@ namespace deltaform
     void add(unsigned int point, const ContactPointState &before, const ContactPointState &now, double slip,
              double open_gap, ContactEnergy &energy);
 
-    void finish(InterfaceState &accepted);
+    void finish(const ContactProjector &projector, InterfaceState &accepted);
 
     /// The thickness has become another than was foreseen, at fixed positions @p q and way of the counterpart: what the
     /// forces do on the faces that move. They stay those of the accepted equilibrium.
@@ -53,14 +53,14 @@ namespace deltaform
 
     /// The points are others, under the same forces: what that adds to the stored energy counts as work of changing
     /// factors.
-    void renew(InterfaceState &state) const;
+    void renew(const ContactProjector &projector, InterfaceState &state) const;
 
     /// The springs leave with the tool, and what they hold.
     static void release(ContactEnergy &energy);
 
   private:
     /// In the springs of all points: penalty springs, thickness, tangential springs.
-    double stored(const std::vector<ContactPointState> &points) const;
+    double stored(const ContactProjector &projector, const std::vector<ContactPointState> &points) const;
 
     bool normal_springs_, counts_ = true;
     std::vector<double> friction_work_;

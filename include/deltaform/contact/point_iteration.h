@@ -60,6 +60,12 @@ namespace deltaform
     /// The next assembly is anywhere, with trial states that it did not leave. @p at_start: where an increment begins
     void restart(bool at_start);
 
+    /// Nothing is known of point @p i.
+    void renew(const unsigned int i)
+    {
+      work_[i] = Work();
+    }
+
     /// Where the next assembly is.
     ///@{
     void stay_in_place()

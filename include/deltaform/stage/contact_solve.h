@@ -19,7 +19,7 @@ namespace deltaform
     ContactSolve(const Actors &actors, const ContactSet &contact);
 
     /// An increment that ends at @p time begins; what was tried before is discarded.
-    void begin_increment(double time);
+    void begin_increment(const Vector &committed, double time);
 
     /// Start the continuation of first touches. @return false if no interface exists
     bool soften(double share);
