@@ -44,8 +44,6 @@ namespace deltaform
 
   void ContactInterface::approach(const Vector &q, const Vector *const step)
   {
-    if (projector_.far().empty())
-      return;
     const Tensor1 motion = step == nullptr ? Tensor1() : counterpart_->motion(*step);
     for (const unsigned int e : states_.approach(q, step, shift(q), motion))
       iteration_.renew(e);

@@ -52,7 +52,7 @@ namespace deltaform
                            const double largest,
                            const std::vector<double> &meet)
     : settings_(settings), end_(end), smallest_(smallest), largest_(largest),
-      increment_(std::clamp(first, smallest, largest))
+      usual_(std::min(largest, usual_share * (end - begin))), increment_(std::clamp(first, smallest, largest))
   {
     for (const double time : meet)
       if (time > begin && time < end)
@@ -76,7 +76,7 @@ namespace deltaform
                            const unsigned int spent)
   {
     constexpr double safety = .8; // the next increment may strain faster
-    constexpr double crawling = 1e-3; // of the largest increment
+    constexpr double crawling = 1e-3; // of a usual increment
     const double last = increment_;
     failed_.accept(last);
     search_.accept(last, spent);
@@ -84,7 +84,7 @@ namespace deltaform
     {
       resize(*iterations, error);
       // Where increments are so short (a neck, a snap) to wait with longer ones never ends.
-      if (last > crawling * largest_)
+      if (last > crawling * usual_)
         increment_ = failed_.bounded(increment_, last);
     }
     else
@@ -110,7 +110,7 @@ namespace deltaform
   void StepControl::resize(const unsigned int iterations, const double error)
   {
     constexpr double integral = .3, proportional = .4;
-    constexpr double far_too_short = .01; // of the largest increment
+    constexpr double far_too_short = .01; // of a usual increment
     longer_tries_ = 0;
     const double last = error_ > 0. ? error_ : error;
     error_ = error;
@@ -126,7 +126,7 @@ namespace deltaform
     double ratio = std::sqrt(target / std::max(iterations, 1u));
     // An increment that is far too short, or a shorter one that took as many: it is not its length that makes the
     // iterations, and ever shorter ones never end. Lightly loaded nodes that come and go do that.
-    if (increment_ < far_too_short * largest_)
+    if (increment_ < far_too_short * usual_)
       ratio = settings_.growth;
     else if (ratio >= 1)
       shortened_ = 0;

@@ -1,3 +1,4 @@
+#include <deltaform/increment/step_control.h>
 #include <deltaform/parameters/ceilings.h>
 #include <deltaform/parameters/section.h>
 #include <deltaform/parameters/text.h>
@@ -30,7 +31,11 @@ namespace deltaform
       stage.first_increment =
         own.number("First increment", length / 100, Range::positive(), "time", "Size of the first increment.");
       stage.largest_increment =
-        own.number("Largest increment", 0.015 * length, Range::positive(), "time", "Largest increment.");
+        own.number("Largest increment",
+                   StepControl::usual_share * length,
+                   Range::positive(),
+                   "time",
+                   "Largest increment.");
       stage.smallest_increment = own.number("Smallest increment",
                                             1e-7 * length,
                                             Range::positive(),

@@ -4,6 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
 
 using namespace deltaform;
@@ -151,14 +152,31 @@ BOOST_AUTO_TEST_CASE(shorter_increments_that_do_not_help_stay)
 BOOST_AUTO_TEST_CASE(far_too_short_increments_grow_whatever_they_take)
 {
   const StepSettings what = settings();
-  StepControl control(what, 0., 10., 1e-3, 1e-6, 2., {});
+  StepControl control(what, 0., 1e3, 1e-3, 1e-6, 2., {});
   control.accept(32);
   BOOST_TEST(control.increment() == 1.5e-3);
   for (unsigned int k = 0; k < 20; ++k)
     control.accept(32 + k);
-  // Up to a hundredth of the largest one; from there on more iterations make them shorter.
+  // Up to a hundredth of a usual one; from there on more iterations make them shorter.
   BOOST_TEST(control.increment() < 1.5 * .02);
   BOOST_TEST(control.increment() > .5 * .02);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_short_does_not_depend_on_what_a_scene_allows)
+{
+  // A stage that may be done at once: increments that are not far too short for any other one wait with lengths that
+  // fail, and are made shorter by their iterations.
+  const StepSettings what = settings();
+  std::array<StepControl, 2> controls{
+    {{what, 0., 1., 1e-4, 1e-7, StepControl::usual_share, {}}, {what, 0., 1., 1e-4, 1e-7, 1., {}}}};
+  for (unsigned int k = 0; k < 200; ++k)
+    for (StepControl &control : controls)
+    {
+      while (control.increment() > 3e-4)
+        control.reject(control.increment());
+      control.accept(k % 7 == 0 ? 30 : 4);
+      BOOST_TEST(control.increment() == controls[0].increment());
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_length_that_fails_is_tried_less_and_less_often)

@@ -39,6 +39,9 @@ namespace deltaform
   class StepControl
   {
   public:
+    /// Of a stage: its largest increment, unless the scene has another.
+    static constexpr double usual_share = .015;
+
     /**
      * @param begin, end  of the stage
      * @param first, smallest, largest increments
@@ -112,7 +115,9 @@ namespace deltaform
     const StepSettings &settings_;
     static constexpr unsigned int most_longer_tries = 4, cuts_before_last_resorts = 2;
     unsigned int longer_tries_ = 0; ///< tries of longer increments since the last one was accepted
-    double end_, smallest_, largest_, increment_;
+    double end_, smallest_, largest_;
+    double usual_; ///< the largest increment, or where a scene allows longer ones what it would be by default
+    double increment_;
     std::vector<double> meet_;
     unsigned int shortened_ = 0; ///< iterations of the increment that was the last to make the next one shorter
     unsigned int quiet_ = 0; ///< accepted increments that have to pass before it grows again
