@@ -179,10 +179,10 @@ namespace deltaform
   {
     std::vector<EdgeClearance> far;
     const unsigned int n = group_;
-    // A tool that touches nowhere asks all points for the way that it has.
     if (edges_.empty())
       return far;
     const std::vector<unsigned int> &near = projector_.near_edges();
+    // A tool that touches nowhere asks all points for the way that it has.
     const bool touches =
       std::any_of(near.begin(), near.end(), [&](const unsigned int e) { return edges_[e].touching != 0; });
     for (const unsigned int e : near)
