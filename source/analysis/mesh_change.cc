@@ -3,6 +3,7 @@
 #include <deltaform/parameters/text.h>
 
 #include <utility>
+#include <vector>
 
 namespace deltaform
 {
@@ -36,11 +37,11 @@ namespace deltaform
   {
     const unsigned int n_cells = blank().n_cells();
     const double energy = model_.blank().energy().elastic;
-    model_.refine();
+    std::vector<Vector> steps = state_.predictor.steps();
+    model_.refine(steps);
     journal_.detail("refined after increment " + std::to_string(state_.n_increments) + ": " +
                     change_in_words(n_cells, energy, model_));
-    // No extrapolation over a change of the mesh.
-    state_.predictor.restart();
+    state_.predictor.renumber(std::move(steps));
   }
 
 

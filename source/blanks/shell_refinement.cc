@@ -241,12 +241,24 @@ namespace deltaform
     const FacePoints old_points = face_points(parts_.space(), parts_.surface());
     KeyedArrays formed = parts_.state_of_metal();
     transfer.describe(fields.front(), formed);
+    // A new node lies on a curve through the others, and moves with it: so does it with the steps.
+    std::vector<KeyedArrays> formed_before(fields.size());
+    for (std::size_t i = 1; i < fields.size(); ++i)
+    {
+      Vector before = fields.front();
+      before -= fields[i];
+      transfer.describe(before, formed_before[i]);
+    }
     set_mesh(elements);
     point_origins_.fill(deltaform::point_origins(old_points, face_points(parts_.space(), parts_.surface())));
     fields.front() = parts_.come_over(transfer, formed);
-    // Released forces: there are none, see Model::mark().
     for (std::size_t i = 1; i < fields.size(); ++i)
-      fields[i].reinit(parts_.space().n_dofs());
+    {
+      Vector before(parts_.space().n_dofs());
+      transfer.set_unknowns(formed_before[i], before);
+      fields[i] = fields.front();
+      fields[i] -= before;
+    }
     update(fields.front());
   }
 

@@ -1,8 +1,10 @@
-// Adaptive: eps_i = max(beta K_nn, lambda_i / (alpha delta_i)) with lambda_i of the last increment. Close to
-// equilibrium and after convergence a point with p_i > delta_i gets eps_i min(10, p_i / (alpha delta_i)), alpha = .8.
-// At equilibrium the incremental eqn (7) of Bednarek, Kowalczyk has the only fixed point lambda / delta; aiming at
-// .8 delta reaches penetration <= delta from the safe side in a finite number of corrections. Derivation:
-// doc/theory/contact.md.
+// Adaptive: eps_i = max(beta K_nn, lambda_i / (alpha delta_i)) with lambda_i of the last increment. Points that share
+// their unknowns keep a larger factor that is not more than kappa = 4 times as large: equilibrium says what they carry
+// together, not which of them does; with factors that follow a falling force at once, p is alpha delta wherever the
+// force is, and a sheet that slides finds other springs each time it comes back. Close to equilibrium and after
+// convergence a point with p_i > delta_i gets eps_i min(10, p_i / (alpha delta_i)), alpha = .8. At equilibrium the
+// incremental eqn (7) of Bednarek, Kowalczyk has the only fixed point lambda / delta; aiming at .8 delta reaches
+// penetration <= delta from the safe side in a finite number of corrections. Derivation: doc/theory/contact.md.
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/registry.h>
 #include <deltaform/parameters/section.h>
@@ -47,7 +49,9 @@ namespace deltaform
           return start > 0 ? start : 1e-2 * input.stiffness;
         }
         const double wanted = std::max(lowest, input.force / (aim_ * input.delta));
-        return std::clamp(wanted, input.previous_factor / largest_change_, input.previous_factor * largest_change_);
+        const double kept = input.shares_unknowns ? std::min(input.previous_factor, excess_ * wanted) : 0.;
+        return std::clamp(
+          std::max(wanted, kept), input.previous_factor / largest_change_, input.previous_factor * largest_change_);
       }
 
       double correct(const PenaltyInput &input) const override
@@ -68,6 +72,7 @@ namespace deltaform
       }
 
     private:
+      static constexpr double excess_ = 4.; ///< kappa
       double floor_factor_, aim_, largest_change_;
     };
 

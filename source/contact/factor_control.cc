@@ -123,6 +123,7 @@ namespace deltaform
     result.thickness = state.thickness;
     result.modulus = projector_.surface().modulus();
     result.delta = state.delta;
+    result.shares_unknowns = projector_.group() > 1;
     result.neighbour = median_;
     for (const unsigned int j : {i - 1, i + 1}) // i - 1 wraps around to a number that is too large
       if (j < points.size() && points[j].touching)

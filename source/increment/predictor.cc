@@ -2,9 +2,35 @@
 #include <deltaform/increment/predictor.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace deltaform
 {
+  std::vector<Vector> Predictor::steps() const
+  {
+    std::vector<Vector> result;
+    for (const Vector *const rate : {&rate_, &change_})
+      if (rate->size() > 0)
+      {
+        result.push_back(*rate);
+        result.back() *= rate == &rate_ ? length_ : length_ * length_;
+      }
+    return result;
+  }
+
+
+  void Predictor::renumber(std::vector<Vector> steps)
+  {
+    passage_ = Passage();
+    continues_ = false;
+    rate_ = change_ = Vector();
+    if (!steps.empty())
+      (rate_ = std::move(steps[0])) /= length_;
+    if (steps.size() > 1)
+      (change_ = std::move(steps[1])) /= length_ * length_;
+  }
+
+
   void Predictor::accept(const Vector &before,
                          const Vector &now,
                          const double length,
@@ -26,6 +52,7 @@ namespace deltaform
     }
     rate_ = std::move(rate);
     length_ = length;
+    continues_ = true;
   }
 
 

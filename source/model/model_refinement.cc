@@ -9,20 +9,26 @@ namespace deltaform
 {
   namespace
   {
-    /// Of loads that follow a way; 0 of the others.
-    std::vector<double> load_sizes(const Actors &actors, const Vector &q)
+    /// What moves next to the nodes: travels of tools, sizes of loads that follow a way. 0 of the others.
+    struct Ways
     {
-      std::vector<double> sizes;
+      std::vector<double> travels, loads;
+    };
+
+    Ways ways_of(const Vector &q, const Actors &actors, const ContactSet &contact)
+    {
+      Ways result{contact.travels(q), {}};
       for (const auto &load : actors.loads)
-        sizes.push_back(load->follows_way() ? q[load->unknown()] : 0.);
-      return sizes;
+        result.loads.push_back(load->follows_way() ? q[load->unknown()] : 0.);
+      return result;
     }
 
-    void set_load_sizes(const Actors &actors, const std::vector<double> &sizes, Vector &q)
+    void set_ways(const Ways &ways, const Actors &actors, const ContactSet &contact, Vector &q)
     {
-      for (unsigned int i = 0; i < sizes.size(); ++i)
+      contact.set_travels(ways.travels, q);
+      for (unsigned int i = 0; i < ways.loads.size(); ++i)
         if (actors.loads[i]->follows_way())
-          q[actors.loads[i]->unknown()] = sizes[i];
+          q[actors.loads[i]->unknown()] = ways.loads[i];
     }
   } // namespace
 
@@ -55,17 +61,26 @@ namespace deltaform
   }
 
 
-  void Model::refine()
+  void Model::refine(std::vector<Vector> &steps)
   {
-    std::vector<Vector> fields{state_.unknowns, state_.hold};
-    const std::vector<double> travels = contact_.travels(state_.unknowns);
-    const std::vector<double> sizes = load_sizes(actors_, state_.unknowns);
+    std::vector<Vector> fields{state_.unknowns};
+    fields.insert(fields.end(), steps.begin(), steps.end());
+    std::vector<Ways> ways;
+    for (const Vector &field : fields)
+      ways.push_back(ways_of(field, actors_, contact_));
     body_.refine(fields);
     renumber();
-    std::copy_n(fields[0].begin(), actors_.blank->n_dofs(), state_.unknowns.begin());
-    std::copy_n(fields[1].begin(), actors_.blank->n_dofs(), state_.hold.begin());
-    set_load_sizes(actors_, sizes, state_.unknowns);
-    contact_.transfer(travels, state_.unknowns);
+    std::vector<Vector *> moved{&state_.unknowns};
+    for (Vector &step : steps)
+      moved.push_back(&step);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+    {
+      moved[i]->reinit(state_.unknowns.size());
+      std::copy_n(fields[i].begin(), actors_.blank->n_dofs(), moved[i]->begin());
+      set_ways(ways[i], actors_, contact_, *moved[i]);
+    }
+    supports_.hold(state_); // where they are is where they are held
+    contact_.transfer(state_.unknowns);
     book_.renew_loads(state_);
   }
 } // namespace deltaform

@@ -111,15 +111,20 @@ namespace deltaform
   }
 
 
-  void ContactSet::transfer(const std::vector<double> &travels, Vector &q)
+  void ContactSet::set_travels(const std::vector<double> &travels, Vector &q) const
   {
     for (unsigned int i = 0; i < actors_.interfaces.size(); ++i)
-    {
-      ContactInterface &interface = *actors_.interfaces[i];
-      if (interface.tool().force_driven())
+      if (const ContactInterface &interface = *actors_.interfaces[i]; interface.tool().force_driven())
         q[interface.travel_dof()] = travels[i];
-      interface.transfer(q, actors_.blank->adaptive()->point_origins(interface.tool().side()));
-      interface.start_multipliers(q);
+  }
+
+
+  void ContactSet::transfer(Vector &q)
+  {
+    for (auto &interface : actors_.interfaces)
+    {
+      interface->transfer(q, actors_.blank->adaptive()->point_origins(interface->tool().side()));
+      interface->start_multipliers(q);
     }
   }
 

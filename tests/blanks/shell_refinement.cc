@@ -122,6 +122,30 @@ BOOST_AUTO_TEST_CASE(new_nodes_lie_on_the_undeformed_meridian)
     }
 }
 
+BOOST_AUTO_TEST_CASE(new_nodes_have_moved_with_the_curve)
+{
+  // A strip is wound up on a circle, and further. The step of a new node is that of the curve through its neighbours;
+  // half the sum of their steps would miss the bend of the element, 1e-3 here.
+  for (const std::string degree : {"1", "2"})
+    BOOST_TEST_CONTEXT("degree " << degree)
+    {
+      const auto blank = make_blank("shell", strip("16", {"Blank/Degree=" + degree}));
+      const Vector before = wound(*blank, .3, 1.), now = wound(*blank, .4, 1.);
+      accept(*blank, now);
+      Vector step = now;
+      step -= before;
+      std::vector<unsigned int> all(blank->surface().contact_edges(Side::top).size());
+      std::iota(all.begin(), all.end(), 0U);
+      std::vector<Vector> fields{now, step};
+      BOOST_TEST_REQUIRE(blank->adaptive()->mark(short_edges(*blank, all)));
+      blank->adaptive()->refine(fields);
+      Vector expected = wound(*blank, .4, 1.);
+      expected -= wound(*blank, .3, 1.);
+      expected -= fields[1];
+      BOOST_TEST(expected.linfty_norm() < 1e-5);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(elements_follow_each_other)
 {
   for (const std::string degree : {"1", "2"})

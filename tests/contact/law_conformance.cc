@@ -6,8 +6,11 @@
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/section.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 using namespace deltaform;
 using namespace deltaform::testing;
@@ -87,6 +90,7 @@ namespace
     input.modulus = random.positive(1., 1e6);
     input.previous_penetration = random.uniform(0., 1.) < .3 ? 0. : random.positive(.1, 10.) * input.penetration;
     input.coupling = random.uniform(-3., 3.) * input.stiffness * input.delta;
+    input.shares_unknowns = random.uniform(0., 1.) < .5;
     input.neighbour = random.uniform(0., 1.) < .5 ? 0. : random.positive(1e-3, 1e6) * input.stiffness;
     return input;
   }
@@ -254,28 +258,63 @@ BOOST_AUTO_TEST_CASE(predictions_keep_a_promise_at_constant_reaction)
 
 BOOST_AUTO_TEST_CASE(the_adaptive_rule_settles_at_its_aim)
 {
-  // With a floor that does not matter, at constant reaction: every prediction comes nearer to the one factor at which
-  // the penetration is the aim's share of delta (eqn (7) in its exact form).
-  for (const double aim : {.5, .8, .95})
-  {
-    const auto rule = make<PenaltyRule>("adaptive", {"Floor factor=1e-12", "Aim=" + std::to_string(aim)});
-    Random random;
-    for (unsigned int k = 0; k < 200; ++k)
+  // With a floor that does not matter, at constant reaction: from below, every prediction comes nearer to the one
+  // factor at which the penetration is the aim's share of delta (eqn (7) in its exact form). From above too, if the
+  // point is a node; else they come down to four times that factor, and leave alone what is less.
+  for (const double kappa : {1., 4.})
+    for (const double aim : {.5, .8, .95})
     {
-      PenaltyInput input = random_input(random);
-      input.force = random.positive(1e-3, 1e3);
-      const double goal = input.force / (aim * input.delta);
-      double last = std::abs(std::log(input.previous_factor / goal));
-      for (unsigned int round = 0; round < 30 && last > 1e-12; ++round)
+      const auto rule = make<PenaltyRule>("adaptive", {"Floor factor=1e-12", "Aim=" + std::to_string(aim)});
+      Random random;
+      for (unsigned int k = 0; k < 200; ++k)
       {
-        input.penetration = input.force / input.previous_factor;
-        input.previous_factor = rule->predict(input);
-        const double now = std::abs(std::log(input.previous_factor / goal));
-        BOOST_TEST_REQUIRE(now < last);
-        last = now;
+        PenaltyInput input = random_input(random);
+        input.force = random.positive(1e-3, 1e3);
+        input.shares_unknowns = kappa > 1.;
+        const double aimed_at = input.force / (aim * input.delta);
+        const double goal = std::clamp(input.previous_factor, aimed_at, kappa * aimed_at);
+        double last = std::abs(std::log(input.previous_factor / goal));
+        for (unsigned int round = 0; round < 30 && last > 1e-12; ++round)
+        {
+          input.penetration = input.force / input.previous_factor;
+          input.previous_factor = rule->predict(input);
+          const double now = std::abs(std::log(input.previous_factor / goal));
+          BOOST_TEST_REQUIRE(now < last);
+          last = now;
+        }
+        require_close(input.previous_factor / goal, 1., 1e-11, "factor over the one at which it settles");
       }
-      require_close(input.previous_factor * aim * input.delta / input.force, 1., 1e-11, "penetration over its aim");
     }
+}
+
+BOOST_AUTO_TEST_CASE(a_force_that_moves_from_point_to_point_finds_the_same_springs)
+{
+  // Two points share a force, and it goes over from one to the other and back, in steps. Once the factors have come
+  // down to where they serve both ends, the penetrations tell where the force is, as those of constant springs do.
+  const auto rule = make<PenaltyRule>("adaptive", {"Floor factor=1e-12"});
+  Random random;
+  std::array<PenaltyInput, 2> points;
+  points.fill(random_input(random));
+  for (PenaltyInput &point : points)
+    point.shares_unknowns = true;
+  const double force = 1.;
+  std::array<std::vector<double>, 2> penetrations;
+  for (const double share : {.7, .5, .3, .5, .7, .5, .3, .5, .7, .5, .3})
+    for (const unsigned int i : {0U, 1U})
+    {
+      PenaltyInput &point = points[i];
+      point.force = force * (i == 0 ? share : 1. - share);
+      // Many increments at every place, as each changes a factor by no more than its largest change.
+      for (unsigned int increment = 0; increment < 20; ++increment)
+        point.previous_factor = rule->predict(point);
+      penetrations[i].push_back(point.force / point.previous_factor / point.delta);
+    }
+  for (const unsigned int i : {0U, 1U})
+  {
+    for (unsigned int k = 7; k < penetrations[i].size(); ++k)
+      require_close(penetrations[i][k], penetrations[i][k - 4], 1e-12, "the second time as the first");
+    // From the second turn on: in proportion to the force.
+    require_close(penetrations[i][6] / penetrations[i][4], i == 0 ? 3. / 7. : 7. / 3., 1e-12, "with the force");
   }
 }
 

@@ -156,6 +156,45 @@ BOOST_AUTO_TEST_CASE(it_starts_anew)
   BOOST_TEST(q[1] == time);
 }
 
+BOOST_AUTO_TEST_CASE(on_a_finer_mesh_it_goes_on)
+{
+  const Path path = [](const double t) -> std::pair<double, double> { return {t * t, t}; };
+  double time = 0.;
+  Predictor predictor = after(path, 10, time);
+  Vector coarse = at(path, time), fine(3);
+  predictor.predict(.07, coarse);
+  const double weight = predictor.weight();
+  // A third unknown between the two.
+  std::vector<Vector> steps = predictor.steps();
+  BOOST_TEST_REQUIRE(steps.size() == 2u);
+  for (Vector &step : steps)
+  {
+    const Vector two = step;
+    step.reinit(3);
+    step[0] = two[0];
+    step[1] = .5 * (two[0] + two[1]);
+    step[2] = two[1];
+  }
+  predictor.renumber(steps);
+  BOOST_TEST(predictor.fits(3));
+  BOOST_TEST(predictor.weight() == weight);
+  BOOST_TEST(predictor.last_length() == 0.); // metal has no last increment there
+  fine[0] = at(path, time)[0];
+  fine[2] = at(path, time)[1];
+  fine[1] = .5 * (fine[0] + fine[2]);
+  predictor.predict(.07, fine);
+  BOOST_TEST(std::abs(fine[0] - coarse[0]) < 1e-15);
+  BOOST_TEST(std::abs(fine[2] - coarse[1]) < 1e-15);
+  BOOST_TEST(std::abs(fine[1] - .5 * (coarse[0] + coarse[1])) < 1e-15);
+
+  // Nothing is known at first, of any mesh.
+  Predictor fresh;
+  BOOST_TEST(fresh.steps().empty());
+  fresh.renumber({});
+  BOOST_TEST(fresh.fits(5));
+  BOOST_TEST(fresh.last_length() == 0.);
+}
+
 BOOST_AUTO_TEST_CASE(saved_and_loaded_it_predicts_the_same)
 {
   const Path path = [](const double t) -> std::pair<double, double> { return {t * t + noise(t), t}; };

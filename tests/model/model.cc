@@ -133,6 +133,52 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative_of_the_residual)
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_finer_mesh_is_held_where_it_was_and_steps_go_along)
+{
+  Fixture fixture({"Steps/Stages=press, stay",
+                   "Supports/Names=edge, rim",
+                   "Supports/rim/Boundary=end",
+                   "Supports/rim/Component=r",
+                   "Supports/rim/Hold=true",
+                   "Supports/rim/Stages=stay",
+                   "Tools/punch/Force=.3*t",
+                   "Blank/Refinement/Largest bend=1"});
+  Model &model = fixture.model;
+  BOOST_TEST(model.begin_stage(fixture.stage()).empty());
+  std::mt19937 generator(37);
+  Vector q = random_unknowns(model, generator, .01);
+  fixture.next.begin(1., 0.);
+  for (DofIndex i = 0; i < q.size(); ++i)
+    if (fixture.next.is_prescribed()[i])
+      q[i] = fixture.next.prescribed()[i];
+  fixture.accept(1., q);
+  BOOST_TEST(model.begin_stage(fixture.stage(1)).empty());
+  const DofIndex travel = model.interfaces()[0]->travel_dof();
+  std::vector<Vector> steps{random_unknowns(model, generator, 1e-3), random_unknowns(model, generator, 1e-3)};
+  const std::vector<double> ways{steps[0][travel], steps[1][travel]};
+  const Vector coarse = model.committed();
+  BOOST_TEST_REQUIRE(model.mark());
+  model.refine(steps);
+  fixture.workspace.follow_mesh();
+  const Vector &fine = model.committed();
+  BOOST_TEST_REQUIRE(fine.size() > coarse.size());
+  const DofIndex travel_now = model.interfaces()[0]->travel_dof();
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    BOOST_TEST_REQUIRE(steps[i].size() == fine.size());
+    BOOST_TEST(steps[i][travel_now] == ways[i]);
+  }
+  fixture.next.begin(model.time(), 0.);
+  unsigned int n_held = 0;
+  for (DofIndex i = 0; i < fine.size(); ++i)
+    if (fixture.next.is_prescribed()[i] && fine[i] != 0.)
+    {
+      BOOST_TEST(fixture.next.prescribed()[i] == fine[i]);
+      ++n_held;
+    }
+  BOOST_TEST(n_held == 1); // the rim
+}
+
 BOOST_AUTO_TEST_CASE(what_was_tried_leaves_no_trace)
 {
   Fixture fixture, other;

@@ -30,8 +30,8 @@ namespace deltaform
     /// longer than @p longest_edges (undeformed). @return is anything marked?
     virtual bool mark(const std::array<std::vector<double>, 2> &longest_edges) = 0;
 
-    /// Refine what is marked. @p fields are values of the unknowns: in, on the old mesh; out, on the new one (the first
-    /// is the accepted state).
+    /// Refine what is marked. @p fields are values of the unknowns: in, on the old mesh; out, on the new one. The first
+    /// is the accepted state, the others are steps that lead to it.
     virtual void refine(std::vector<Vector> &fields) = 0;
 
     /// Can it go back to a state before a refinement?

@@ -15,6 +15,7 @@ namespace deltaform
     double thickness = 0; ///< of the blank at the node
     double modulus = 0; ///< Young's modulus of the blank
     double delta = 0; ///< allowed penetration
+    bool shares_unknowns = false; ///< with other points, as those inside the elements do; a node has its own
     double neighbour = 0; ///< larger of the neighbouring points' and the tool's median factor; for a first touch
   };
 

@@ -2,6 +2,8 @@
 
 #include <deltaform/increment/passage.h>
 
+#include <vector>
+
 namespace deltaform
 {
   class StiffnessView;
@@ -26,6 +28,12 @@ namespace deltaform
       *this = Predictor();
     }
 
+    /// The last increment, l_n v_n, and l_n^2 a_n, as far as they are known.
+    std::vector<Vector> steps() const;
+
+    /// The blank has other elements, and these are steps() of its unknowns. What its old elements did is forgotten.
+    void renumber(std::vector<Vector> steps);
+
     /// An increment of this @p length has led from @p before to @p now, where @p tangent was assembled last.
     void accept(const Vector &before,
                 const Vector &now,
@@ -46,10 +54,10 @@ namespace deltaform
       return passage_;
     }
 
-    /// Length of the last increment; 0: there is none that the next one continues.
+    /// Length of the last increment; 0: there is none that the next one continues, as the mesh was another.
     double last_length() const
     {
-      return length_;
+      return continues_ ? length_ : 0.;
     }
 
     /// w
@@ -65,7 +73,7 @@ namespace deltaform
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
     {
-      archive &length_ &rate_ &change_ &found_ &looks_ &passage_;
+      archive &length_ &continues_ &rate_ &change_ &found_ &looks_ &passage_;
     }
 
   private:
@@ -74,6 +82,7 @@ namespace deltaform
     void look_for_change(const Vector &change, const StiffnessView &tangent);
 
     double length_ = 0.; ///< l_n
+    bool continues_ = false; ///< is the mesh still that of the last increment?
     Vector rate_, change_; ///< v_n, a_n; empty: there is none
     double found_ = 0., looks_ = 0.; ///< smoothed sums of the shares found again, and of ones
     Passage passage_;

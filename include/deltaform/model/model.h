@@ -50,8 +50,9 @@ namespace deltaform
     /// Mark what blank and contact want to be finer. @return is anything marked? Nothing while released forces fade out
     bool mark();
 
-    /// Refine the marked cells; the committed state goes along. Then find equilibrium anew: begin() at the same time.
-    void refine();
+    /// Refine the marked cells; the committed state goes along, and so do @p steps that lead to it. Then find
+    /// equilibrium anew: begin() at the same time.
+    void refine(std::vector<Vector> &steps);
 
     /// Accept @p q, which was assembled last in @p workspace, as the state at the end of the increment.
     void commit(const Vector &q, const Workspace &workspace);

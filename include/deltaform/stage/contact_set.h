@@ -48,9 +48,12 @@ namespace deltaform
     /// Travels of the tools at @p q; 0 of those that follow a motion.
     std::vector<double> travels(const Vector &q) const;
 
-    /// The blank was refined at @p q, of which travels (as before) and multipliers are still to be set: contact of the
-    /// old points goes over to the new ones.
-    void transfer(const std::vector<double> &travels, Vector &q);
+    /// Set what travels() tells.
+    void set_travels(const std::vector<double> &travels, Vector &q) const;
+
+    /// The blank was refined at @p q, of which multipliers are still to be set: contact of the old points goes over to
+    /// the new ones.
+    void transfer(Vector &q);
 
     /// The blank has other nodes: points of all of them, without contact.
     void resize();
