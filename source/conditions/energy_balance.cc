@@ -19,7 +19,7 @@ namespace deltaform
 
       std::vector<std::string> warnings(bool) const override
       {
-        constexpr double largest = .02;
+        constexpr double largest = .01;
         if (std::abs(error_) <= largest)
           return {};
         return {"energy balance: works and energies differ by " + text::percent(std::abs(error_)) +

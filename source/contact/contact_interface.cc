@@ -93,13 +93,8 @@ namespace deltaform
       const double slip = friction_ ? friction_->slip_of_increment(i, before, state, offset) : 0.;
       if (friction_ && state.touching && !state.sticking)
         state.slip += std::abs(slip);
-      if (!account_.counts())
-        return;
-      const Point2 &open = (state.touching ? before : state).position;
-      const double open_gap = state.touching != before.touching ? projector_.look(i, open).distance - offset : 0.;
-      account_.add(i, before, state, slip, open_gap, trial.energy);
-      if (before.touching && state.touching)
-        trial.energy.thickness += .5 * (before.force + state.force) * (offset - before.offset);
+      if (account_.counts())
+        account_.add({projector_, friction_.get(), i, before, state, offset, slip}, trial.energy);
     });
     trial.step = trial.time - committed.time;
     account_.finish(projector_, trial);

@@ -3,13 +3,30 @@
 
 #include <cmath>
 
+
 namespace deltaform
 {
   namespace
   {
-    /// In the tangential spring of a point with the force @p t.
-    double stored_by_friction(const ContactPointState &state, const double t)
+    double normal_force(const ContactPointState &state)
     {
+      return state.touching ? state.force : 0.;
+    }
+
+    double tangential_force(const ContactPointState &state)
+    {
+      return state.touching ? state.tangential_force : 0.;
+    }
+
+    /// A length, where it is more than the round-off of a point's gap: else 0.
+    double certain(const double length, const ContactPointState &state)
+    {
+      return std::abs(length) > state.noise ? length : 0.;
+    }
+
+    double stored_by_friction(const ContactPointState &state)
+    {
+      const double t = tangential_force(state);
       return state.touching && state.tangential_factor > 0 ? .5 * t * t / state.tangential_factor : 0.;
     }
   } // namespace
@@ -22,25 +39,68 @@ namespace deltaform
   }
 
 
-  void InterfaceAccount::add(const unsigned int point, const ContactPointState &before, const ContactPointState &now,
-                             const double slip, const double open_gap, ContactEnergy &energy)
+  void InterfaceAccount::add(const Increment &increment, ContactEnergy &energy)
   {
-    // What the springs gain beyond the trapezoidal work of their forces (eps p at both ends) when eps changes on the
-    // way. The round in which it changed does not matter, and a first touch (p = 0) counts nothing: its force goes
-    // from zero to the accepted one, whatever the factors of the rounds in between.
+    add_friction(increment, energy);
+    // The blank, when it was accepted, has put the point and its face elsewhere.
+    const ContactProjector &projector = increment.projector;
+    ContactPoint start;
+    projector.locate(projector.far().start(), increment.point, start);
+    start.x -= projector.far().start_shift();
+    const Projection closest = projector.look(increment.point, start.x);
+    add_springs(increment, start, closest, energy);
+    add_update(increment, start, closest, energy);
+  }
+
+
+  void InterfaceAccount::add_friction(const Increment &increment, ContactEnergy &energy)
+  {
+    const double first = tangential_force(increment.before), last = tangential_force(increment.now);
+    const double friction = .5 * (first + last) * increment.slip -
+                            (stored_by_friction(increment.now) - stored_by_friction(increment.before));
+    energy.friction += friction;
+    growth_ += (last - first) * increment.slip;
+    friction_work_[increment.point] = friction;
+  }
+
+
+  void InterfaceAccount::add_springs(const Increment &increment,
+                                     const ContactPoint &start,
+                                     const Projection &closest,
+                                     ContactEnergy &energy) const
+  {
+    const ContactPointState &before = increment.before, &now = increment.now;
+    // eps p at both ends when eps changes on the way. The round in which it changed does not matter, and a first touch
+    // (p = 0) counts nothing: its force goes from zero to the accepted one, whatever the factors of the rounds between.
     if (normal_springs_ && before.touching && now.touching)
       energy.epsilon += .5 * (now.penalty_factor - before.penalty_factor) * before.penetration() * now.penetration();
-    const double first = before.touching ? before.tangential_force : 0.,
-                 last = now.touching ? now.tangential_force : 0.;
-    const double friction =
-      .5 * (first + last) * slip - (stored_by_friction(now, last) - stored_by_friction(before, first));
-    energy.friction += friction;
-    growth_ += (last - first) * slip;
-    friction_work_[point] = friction;
-    // The trapezoidal rule lets half of the force of a point that has touched or let go work over the open gap, where
-    // it had none.
-    if (now.touching != before.touching && std::isfinite(open_gap) && open_gap > 0)
-      energy.epsilon += (now.touching ? -.5 * now.force : .5 * before.force) * open_gap;
+    // The forces at both ends work on the straight way between them, across the counterpart there. What they should
+    // have worked on is the change of the gap: along a round tool they would lift the point off it, and where it is
+    // free they are not.
+    const Projection end = increment.projector.look(increment.point, now.position);
+    const Tensor1 way = now.position - start.x;
+    const double gap = before.touching ? closest.distance - start.offset : 0.,
+                 change = (now.touching ? end.distance - increment.offset : 0.) - gap;
+    energy.epsilon += .5 * (normal_force(before) * certain(closest.normal * way - change, before) +
+                            normal_force(now) * certain(end.normal * way - change, now));
+  }
+
+
+  void InterfaceAccount::add_update(const Increment &increment,
+                                    const ContactPoint &start,
+                                    const Projection &closest,
+                                    ContactEnergy &energy)
+  {
+    const ContactPointState &before = increment.before, &now = increment.now;
+    if (before.touching)
+      energy.thickness += .5 * (normal_force(before) + normal_force(now)) *
+                          certain(before.gap - (closest.distance - face(start, before)), before);
+    if (increment.friction != nullptr)
+    {
+      const double slip = increment.friction->slip_to(
+        increment.point, before, now, {start.x, closest.arc_length}, increment.offset);
+      energy.thickness += .5 * (tangential_force(before) + tangential_force(now)) * certain(slip, before);
+    }
   }
 
 
@@ -52,26 +112,6 @@ namespace deltaform
     // middle. Where it was is as good as random: the error is evenly spread between half the growth and its negative.
     accepted.energy.friction_variance += growth_ * growth_ / 12.;
     accepted.energy.stored = stored(projector, accepted.points);
-  }
-
-
-  void InterfaceAccount::refresh(const ContactProjector &projector,
-                                 const Vector &q,
-                                 const Tensor1 &way,
-                                 InterfaceState &accepted) const
-  {
-    if (!counts_)
-      return;
-    projector.for_near_points([&](const unsigned int i) {
-      ContactPointState &state = accepted.points[i];
-      if (!state.touching)
-        return;
-      const ContactPoint point = projector.point(q, i);
-      state.offset = point.offset;
-      const double gap = projector.look(i, point.x - way).distance - face(point, state);
-      // The force works on the face that moves towards the counterpart.
-      accepted.energy.thickness += state.force * (state.gap - gap);
-    });
   }
 
 

@@ -89,15 +89,16 @@ namespace deltaform
   }
 
 
-  double InterfaceFriction::slip_of_increment(const unsigned int i,
-                                              const ContactPointState &before,
-                                              const ContactPointState &now,
-                                              const double offset) const
+  double InterfaceFriction::slip_to(const unsigned int i,
+                                    const ContactPointState &before,
+                                    const ContactPointState &now,
+                                    const Place &end,
+                                    const double offset) const
   {
     if (now.touching)
-      return offset_slip(projector_.counterpart().profile(), start(before, now), now.arc_length, offset);
+      return offset_slip(projector_.counterpart().profile(), start(before, now), end.arc_length, offset);
     // What has let go may be anywhere, also beyond the end of the tool: along the tangent where it was held last.
     const Projection last = projector_.look(i, before.position);
-    return transfer(last, offset).share * ((now.position - before.position) * last.tangent);
+    return transfer(last, offset).share * ((end.position - before.position) * last.tangent);
   }
 } // namespace deltaform

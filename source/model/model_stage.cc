@@ -62,7 +62,6 @@ namespace deltaform
     terms_.accept(q, state_.time, duration);
     state_.unknowns = q;
     state_.releases_at_once = false;
-    terms_.refresh(q);
     // A tool that lands has fallen without a force; what it then does is what the blank and its contact take up.
     if (landing > 0.)
       state_.work.tools -= std::clamp(energies().surplus() - surplus, 0., landing);

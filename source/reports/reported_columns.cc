@@ -187,12 +187,13 @@ namespace deltaform
                  {"contact_energy", "force*length",
                   "stored in the penalty springs now: eps penetration²/2, and t²/(2 eps_t) of sticking friction"},
                  {"epsilon_work", "force*length",
-                  "work done on the springs by changed penalty factors: half the change times the penetrations "
-                  "before and after; and the error of the trapezoidal work where a point touches or lets go within an "
-                  "increment: half its force over the open gap"},
+                  "what the springs gain beyond the work of their forces on the blank: by changed penalty factors, "
+                  "half the change times the penetrations before and after; and where the straight way of a point "
+                  "between two states is not that across the tool ([energies](theory/contact.md#energies))"},
                  {"thickness_work", "force*length",
                   "work done by what is updated between increments: the thickness that keeps tools from the "
-                  "mid-surface, the layers' distance to it, and the transverse normal stress"},
+                  "mid-surface, the places of contact points inside the elements, the layers' distance to the "
+                  "mid-surface, and the transverse normal stress"},
                  {"load_work", "force*length", "work of loads and of prescribed displacements"},
                  {"energy_error", "1",
                   "(tool_work + load_work + epsilon_work + thickness_work - elastic - plastic - friction - "

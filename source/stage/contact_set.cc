@@ -249,13 +249,6 @@ namespace deltaform
   }
 
 
-  void ContactSet::refresh(const Vector &q)
-  {
-    for (auto *interface : active_)
-      interface->refresh(q);
-  }
-
-
   void ContactSet::add_to(EnergyAccount &account) const
   {
     // Also of tools that have left.

@@ -34,13 +34,6 @@ namespace deltaform
   }
 
 
-  void StageTerms::refresh(const Vector &q)
-  {
-    for (Term *const term : all_)
-      term->refresh(q);
-  }
-
-
   void StageTerms::count_no_energy(const bool of_contact)
   {
     counts_energy_ = false;

@@ -389,12 +389,13 @@ BOOST_AUTO_TEST_CASE(continuation_of_a_first_touch)
   BOOST_TEST((rounds > 1u && rounds < 10u));
 }
 
-BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
+/// Down, along, back and up again on a plane: the trapezoidal work of the forces is what the energies say, to the last
+/// digit, because everything is linear between the states. Factors change at the starts of increments and in
+/// corrections; only their values at the ends of the increment count, and the accepted force.
+/// @param accepted what the blank does once it is accepted (with the number of the increment)
+static ContactEnergy
+balanced_work(FakeSurface &surface, const std::function<void(unsigned int)> &accepted)
 {
-  // Down, along, back and up again on a plane: the trapezoidal work of the forces is what the energies say, to the last
-  // digit, because everything is linear between the states. Factors change at the starts of increments and in
-  // corrections; only their values at the ends of the increment count, and the accepted force.
-  const FakeSurface surface = row(2);
   InterfaceFixture fixture(
     surface,
     {"Enforcement=penalty", "Allowed penetration=1e-3 + if(t > 5, 2e-3, 0)", "Allowed elastic slip=1e-3"},
@@ -420,10 +421,11 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
     committed = now;
     q = next;
     fixture.contact.commit(q);
+    accepted(k);
     sliding += fixture.contact.committed()[0].touching && !fixture.contact.committed()[0].sticking;
     const auto energy = fixture.contact.energy();
-    // The work done on the nodes, and by changing the factors, is in the springs or lost.
-    BOOST_TEST(std::abs(work + energy.epsilon - energy.stored - energy.friction) <
+    // The work done on the nodes, by changing the factors and by moving the faces, is in the springs or lost.
+    BOOST_TEST(std::abs(work + energy.epsilon + energy.thickness - energy.stored - energy.friction) <
                1e-14 * (10. + std::abs(work) + std::abs(energy.epsilon)));
   };
   for (unsigned int i = 1; i <= 5; ++i)
@@ -442,10 +444,72 @@ BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
   BOOST_TEST(corrected > 0u);
   BOOST_TEST(sliding > 10u);
   const auto energy = fixture.contact.energy();
-  BOOST_TEST_MESSAGE("work " << work << ", friction " << energy.friction << ", factors " << energy.epsilon);
+  BOOST_TEST_MESSAGE("work " << work << ", friction " << energy.friction << ", factors " << energy.epsilon
+                             << ", faces that moved " << energy.thickness);
   BOOST_TEST(energy.stored == 0.);
   BOOST_TEST(energy.friction > 0.);
   BOOST_TEST(energy.epsilon != 0.);
+  return energy;
+}
+
+BOOST_AUTO_TEST_CASE(work_is_stored_or_dissipated)
+{
+  FakeSurface surface = row(2);
+  BOOST_TEST(balanced_work(surface, [](unsigned int) {}).thickness == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(work_on_points_that_are_put_elsewhere)
+{
+  // The accepted blank has another thickness, and places its points anew: the forces at both ends of the next increment
+  // work on that, across the tool and along it.
+  FakeSurface surface = row(2);
+  const auto put_elsewhere = [&](const unsigned int k) {
+    surface.offset += k % 3 == 0 ? 2e-4 : -7e-5;
+    for (Point2 &X : surface.X)
+      X += Tensor1({k % 4 == 0 ? -5e-4 : 3e-4, k % 5 == 0 ? 1e-4 : -3e-5});
+  };
+  BOOST_TEST(std::abs(balanced_work(surface, put_elsewhere).thickness) > 1e-5);
+}
+
+BOOST_AUTO_TEST_CASE(work_of_normal_forces_on_a_round_tool)
+{
+  // A point goes around a circle in long increments, lets go and comes back: its forces work on straight ways, springs
+  // store what the gap changes by, and the account has the difference.
+  const FakeSurface surface(1);
+  InterfaceFixture fixture(surface, constant, {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"});
+  const auto at = [&](const double angle, const double p) {
+    Vector q(fixture.n);
+    q[0] = (1. - p) * std::sin(angle);
+    q[1] = (1. - p) * std::cos(angle);
+    return q;
+  };
+  Vector q = at(-.3, -.02);
+  fixture.contact.begin_stage(q, 0.);
+  Eigen::VectorXd committed = Eigen::VectorXd::Zero(fixture.n);
+  double work = 0.;
+  unsigned int k = 0;
+  const auto to = [&](const Vector &next) {
+    fixture.begin_increment(q, ++k, stiffness);
+    const auto now = fixture.converge(next).residual;
+    for (unsigned int i = 0; i < fixture.n; ++i)
+      work += .5 * (now[i] + committed[i]) * (next[i] - q[i]);
+    committed = now;
+    fixture.contact.commit(q = next);
+    const ContactEnergy &energy = fixture.contact.energy();
+    BOOST_TEST(std::abs(work + energy.epsilon - energy.stored) < 1e-14);
+    BOOST_TEST(energy.thickness == 0.);
+  };
+  for (const auto &[angle, p] :
+       {std::pair(-.1, .02), {.2, .005}, {.25, .03}, {.4, -.1}, {.5, -.03}, {.3, .01}, {.1, -.001}, {0., .02}})
+    to(at(angle, p));
+  // Straight on past the top: an open gap of .03, which nothing has pushed open. What the spring held is lost.
+  const double stored = fixture.contact.energy().stored, before = fixture.contact.energy().epsilon;
+  Vector past = q;
+  past[0] = .3;
+  to(past);
+  BOOST_TEST(fixture.contact.n_touching() == 0u);
+  BOOST_TEST(std::abs(stored - .5 * 50. * .02 * .02) < 1e-14);
+  BOOST_TEST(std::abs(fixture.contact.energy().epsilon - before + stored) < 1e-14);
 }
 
 BOOST_AUTO_TEST_CASE(friction_work_does_not_depend_on_the_increments)
@@ -531,9 +595,12 @@ BOOST_AUTO_TEST_CASE(a_thicker_blank_pushes)
   fixture.converge(q);
   fixture.contact.commit(q);
   surface.offset += 1e-4;
-  fixture.contact.refresh(q);
-  BOOST_TEST(std::abs(fixture.contact.energy().thickness - 50. * .01 * 1e-4) < 1e-15);
   BOOST_TEST(std::abs(fixture.contact.committed()[0].force - .5) < 1e-14);
+  fixture.begin_increment(q, 2., stiffness);
+  fixture.converge(q);
+  fixture.contact.commit(q);
+  BOOST_TEST(std::abs(fixture.contact.committed()[0].force - .505) < 1e-14);
+  BOOST_TEST(std::abs(fixture.contact.energy().thickness - 50. * .01005 * 1e-4) < 1e-15);
 }
 
 BOOST_AUTO_TEST_CASE(the_deepest_point_of_an_edge_over_an_arc)

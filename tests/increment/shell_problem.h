@@ -177,8 +177,6 @@ namespace deltaform
         if (fixture)
           fixture->contact.commit(q);
         blank->commit(q);
-        if (fixture)
-          fixture->contact.refresh(q);
         committed = q;
         last_time = time;
         return result;

@@ -23,7 +23,7 @@ from run_files import NoRun, Run, not_finite
 
 SHARE = 1e-4    # of the largest force of a row that may be out of balance
 FLOOR = 1e-6    # of the largest force of the run: round-off, and rows in which hardly anything is loaded
-ENERGY = 0.02   # largest error of the energy balance at the end
+ENERGY = 0.01   # largest error of the energy balance at the end
 DIGITS = 1e-8   # ten digits are printed; sums of some numbers lose two of them
 THIN = 0.03     # of the thickness: values at nodes are means of those at the points around
 

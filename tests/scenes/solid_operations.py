@@ -40,6 +40,9 @@ end
 subsection Limits
   set Criteria = cockcroft-latham
 end
+subsection Solver
+  set Force tolerance = 1e-8
+end
 subsection Output
   set Pictures = 0
 end

@@ -5,7 +5,7 @@
 
 Never allowed, whatever the scene: a crash, a hang (more than --seconds of processor time), NaN or infinity in a result, a promise
 p <= delta that is broken silently, an exit status without its message, a run that ends as done although its files show that forces are
-out of balance, that more than 2 % of the work are missing or that the sheet has less than a third of its thickness left, without a
+out of balance, that more than 1 % of the work are missing or that the sheet has less than a third of its thickness left, without a
 warning in summary.json. These make the exit status of this script 1; so
 does a share of completed sensible scenes below --share. --resume N kills the first N scenes that take long enough at
 random moments, and demands the same results from the resumed run. A scene is known by its number:

@@ -15,8 +15,8 @@ namespace deltaform
     double elastic = 0, plastic = 0, friction = 0;
     double friction_error = 0; ///< expected error of the friction energy by long increments
     double contact = 0; ///< stored now in the penalty springs
-    double epsilon_work = 0; ///< done by changing penalty factors at fixed penetration
-    double thickness_work = 0; ///< done by updating the thickness between increments
+    double epsilon_work = 0; ///< what penalty springs gain beyond the work of their forces
+    double thickness_work = 0; ///< done by what is updated between increments
 
     /// What was stored and dissipated.
     double taken_up() const

@@ -19,8 +19,8 @@ namespace deltaform
     double friction = 0; ///< dissipated so far
     /// Expected square of its error by long increments, see friction_error()
     double friction_variance = 0;
-    double epsilon = 0; ///< work done on the springs by changing eps, so far: (eps_1 - eps_0) p_0 p_1 / 2 per increment
-    double thickness = 0; ///< work done on the springs by the thickness that is updated between increments, so far
+    double epsilon = 0; ///< what the springs gained beyond the trapezoidal work of their forces on the blank, so far
+    double thickness = 0; ///< work on points that the accepted blank has put elsewhere, and on its faces, so far
 
     /// Expected error of `friction` against short increments, a standard deviation: sqrt(sum of J^2/12)
     /// over increments and tools, J = sum of (t_1 - t_0) ds over the points of a tool (doc/theory/friction.md). About

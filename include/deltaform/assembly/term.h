@@ -40,11 +40,6 @@ namespace deltaform
     {
     }
 
-    /// All terms are accepted; the body has updated its thickness.
-    virtual void refresh(const Vector & /*q*/)
-    {
-    }
-
     /// Add the energies of the accepted state, and the work done by what changes between increments.
     virtual void add_to(EnergyAccount & /*account*/) const
     {

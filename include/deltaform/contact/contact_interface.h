@@ -241,12 +241,6 @@ namespace deltaform
 
     void commit(const Vector &q);
 
-    /// After the blank's thickness was updated: count the work that this does.
-    void refresh(const Vector &q)
-    {
-      account_.refresh(projector_, q, shift(q), states_.committed);
-    }
-
     /// The blank has other nodes than before: points of all of them, without contact.
     void resize();
 

@@ -29,7 +29,6 @@ namespace deltaform
     double slip_start = 0; ///< arc length where the slip of a first touch starts
     double slip = 0; ///< path of sliding so far (irreversible)
     double area = 0, thickness = 0; ///< tributary area and thickness of the blank there
-    double offset = 0; ///< of a touching point, with the thickness as it was accepted
     double noise = 0; ///< round-off of the gap, which is a difference of large numbers
     Point2 position; ///< of the contact point relative to the tool
     std::array<double, ContactPoint::max_dofs> residual{}; ///< added to the rows of its unknowns

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/contact/contact_projector.h>
+#include <deltaform/contact/interface_friction.h>
 #include <deltaform/contact/interface_state.h>
 
 #include <vector>
@@ -38,17 +39,21 @@ namespace deltaform
     ///@{
     void begin(unsigned int n_points);
 
-    /// Work of friction and of changing factors at a point. @param slip of the increment, a length along the tool; 0
-    /// without friction @param open_gap of a point that has touched or let go: where it was free
-    void add(unsigned int point, const ContactPointState &before, const ContactPointState &now, double slip,
-             double open_gap, ContactEnergy &energy);
+    /// A point that touches or did when the increment began, and what it has done since.
+    struct Increment
+    {
+      const ContactProjector &projector;
+      const InterfaceFriction *friction; ///< null: none
+      unsigned int point;
+      const ContactPointState &before, &now;
+      double offset; ///< of its face in this increment
+      double slip; ///< of it, a length along the tool; 0 without friction
+    };
+
+    /// Work of friction, of changing factors, and on points that were put elsewhere between the increments.
+    void add(const Increment &increment, ContactEnergy &energy);
 
     void finish(const ContactProjector &projector, InterfaceState &accepted);
-
-    /// The thickness has become another than was foreseen, at fixed positions @p q and way of the counterpart: what the
-    /// forces do on the faces that move. They stay those of the accepted equilibrium.
-    void
-    refresh(const ContactProjector &projector, const Vector &q, const Tensor1 &way, InterfaceState &accepted) const;
     ///@}
 
     /// The points are others, under the same forces: what that adds to the stored energy counts as work of changing
@@ -59,6 +64,16 @@ namespace deltaform
     static void release(ContactEnergy &energy);
 
   private:
+    void add_friction(const Increment &increment, ContactEnergy &energy);
+
+    /// What the springs gain beyond the work of their forces. @param start the point and its closest point on the
+    /// counterpart where the increment has begun
+    void add_springs(const Increment &increment, const ContactPoint &start, const Projection &closest,
+                     ContactEnergy &energy) const;
+
+    static void add_update(const Increment &increment, const ContactPoint &start, const Projection &closest,
+                           ContactEnergy &energy);
+
     /// In the springs of all points: penalty springs, thickness, tangential springs.
     double stored(const ContactProjector &projector, const std::vector<ContactPointState> &points) const;
 

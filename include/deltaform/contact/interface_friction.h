@@ -79,10 +79,27 @@ namespace deltaform
 
     /// Slip in this increment of a point that touches or did at its start, over the whole increment: a length along the
     /// tool.
-    double slip_of_increment(unsigned int i,
+    double slip_of_increment(const unsigned int i,
                              const ContactPointState &before,
                              const ContactPointState &now,
-                             double offset) const;
+                             const double offset) const
+    {
+      return slip_to(i, before, now, {now.position, now.arc_length}, offset);
+    }
+
+    /// A place relative to the tool, and the arc length of its closest point.
+    struct Place
+    {
+      Point2 position;
+      double arc_length;
+    };
+
+    /// As if the slip had ended at @p end.
+    double slip_to(unsigned int i,
+                   const ContactPointState &before,
+                   const ContactPointState &now,
+                   const Place &end,
+                   double offset) const;
 
   private:
     FrictionInput input(unsigned int i,

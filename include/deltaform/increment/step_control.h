@@ -40,7 +40,7 @@ namespace deltaform
   {
   public:
     /// Of a stage: its largest increment, unless the scene has another.
-    static constexpr double usual_share = .015;
+    static constexpr double usual_share = .013;
 
     /**
      * @param begin, end  of the stage

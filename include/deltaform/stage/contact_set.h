@@ -78,8 +78,6 @@ namespace deltaform
     void add_couplings(dealii::DynamicSparsityPattern &pattern) const override;
     Status assemble(const Vector &q, double time, AssemblyTarget &target) const override;
     void accept(const Vector &q, double time, double duration) override;
-    /// Count the work of the new thickness.
-    void refresh(const Vector &q) override;
     void add_to(EnergyAccount &account) const override;
     void count_no_energy() override;
     ///@}

@@ -22,7 +22,6 @@ namespace deltaform
     Status assemble_others(const Vector &q, double time, AssemblyTarget &target) const;
 
     void accept(const Vector &q, double time, double duration);
-    void refresh(const Vector &q);
 
     /// Switch energies off. @param of_contact those of contact, too
     void count_no_energy(bool of_contact);
