@@ -1,5 +1,6 @@
 #include <deltaform/increment/line_search.h>
 #include <deltaform/increment/newton.h>
+#include <deltaform/increment/residual_norm.h>
 #include <deltaform/increment/returns.h>
 #include <deltaform/increment/set_search.h>
 #include <deltaform/increment/stagnation.h>
@@ -31,8 +32,20 @@ namespace deltaform
     constexpr double near_equilibrium = 3e-3;
     constexpr unsigned int first_iterations = 2;
 
+    // How often a step that the laws cannot follow is quartered.
+    constexpr unsigned int most_returns = 6;
+
     // Closer to equilibrium than this, factors that will not do are corrected between two iterations.
     constexpr double close_enough_to_correct = .1;
+
+    /// Norm of a change of the unknowns, each in its scale.
+    double scaled_norm(const Vector &change, const std::vector<double> &scale)
+    {
+      double square = 0.;
+      for (unsigned int i = 0; i < change.size(); ++i)
+        square += (scale[i] * change[i]) * (scale[i] * change[i]);
+      return std::sqrt(square);
+    }
   } // namespace
 
 
@@ -53,13 +66,17 @@ namespace deltaform
           const Vector &q_committed, const double force_floor)
       : newton_(newton), equations_(newton.equations_), system_(newton.system_), settings_(newton.settings_),
         scale_(newton.scale_), active_set_(newton.equations_.active_set()), q_(q), prescribed_(prescribed),
-        is_prescribed_(is_prescribed), q_committed_(q_committed), force_floor_(force_floor),
+        is_prescribed_(is_prescribed), q_committed_(q_committed),
+        norm_(system_, scale_, newton.size_, is_prescribed, force_floor, settings_.force_tolerance),
         stagnation_{std::max(stagnation_window, stagnation_share * settings_.max_iterations / 100),
                     most_iterations_if_close * settings_.max_iterations,
                     close_to_tolerance * settings_.relaxed_tolerance, settings_.relaxed_tolerance},
         increments_(q.size()), d_(q.size()), start_(q.size()),
         sets_(equations_, system_, settings_, scale_, is_prescribed)
     {
+      Vector way = q_;
+      way -= q_committed_;
+      foreseen_ = scaled_norm(way, scale_);
       system_.set_prescribed(is_prescribed);
     }
 
@@ -67,7 +84,7 @@ namespace deltaform
     {
       if (!assemble())
         return ended(Outcome::inadmissible);
-      residual_ = relative_residual();
+      residual_ = norm_.relative();
       result_.residuals.push_back(residual_);
       for (iteration_ = 0;; ++iteration_)
       {
@@ -88,21 +105,17 @@ namespace deltaform
         // 3. The step: linear solve.
         if (!find_step())
           return ended(result_.status.good() ? Outcome::singular : Outcome::inadmissible);
-        // 4. As far as it is admissible. If its set is a guess that leads to a larger residual: that of the first set.
+        // 4. As far as it is admissible. Perhaps another one in its place.
         if (!take_step())
           return ended(Outcome::inadmissible);
-        double residual = relative_residual();
-        if (searched_ && sets_.is_guess() && pending_ == 0. && residual > residual_)
-        {
-          if (!go(0.) || !find_direction() || !take_step())
-            return ended(Outcome::inadmissible);
-          residual = relative_residual();
-        }
+        double residual = norm_.relative();
+        if (residual > residual_ && pending_ == 0. && !replace_step(residual))
+          return ended(Outcome::inadmissible);
         // 5. Shorter where it leads to a larger residual.
         if (wants_search(residual))
         {
           search();
-          residual = relative_residual();
+          residual = norm_.relative();
         }
         // 6. Close to equilibrium, with penalty factors that keep the promise.
         if (!correct_early(residual))
@@ -121,6 +134,7 @@ namespace deltaform
     NewtonResult ended(const Outcome outcome)
     {
       result_.outcome = outcome;
+      result_.worst_dof = norm_.worst_dof();
       return std::move(result_);
     }
 
@@ -128,31 +142,6 @@ namespace deltaform
     {
       result_.status = equations_.assemble(q_, true);
       return result_.status.good();
-    }
-
-    /// |R| over the sum of absolute contributions; remembers that sum, and the worst unknown.
-    double relative_residual()
-    {
-      constexpr double epsilon = 8 * std::numeric_limits<double>::epsilon();
-      double square = 0., magnitude = 0., noise = 0., worst = -1.;
-      for (unsigned int i = 0; i < scale_.size(); ++i)
-      {
-        const double m = system_.magnitude()[i] / scale_[i];
-        magnitude += m * m;
-        if (is_prescribed_[i])
-          continue;
-        const double round_off = epsilon * system_.diagonal(i) * newton_.size_[i] / scale_[i];
-        noise += round_off * round_off;
-        const double r = system_.residual()[i] / scale_[i];
-        square += r * r;
-        if (std::abs(r) > worst)
-        {
-          worst = std::abs(r);
-          result_.worst_dof = i;
-        }
-      }
-      magnitude_ = std::max({std::sqrt(magnitude), force_floor_, std::sqrt(noise) / settings_.force_tolerance});
-      return std::sqrt(square) / magnitude_;
     }
 
     /// How far prescribed unknowns still have to go, and how far the increment has moved the others.
@@ -175,7 +164,7 @@ namespace deltaform
       const double tolerance = late ? settings_.relaxed_tolerance : settings_.force_tolerance;
       const bool fresh = iteration_ == 0 && result_.rounds == 0; // forces of the extrapolated start
       if (fresh || pending_ != 0. || !(residual_ <= tolerance) ||
-          (active_set_ != nullptr && !active_set_->consistent(tolerance * magnitude_)))
+          (active_set_ != nullptr && !active_set_->consistent(tolerance * norm_.magnitude())))
         return returns_.leave();
       // A damped step is no measure of the error.
       if (last_is_damped_)
@@ -193,7 +182,7 @@ namespace deltaform
       result_.residuals.clear();
       if (!assemble())
         return false;
-      residual_ = relative_residual();
+      residual_ = norm_.relative();
       return true;
     }
 
@@ -225,7 +214,7 @@ namespace deltaform
     /// What the damping adds to the tangent of this iteration.
     double damping() const
     {
-      return newton_.damps_ && pending_ == 0. ? damping_.stiffness(residual_, magnitude_) : 0.;
+      return newton_.damps_ && pending_ == 0. ? damping_.stiffness(residual_, norm_.magnitude()) : 0.;
     }
 
     bool find_direction()
@@ -242,7 +231,7 @@ namespace deltaform
       const bool first = result_.rounds == 0 && iteration_ < first_iterations;
       searched_ = active_set_ != nullptr && (first || residual_ <= near_equilibrium);
       const SetSearch::Solve how = [this](const double shift) { return solve(shift); };
-      return !searched_ || sets_.run(q_, d_, {residual_, magnitude_, damping()}, how);
+      return !searched_ || sets_.run(q_, d_, {residual_, norm_.magnitude(), damping()}, how);
     }
 
     /// d.R over the unknowns that are not prescribed.
@@ -267,7 +256,6 @@ namespace deltaform
 
     bool take_step()
     {
-      constexpr unsigned int most_returns = 6;
       if (active_set_ != nullptr)
         active_set_->prepare_step(d_);
       factor_ = equations_.limit_step(q_, d_);
@@ -282,6 +270,28 @@ namespace deltaform
         good = go(factor_);
       }
       return good;
+    }
+
+    /// The step has led to a larger residual. If its set was a guess: that of the first set. If it was long against
+    /// what was foreseen of the increment: a damped one. But a balanced state may be left.
+    bool replace_step(double &residual)
+    {
+      if (searched_ && sets_.is_guess() && !step_again(false, residual))
+        return false;
+      const bool again = residual > residual_ && newton_.damps_ && residual_ > settings_.force_tolerance &&
+                         damping_.bound(residual_, scaled_norm(d_, scale_), foreseen_);
+      return !again || step_again(true, residual);
+    }
+
+    /// From the same start, with the stiffness that the damping now asks for. @param finds_set look for its set as well
+    bool step_again(const bool finds_set, double &residual)
+    {
+      if (!go(0.))
+        return false;
+      norm_.relative(); // the magnitude at the start
+      const bool made = find_direction() && (!finds_set || find_active_set()) && take_step();
+      residual = norm_.relative();
+      return made;
     }
 
     bool wants_search(const double residual) const
@@ -313,7 +323,7 @@ namespace deltaform
         return true;
       if (!equations_.assemble_foreseen(q_) && !assemble())
         return false;
-      residual = relative_residual();
+      residual = norm_.relative();
       return true;
     }
 
@@ -321,11 +331,8 @@ namespace deltaform
     {
       if (pending_ != 0.)
         return;
-      double square = 0.;
-      for (unsigned int i = 0; i < d_.size(); ++i)
-        square += (scale_[i] * d_[i]) * (scale_[i] * d_[i]);
       last_is_damped_ = damping() > 0.;
-      damping_.judge(residual_, residual, factor_, std::sqrt(square));
+      damping_.judge(residual_, residual, factor_, scaled_norm(d_, scale_));
     }
 
     void finish_iteration(const double residual)
@@ -353,7 +360,7 @@ namespace deltaform
     const Vector &prescribed_;
     const std::vector<bool> &is_prescribed_;
     const Vector &q_committed_;
-    double force_floor_;
+    ResidualNorm norm_;
 
     NewtonResult result_;
     const Stagnation stagnation_;
@@ -363,7 +370,7 @@ namespace deltaform
     Returns returns_;
     unsigned int iteration_ = 0, n_creeping_ = 0;
     bool last_is_damped_ = false, searched_ = false; ///< the last step; for a set in this iteration
-    double residual_ = 0., magnitude_ = 0.; ///< relative; what it is relative to
+    double residual_ = 0., foreseen_ = 0.; ///< relative; way of the increment to where the solve starts, scaled
     double pending_ = 0., travelled_ = 0.;
     double factor_ = 1., work_start_ = 0.; ///< of the step that is taken, and of the residual along it at its start
     double last_step_ = std::numeric_limits<double>::infinity();

@@ -10,6 +10,7 @@ namespace deltaform
     constexpr double near_equilibrium = 1e-3; ///< relative residual
     constexpr double cut = .5; ///< share of a step that is taken
     constexpr unsigned int in_a_row = 2; ///< one may be where metal begins or ceases to flow
+    constexpr double share_of_increment = .05; ///< a longer step is no correction of it
     constexpr double growth = 4.; ///< of the radius after a step that is not cut
     constexpr double large = 1e3; ///< against such a step: the radius says nothing any more
   } // namespace
@@ -18,6 +19,15 @@ namespace deltaform
   double StepDamping::stiffness(const double residual, const double magnitude) const
   {
     return residual <= near_equilibrium ? residual * magnitude / radius_ : 0.;
+  }
+
+
+  bool StepDamping::bound(const double residual, const double length, const double way)
+  {
+    if (residual > near_equilibrium || std::isfinite(radius_) || way <= 0. || length <= share_of_increment * way)
+      return false;
+    radius_ = share_of_increment * way;
+    return true;
   }
 
 

@@ -109,7 +109,8 @@ namespace
       q.reinit(2);
       q[0] = start;
       Vector prescribed = q;
-      const auto committed = q;
+      auto committed = q;
+      committed[0] -= way;
       prescribed[1] = goal;
       visited.clear();
       factors.clear();
@@ -128,6 +129,7 @@ namespace
 
     Function internal, slope;
     double load, spring = 0., largest_step = 1e300, step = 0.;
+    double way = 0.; ///< that the increment has moved the start
     std::function<bool(double)> allowed = [](double) { return true; };
     unsigned int n_corrections = 0, n_early_corrections = 0, n_asked_early = 0;
     mutable unsigned int n_inconsistent = 0;
@@ -225,6 +227,35 @@ BOOST_AUTO_TEST_CASE(steps_that_nothing_resists_are_damped)
   // Undamped steps only grow: the first one already.
   BOOST_TEST(problem.factors.size() > 2u);
   BOOST_TEST(problem.visited[1] < -1e4);
+}
+
+BOOST_AUTO_TEST_CASE(a_long_step_that_leads_nowhere_is_replaced)
+{
+  // Two large forces, 1e-4 off balance: soft to .5, where what was elastic is stiff.
+  Scalar problem([](const double u) { return 1e3 + 1e-3 * u + 1e3 * std::max(u - .5, 0.); },
+                 [](const double u) { return u > .5 ? 1e3 : 1e-3; },
+                 1000.2);
+  const auto places = [&](const double way) {
+    problem.way = way;
+    const NewtonResult result = problem.solve(0.);
+    BOOST_TEST(result.converged(), listed_residuals(result.residuals));
+    BOOST_TEST(problem.q[0] == .5002, boost::test_tools::tolerance(1e-2));
+    return problem.visited;
+  };
+  const auto tolerance = boost::test_tools::tolerance(1e-2);
+  const double whole = 200.;
+  // The whole step, back to the start, and a twentieth of what was foreseen of the increment.
+  const auto visited = places(4.);
+  BOOST_TEST(visited[1] == whole, tolerance);
+  BOOST_TEST(visited[2] == 0.);
+  BOOST_TEST(visited[3] == .2, tolerance);
+  // It is not long, or nothing was foreseen: the line search goes on from its end.
+  for (const double way : {5000., 0.})
+  {
+    const auto others = places(way);
+    BOOST_TEST(others[1] == whole, tolerance);
+    BOOST_TEST(others[2] > 0.);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_balanced_state_that_the_solve_comes_back_to_is_its_end)

@@ -45,6 +45,19 @@ BOOST_AUTO_TEST_CASE(a_step_that_nothing_resists_comes_to_the_part_that_was_take
   BOOST_TEST(force / damping.stiffness(2e-5, 50.) == .04, boost::test_tools::tolerance(1e-12));
 }
 
+BOOST_AUTO_TEST_CASE(a_step_that_is_long_against_the_increment_is_too_long)
+{
+  StepDamping damping;
+  BOOST_TEST(!damping.bound(1e-4, .49, 10.));
+  BOOST_TEST(!damping.bound(2e-3, 5., 10.)); // far from equilibrium
+  BOOST_TEST(damping.stiffness(1e-4, 50.) == 0.);
+  BOOST_TEST(damping.bound(1e-4, .51, 10.));
+  BOOST_TEST(1e-4 * 50. / damping.stiffness(1e-4, 50.) == .5, boost::test_tools::tolerance(1e-12));
+  // What is damped is bounded.
+  BOOST_TEST(!damping.bound(1e-4, .51, 1.));
+  BOOST_TEST(1e-4 * 50. / damping.stiffness(1e-4, 50.) == .5, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(far_from_equilibrium_it_neither_acts_nor_learns)
 {
   StepDamping damping;
