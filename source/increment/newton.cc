@@ -104,13 +104,13 @@ namespace deltaform
           return ended(Outcome::diverged);
         // 3. The step: linear solve.
         if (!find_step())
-          return ended(result_.status.good() ? Outcome::singular : Outcome::inadmissible);
+          return without_step();
         // 4. As far as it is admissible. Perhaps another one in its place.
         if (!take_step())
           return ended(Outcome::inadmissible);
         double residual = norm_.relative();
         if (residual > residual_ && pending_ == 0. && !replace_step(residual))
-          return ended(Outcome::inadmissible);
+          return without_step();
         // 5. Shorter where it leads to a larger residual.
         if (wants_search(residual))
         {
@@ -136,6 +136,12 @@ namespace deltaform
       result_.outcome = outcome;
       result_.worst_dof = norm_.worst_dof();
       return std::move(result_);
+    }
+
+    /// The linear solver found none, or the laws do not follow it.
+    NewtonResult without_step()
+    {
+      return ended(result_.status.good() ? Outcome::singular : Outcome::inadmissible);
     }
 
     bool assemble()
