@@ -1,5 +1,6 @@
 #include <deltaform/increment/line_search.h>
 #include <deltaform/increment/newton.h>
+#include <deltaform/increment/radius_search.h>
 #include <deltaform/increment/residual_norm.h>
 #include <deltaform/increment/returns.h>
 #include <deltaform/increment/set_search.h>
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace deltaform
 {
@@ -25,6 +28,9 @@ namespace deltaform
 
     // Iterations in which the residual has to halve: at least, and in percent of the most.
     constexpr unsigned int stagnation_window = 8, stagnation_share = 40;
+    // The same where one of the last few steps was damped: they go along what nothing resists first, and |R| says little
+    // about that.
+    constexpr unsigned int window_within_radius = 20, few = 3;
 
     // As close to equilibrium the tangent of the blank is good for all sets that the solve may meet; so they are tried
     // with it. In the first iterations of an increment the start, which extrapolation has pressed into the tools, is
@@ -32,11 +38,57 @@ namespace deltaform
     constexpr double near_equilibrium = 3e-3;
     constexpr unsigned int first_iterations = 2;
 
+    // A search need not find much in the first iterations.
+    constexpr unsigned int lenient_iterations = 3;
+
     // How often a step that the laws cannot follow is quartered.
     constexpr unsigned int most_returns = 6;
 
     // Closer to equilibrium than this, factors that will not do are corrected between two iterations.
     constexpr double close_enough_to_correct = .1;
+
+    /// Largest scaled change on the way between two places, of all unknowns or those that count.
+    double largest_way(const Vector &from,
+                       const Vector &to,
+                       const std::vector<double> &scale,
+                       const std::vector<bool> *counts = nullptr)
+    {
+      double largest = 0.;
+      for (unsigned int i = 0; i < from.size(); ++i)
+        if (counts == nullptr || (*counts)[i])
+          largest = std::max(largest, std::abs(to[i] - from[i]) * scale[i]);
+      return largest;
+    }
+
+    /// Largest scaled change of a step of which @p factor is taken.
+    double largest_part(const double factor, const Vector &d, const std::vector<double> &scale)
+    {
+      double largest = 0.;
+      for (unsigned int i = 0; i < d.size(); ++i)
+        largest = std::max(largest, factor * std::abs(d[i]) * scale[i]);
+      return largest;
+    }
+
+    /// d.R over the unknowns that are not prescribed.
+    double work(const Vector &d, const Vector &residual, const std::vector<bool> &is_prescribed)
+    {
+      double work = 0.;
+      for (unsigned int i = 0; i < d.size(); ++i)
+        if (!is_prescribed[i])
+          work += d[i] * residual[i];
+      return work;
+    }
+
+    /// When a solve is given up.
+    Stagnation stagnation(const NewtonSettings &settings)
+    {
+      const unsigned int least = stagnation_share * settings.max_iterations / 100;
+      return {std::max(stagnation_window, least),
+              std::max(window_within_radius, least),
+              most_iterations_if_close * settings.max_iterations,
+              close_to_tolerance * settings.relaxed_tolerance,
+              settings.relaxed_tolerance};
+    }
 
     /// Norm of a change of the unknowns, each in its scale.
     double scaled_norm(const Vector &change, const std::vector<double> &scale)
@@ -68,9 +120,7 @@ namespace deltaform
         scale_(newton.scale_), active_set_(newton.equations_.active_set()), q_(q), prescribed_(prescribed),
         is_prescribed_(is_prescribed), q_committed_(q_committed),
         norm_(system_, scale_, newton.size_, is_prescribed, force_floor, settings_.force_tolerance),
-        stagnation_{std::max(stagnation_window, stagnation_share * settings_.max_iterations / 100),
-                    most_iterations_if_close * settings_.max_iterations,
-                    close_to_tolerance * settings_.relaxed_tolerance, settings_.relaxed_tolerance},
+        stagnation_(stagnation(settings_)),
         increments_(q.size()), d_(q.size()), start_(q.size()),
         sets_(equations_, system_, settings_, scale_, is_prescribed)
     {
@@ -120,7 +170,7 @@ namespace deltaform
         // 6. Close to equilibrium, with penalty factors that keep the promise.
         if (!correct_early(residual))
           return ended(Outcome::inadmissible);
-        judge_step(residual);
+        judge_step();
         finish_iteration(residual);
         // 7. Steps that are all but taken back far from equilibrium are given up early.
         if (creeps())
@@ -150,22 +200,22 @@ namespace deltaform
       return result_.status.good();
     }
 
+    /// The same tangent of the blank, contact as it is now.
+    bool assemble_again()
+    {
+      return equations_.assemble_foreseen(q_) || assemble();
+    }
+
     /// How far prescribed unknowns still have to go, and how far the increment has moved the others.
     void measure_way()
     {
-      pending_ = 0.;
-      travelled_ = newton_.smallest_motion_;
-      for (unsigned int i = 0; i < q_.size(); ++i)
-      {
-        if (is_prescribed_[i])
-          pending_ = std::max(pending_, std::abs(prescribed_[i] - q_[i]) * scale_[i]);
-        travelled_ = std::max(travelled_, std::abs(q_[i] - q_committed_[i]) * scale_[i]);
-      }
+      pending_ = largest_way(q_, prescribed_, scale_, &is_prescribed_);
+      travelled_ = std::max(newton_.smallest_motion_, largest_way(q_committed_, q_, scale_));
     }
 
     bool is_balanced()
     {
-      const bool late = iteration_ >= settings_.max_iterations && !last_is_damped_;
+      const bool late = iteration_ >= settings_.max_iterations && n_undamped_ > 0;
       // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
       const double tolerance = late ? settings_.relaxed_tolerance : settings_.force_tolerance;
       const bool fresh = iteration_ == 0 && result_.rounds == 0; // forces of the extrapolated start
@@ -173,10 +223,10 @@ namespace deltaform
           (active_set_ != nullptr && !active_set_->consistent(tolerance * norm_.magnitude())))
         return returns_.leave();
       // A damped step is no measure of the error.
-      if (last_is_damped_)
-        damping_ = StepDamping();
+      if (n_undamped_ == 0)
+        damping_.loosen();
       const bool moved =
-        !last_is_damped_ && (last_step_ <= settings_.displacement_tolerance * travelled_ || last_step_ <= 1e-14);
+        n_undamped_ > 0 && (last_step_ <= settings_.displacement_tolerance * travelled_ || last_step_ <= 1e-14);
       return moved || residual_ <= 1e-3 * tolerance || late ||
              returns_.come(q_, scale_, settings_.displacement_tolerance * travelled_);
     }
@@ -194,9 +244,7 @@ namespace deltaform
 
     bool is_hopeless() const
     {
-      if (!std::isfinite(residual_))
-        return true;
-      if (pending_ == 0. && stagnation_.reached(result_.residuals))
+      if (!std::isfinite(residual_) || (pending_ == 0. && stagnation_.reached(result_.residuals, n_undamped_ < few)))
         return true;
       return iteration_ >= settings_.max_iterations &&
              (residual_ >= stagnation_.near || iteration_ >= stagnation_.most_iterations);
@@ -214,21 +262,29 @@ namespace deltaform
         increments_[i] = is_prescribed_[i] ? prescribed_[i] - q_[i] : 0.;
       ++result_.iterations;
       result_.correction_iterations += result_.rounds > 0;
-      return find_direction() && find_active_set();
+      return find_within_radius(true);
     }
 
-    /// What the damping adds to the tangent of this iteration.
-    double damping() const
+    /// Of the steps from here, scaled.
+    double radius() const
     {
-      return newton_.damps_ && pending_ == 0. ? damping_.stiffness(residual_, norm_.magnitude()) : 0.;
+      return newton_.damps_ && pending_ == 0. ? damping_.radius(residual_) : std::numeric_limits<double>::infinity();
     }
 
-    bool find_direction()
+    /// @param again the set is another one than that of the last assembly
+    bool find_direction(bool again)
     {
-      if (damping() > 0.)
-        system_.add_to_diagonal(damping(), scale_);
-      // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
-      return solve(0.) || (assemble() && solve(1e-6));
+      const auto length_at = [&](const double mu) -> std::optional<double> {
+        if (std::exchange(again, true) && !assemble_again())
+          return std::nullopt;
+        if (mu > 0.)
+          system_.add_to_diagonal(mu, scale_);
+        // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
+        if (!solve(0.) && !(assemble() && solve(1e-6)))
+          return std::nullopt;
+        return scaled_norm(d_, scale_);
+      };
+      return radius_search_.find(radius(), residual_ * norm_.magnitude(), length_at);
     }
 
     /// The set that the step leads to, where it is time.
@@ -237,17 +293,14 @@ namespace deltaform
       const bool first = result_.rounds == 0 && iteration_ < first_iterations;
       searched_ = active_set_ != nullptr && (first || residual_ <= near_equilibrium);
       const SetSearch::Solve how = [this](const double shift) { return solve(shift); };
-      return !searched_ || sets_.run(q_, d_, {residual_, norm_.magnitude(), damping()}, how);
+      return !searched_ || sets_.run(q_, d_, {residual_, norm_.magnitude(), radius_search_.stiffness()}, how);
     }
 
-    /// d.R over the unknowns that are not prescribed.
-    double work_along_step() const
+    /// Another set may make the step longer.
+    bool find_within_radius(const bool finds_set)
     {
-      double work = 0.;
-      for (unsigned int i = 0; i < d_.size(); ++i)
-        if (!is_prescribed_[i])
-          work += d_[i] * system_.residual()[i];
-      return work;
+      return find_direction(false) && (!finds_set || find_active_set()) &&
+             (RadiusSearch::is_within(radius(), scaled_norm(d_, scale_)) || find_direction(true));
     }
 
     /// To the start of the step plus a share of it.
@@ -266,7 +319,7 @@ namespace deltaform
         active_set_->prepare_step(d_);
       factor_ = equations_.limit_step(q_, d_);
       start_ = q_;
-      work_start_ = work_along_step();
+      work_start_ = work(d_, system_.residual(), is_prescribed_);
       // Go back until the laws can be evaluated.
       bool good = go(factor_);
       for (unsigned int back = 0; !good && back < most_returns; ++back)
@@ -279,7 +332,7 @@ namespace deltaform
     }
 
     /// The step has led to a larger residual. If its set was a guess: that of the first set. If it was long against
-    /// what was foreseen of the increment: a damped one. But a balanced state may be left.
+    /// what was foreseen of the increment: one within a radius. But a balanced state may be left.
     bool replace_step(double &residual)
     {
       if (searched_ && sets_.is_guess() && !step_again(false, residual))
@@ -289,13 +342,13 @@ namespace deltaform
       return !again || step_again(true, residual);
     }
 
-    /// From the same start, with the stiffness that the damping now asks for. @param finds_set look for its set as well
+    /// From the same start, within the radius that is now asked for. @param finds_set look for its set as well
     bool step_again(const bool finds_set, double &residual)
     {
       if (!go(0.))
         return false;
       norm_.relative(); // the magnitude at the start
-      const bool made = find_direction() && (!finds_set || find_active_set()) && take_step();
+      const bool made = find_within_radius(finds_set) && take_step();
       residual = norm_.relative();
       return made;
     }
@@ -308,14 +361,13 @@ namespace deltaform
 
     void search()
     {
-      constexpr unsigned int lenient_iterations = 3;
+      // Another radius is cheaper than more assemblies along a step.
+      const double share = std::isfinite(radius()) ? .9 : (iteration_ < lenient_iterations ? .8 : .2);
       LineSearch search;
-      factor_ = search.search(factor_, work_start_, work_along_step(), iteration_ >= lenient_iterations ? .2 : .8,
-                              [&](const double factor) -> std::optional<double> {
-                                if (!go(factor))
-                                  return std::nullopt;
-                                return work_along_step();
-                              });
+      const auto work_here = [this] { return work(d_, system_.residual(), is_prescribed_); };
+      factor_ = search.search(factor_, work_start_, work_here(), share, [&](const double factor) {
+        return go(factor) ? std::optional<double>(work_here()) : std::nullopt;
+      });
       result_.line_searches += search.n_evaluations();
     }
 
@@ -327,26 +379,24 @@ namespace deltaform
                            residual > settings_.force_tolerance;
       if (!is_time || equations_.correct_early() == 0)
         return true;
-      if (!equations_.assemble_foreseen(q_) && !assemble())
+      if (!assemble_again())
         return false;
       residual = norm_.relative();
       return true;
     }
 
-    void judge_step(const double residual)
+    void judge_step()
     {
       if (pending_ != 0.)
         return;
-      last_is_damped_ = damping() > 0.;
-      damping_.judge(residual_, residual, factor_, scaled_norm(d_, scale_));
+      n_undamped_ = radius_search_.stiffness() > 0. ? 0 : n_undamped_ + 1;
+      damping_.judge(residual_, factor_, scaled_norm(d_, scale_));
     }
 
     void finish_iteration(const double residual)
     {
       residual_ = residual;
-      last_step_ = 0.;
-      for (unsigned int i = 0; i < q_.size(); ++i)
-        last_step_ = std::max(last_step_, factor_ * std::abs(d_[i]) * scale_[i]);
+      last_step_ = largest_part(factor_, d_, scale_);
       result_.residuals.push_back(residual_);
     }
 
@@ -373,9 +423,11 @@ namespace deltaform
     Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
     SetSearch sets_;
     StepDamping damping_;
+    RadiusSearch radius_search_;
     Returns returns_;
     unsigned int iteration_ = 0, n_creeping_ = 0;
-    bool last_is_damped_ = false, searched_ = false; ///< the last step; for a set in this iteration
+    unsigned int n_undamped_ = few; ///< steps in a row
+    bool searched_ = false; ///< for a set in this iteration
     double residual_ = 0., foreseen_ = 0.; ///< relative; way of the increment to where the solve starts, scaled
     double pending_ = 0., travelled_ = 0.;
     double factor_ = 1., work_start_ = 0.; ///< of the step that is taken, and of the residual along it at its start

@@ -12,13 +12,13 @@ namespace deltaform
     constexpr unsigned int in_a_row = 2; ///< one may be where metal begins or ceases to flow
     constexpr double share_of_increment = .05; ///< a longer step is no correction of it
     constexpr double growth = 4.; ///< of the radius after a step that is not cut
-    constexpr double large = 1e3; ///< against such a step: the radius says nothing any more
+    constexpr double all = .5; ///< share of the radius: a step that needs all of it is longer
   } // namespace
 
 
-  double StepDamping::stiffness(const double residual, const double magnitude) const
+  double StepDamping::radius(const double residual) const
   {
-    return residual <= near_equilibrium ? residual * magnitude / radius_ : 0.;
+    return residual <= near_equilibrium ? radius_ : std::numeric_limits<double>::infinity();
   }
 
 
@@ -31,14 +31,20 @@ namespace deltaform
   }
 
 
-  void StepDamping::judge(const double residual, const double next, const double factor, const double length)
+  void StepDamping::judge(const double residual, const double factor, const double length)
   {
     if (residual > near_equilibrium)
       return;
     n_cut_ = factor < cut ? n_cut_ + 1 : 0;
     if (n_cut_ >= in_a_row)
       radius_ = factor * length;
-    else if (n_cut_ == 0 && next < residual && std::isfinite(radius_))
-      radius_ = growth * radius_ > large * length ? std::numeric_limits<double>::infinity() : growth * radius_;
+    else if (n_cut_ == 0 && length > all * radius_)
+      radius_ *= growth;
+  }
+
+
+  void StepDamping::loosen()
+  {
+    radius_ *= growth;
   }
 } // namespace deltaform

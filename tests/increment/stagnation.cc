@@ -17,7 +17,7 @@ namespace
     return residuals;
   }
 
-  constexpr Stagnation rule{8, 40, 1e-3, 1e-5};
+  constexpr Stagnation rule{8, 20, 40, 1e-3, 1e-5};
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(stagnation)
@@ -42,6 +42,14 @@ BOOST_AUTO_TEST_CASE(close_to_it_they_have_to_arrive)
   BOOST_TEST(rule.reached(falling(5e-4, .95, 30)));
   // One that is good enough has arrived, whatever comes after it.
   BOOST_TEST(!rule.reached({5e-4, 4e-4, 3e-4, 9e-6, 3e-4, 3e-4, 3e-4, 3e-4, 3e-4, 3e-4}));
+}
+
+BOOST_AUTO_TEST_CASE(patience_has_a_longer_window)
+{
+  BOOST_TEST(rule.reached(falling(.5, .99, 12)));
+  BOOST_TEST(!rule.reached(falling(.5, .99, 19), true));
+  BOOST_TEST(rule.reached(falling(.5, .99, 20), true)); // .82
+  BOOST_TEST(!rule.reached(falling(.5, .95, 20), true)); // .36
 }
 
 BOOST_AUTO_TEST_SUITE_END()
