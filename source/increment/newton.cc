@@ -1,11 +1,10 @@
 #include <deltaform/increment/line_search.h>
 #include <deltaform/increment/newton.h>
-#include <deltaform/increment/radius_search.h>
 #include <deltaform/increment/residual_norm.h>
 #include <deltaform/increment/returns.h>
-#include <deltaform/increment/set_search.h>
+#include <deltaform/increment/scaled_norm.h>
 #include <deltaform/increment/stagnation.h>
-#include <deltaform/increment/step_damping.h>
+#include <deltaform/increment/step_search.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,14 +27,12 @@ namespace deltaform
 
     // Iterations in which the residual has to halve: at least, and in percent of the most.
     constexpr unsigned int stagnation_window = 8, stagnation_share = 40;
-    // The same where one of the last few steps was damped: they go along what nothing resists first, and |R| says little
-    // about that.
+    // The same where one of the last few steps was damped: they go along what nothing resists first, and |R| says
+    // little about that.
     constexpr unsigned int window_within_radius = 20, few = 3;
 
-    // As close to equilibrium the tangent of the blank is good for all sets that the solve may meet; so they are tried
-    // with it. In the first iterations of an increment the start, which extrapolation has pressed into the tools, is
-    // put on their surfaces.
-    constexpr double near_equilibrium = 3e-3;
+    // In the first iterations of an increment the start, which extrapolation has pressed into the tools, is put on
+    // their surfaces: the set is looked for at any residual.
     constexpr unsigned int first_iterations = 2;
 
     // A search need not find much in the first iterations.
@@ -89,23 +86,13 @@ namespace deltaform
               close_to_tolerance * settings.relaxed_tolerance,
               settings.relaxed_tolerance};
     }
-
-    /// Norm of a change of the unknowns, each in its scale.
-    double scaled_norm(const Vector &change, const std::vector<double> &scale)
-    {
-      double square = 0.;
-      for (unsigned int i = 0; i < change.size(); ++i)
-        square += (scale[i] * change[i]) * (scale[i] * change[i]);
-      return std::sqrt(square);
-    }
   } // namespace
 
 
   Newton::Newton(Equations &equations, System &system, const NewtonSettings &settings,
                  const std::vector<double> &scale, const std::vector<double> &size, Timers &timers)
     : equations_(equations), system_(system), settings_(settings), scale_(scale), size_(size),
-      smallest_motion_(.01 * equations.typical_length()), timers_(timers),
-      timer_solve_(timers.section("11 factorization and solve"))
+      smallest_motion_(.01 * equations.typical_length()), timers_(timers)
   {
   }
 
@@ -121,8 +108,8 @@ namespace deltaform
         is_prescribed_(is_prescribed), q_committed_(q_committed),
         norm_(system_, scale_, newton.size_, is_prescribed, force_floor, settings_.force_tolerance),
         stagnation_(stagnation(settings_)),
-        increments_(q.size()), d_(q.size()), start_(q.size()),
-        sets_(equations_, system_, settings_, scale_, is_prescribed)
+        increments_(q.size()), start_(q.size()),
+        steps_(equations_, system_, settings_, scale_, is_prescribed, newton.timers_, newton.damps_), d_(steps_.step())
     {
       Vector way = q_;
       way -= q_committed_;
@@ -191,6 +178,8 @@ namespace deltaform
     /// The linear solver found none, or the laws do not follow it.
     NewtonResult without_step()
     {
+      if (result_.status.good())
+        result_.status = steps_.status();
       return ended(result_.status.good() ? Outcome::singular : Outcome::inadmissible);
     }
 
@@ -224,7 +213,7 @@ namespace deltaform
         return returns_.leave();
       // A damped step is no measure of the error.
       if (n_undamped_ == 0)
-        damping_.loosen();
+        steps_.damping().loosen();
       const bool moved =
         n_undamped_ > 0 && (last_step_ <= settings_.displacement_tolerance * travelled_ || last_step_ <= 1e-14);
       return moved || residual_ <= 1e-3 * tolerance || late ||
@@ -250,57 +239,18 @@ namespace deltaform
              (residual_ >= stagnation_.near || iteration_ >= stagnation_.most_iterations);
     }
 
-    bool solve(const double shift)
-    {
-      Timers::Scope timer(newton_.timers_, newton_.timer_solve_);
-      return system_.factorize(shift) && system_.solve(increments_, d_);
-    }
-
     bool find_step()
     {
       for (unsigned int i = 0; i < q_.size(); ++i)
         increments_[i] = is_prescribed_[i] ? prescribed_[i] - q_[i] : 0.;
       ++result_.iterations;
       result_.correction_iterations += result_.rounds > 0;
-      return find_within_radius(true);
+      return steps_.find(start_of_step(), increments_);
     }
 
-    /// Of the steps from here, scaled.
-    double radius() const
+    StepSearch::Start start_of_step() const
     {
-      return newton_.damps_ && pending_ == 0. ? damping_.radius(residual_) : std::numeric_limits<double>::infinity();
-    }
-
-    /// @param again the set is another one than that of the last assembly
-    bool find_direction(bool again)
-    {
-      const auto length_at = [&](const double mu) -> std::optional<double> {
-        if (std::exchange(again, true) && !assemble_again())
-          return std::nullopt;
-        if (mu > 0.)
-          system_.add_to_diagonal(mu, scale_);
-        // A free rigid motion, or a blank that contact does not yet hold: a shifted matrix still gives a direction.
-        if (!solve(0.) && !(assemble() && solve(1e-6)))
-          return std::nullopt;
-        return scaled_norm(d_, scale_);
-      };
-      return radius_search_.find(radius(), residual_ * norm_.magnitude(), length_at);
-    }
-
-    /// The set that the step leads to, where it is time.
-    bool find_active_set()
-    {
-      const bool first = result_.rounds == 0 && iteration_ < first_iterations;
-      searched_ = active_set_ != nullptr && (first || residual_ <= near_equilibrium);
-      const SetSearch::Solve how = [this](const double shift) { return solve(shift); };
-      return !searched_ || sets_.run(q_, d_, {residual_, norm_.magnitude(), radius_search_.stiffness()}, how);
-    }
-
-    /// Another set may make the step longer.
-    bool find_within_radius(const bool finds_set)
-    {
-      return find_direction(false) && (!finds_set || find_active_set()) &&
-             (RadiusSearch::is_within(radius(), scaled_norm(d_, scale_)) || find_direction(true));
+      return {q_, residual_, norm_.magnitude(), pending_ != 0., result_.rounds == 0 && iteration_ < first_iterations};
     }
 
     /// To the start of the step plus a share of it.
@@ -335,20 +285,20 @@ namespace deltaform
     /// what was foreseen of the increment: one within a radius. But a balanced state may be left.
     bool replace_step(double &residual)
     {
-      if (searched_ && sets_.is_guess() && !step_again(false, residual))
+      if (steps_.is_guess() && !step_again(&StepSearch::find_without_set, residual))
         return false;
       const bool again = residual > residual_ && newton_.damps_ && residual_ > settings_.force_tolerance &&
-                         damping_.bound(residual_, scaled_norm(d_, scale_), foreseen_);
-      return !again || step_again(true, residual);
+                         steps_.damping().bound(residual_, steps_.length(), foreseen_);
+      return !again || step_again(&StepSearch::find_again, residual);
     }
 
-    /// From the same start, within the radius that is now asked for. @param finds_set look for its set as well
-    bool step_again(const bool finds_set, double &residual)
+    /// From the same start, as @p find finds it.
+    bool step_again(bool (StepSearch::*const find)(const StepSearch::Start &), double &residual)
     {
       if (!go(0.))
         return false;
       norm_.relative(); // the magnitude at the start
-      const bool made = find_within_radius(finds_set) && take_step();
+      const bool made = (steps_.*find)(start_of_step()) && take_step();
       residual = norm_.relative();
       return made;
     }
@@ -362,7 +312,7 @@ namespace deltaform
     void search()
     {
       // Another radius is cheaper than more assemblies along a step.
-      const double share = std::isfinite(radius()) ? .9 : (iteration_ < lenient_iterations ? .8 : .2);
+      const double share = steps_.is_bound(start_of_step()) ? .9 : (iteration_ < lenient_iterations ? .8 : .2);
       LineSearch search;
       const auto work_here = [this] { return work(d_, system_.residual(), is_prescribed_); };
       factor_ = search.search(factor_, work_start_, work_here(), share, [&](const double factor) {
@@ -389,8 +339,8 @@ namespace deltaform
     {
       if (pending_ != 0.)
         return;
-      n_undamped_ = radius_search_.stiffness() > 0. ? 0 : n_undamped_ + 1;
-      damping_.judge(residual_, factor_, scaled_norm(d_, scale_));
+      n_undamped_ = steps_.is_damped() ? 0 : n_undamped_ + 1;
+      steps_.damping().judge(residual_, factor_, steps_.length());
     }
 
     void finish_iteration(const double residual)
@@ -420,14 +370,12 @@ namespace deltaform
 
     NewtonResult result_;
     const Stagnation stagnation_;
-    Vector increments_, d_, start_; ///< of prescribed unknowns; the step; where it starts
-    SetSearch sets_;
-    StepDamping damping_;
-    RadiusSearch radius_search_;
+    Vector increments_, start_; ///< of prescribed unknowns; where the step starts
+    StepSearch steps_;
+    Vector &d_; ///< the step
     Returns returns_;
     unsigned int iteration_ = 0, n_creeping_ = 0;
     unsigned int n_undamped_ = few; ///< steps in a row
-    bool searched_ = false; ///< for a set in this iteration
     double residual_ = 0., foreseen_ = 0.; ///< relative; way of the increment to where the solve starts, scaled
     double pending_ = 0., travelled_ = 0.;
     double factor_ = 1., work_start_ = 0.; ///< of the step that is taken, and of the residual along it at its start

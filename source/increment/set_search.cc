@@ -1,7 +1,9 @@
+#include <deltaform/increment/scaled_norm.h>
 #include <deltaform/increment/set_search.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace deltaform
 {
@@ -34,7 +36,8 @@ namespace deltaform
                       const Place &place,
                       const Solve &solve)
   {
-    is_guess_ = false;
+    is_guess_ = lead_to_each_other_ = false;
+    length_ = scaled_norm(d, scale_);
     ActiveSet &active_set = *equations_.active_set();
     std::vector<std::size_t> sets;
     while (sets.size() < most_sets && active_set.foresee(q, d))
@@ -55,7 +58,9 @@ namespace deltaform
       sets.push_back(set);
       if (!solve(0.) && !(equations_.assemble_foreseen(q) && solve(1e-6)))
         return false;
-      if (goes_to_and_fro && sets.size() % 2 == 0)
+      length_before_ = std::exchange(length_, scaled_norm(d, scale_));
+      lead_to_each_other_ = goes_to_and_fro && sets.size() % 2 == 0;
+      if (lead_to_each_other_)
         return true;
     }
     is_guess_ = sets.size() == most_sets;

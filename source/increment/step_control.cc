@@ -6,6 +6,15 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    // Shares of a usual increment. doc/decisions/README.md, "Waiting with longer increments"
+    constexpr double far_too_short = .01;
+    constexpr double crawling = 1e-3;
+    constexpr unsigned int dear = 2; ///< times the iterations aimed at
+  } // namespace
+
+
   StepSettings::StepSettings(Section &section, const unsigned int target)
     : target_iterations(section.integer("Target iterations", static_cast<int>(target), 1, 1000,
                                         "Newton iterations aimed at: more shorten the next increment, fewer lengthen "
@@ -76,15 +85,16 @@ namespace deltaform
                            const unsigned int spent)
   {
     constexpr double safety = .8; // the next increment may strain faster
-    constexpr double crawling = 1e-3; // of a usual increment
     const double last = increment_;
     failed_.accept(last);
     search_.accept(last, spent);
     if (iterations)
     {
       resize(*iterations, error);
-      // Where increments are so short (a neck, a snap) to wait with longer ones never ends.
-      if (last > crawling * usual_)
+      // Where increments are so short (a neck, a snap) to wait with longer ones never ends. Where they are short and
+      // dear it costs more than another failure.
+      const bool is_dear = last<far_too_short * usual_ && * iterations> dear * settings_.target_iterations;
+      if (last > crawling * usual_ && !is_dear)
         increment_ = failed_.bounded(increment_, last);
     }
     else
@@ -110,7 +120,6 @@ namespace deltaform
   void StepControl::resize(const unsigned int iterations, const double error)
   {
     constexpr double integral = .3, proportional = .4;
-    constexpr double far_too_short = .01; // of a usual increment
     longer_tries_ = 0;
     const double last = error_ > 0. ? error_ : error;
     error_ = error;

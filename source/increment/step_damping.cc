@@ -1,5 +1,6 @@
 #include <deltaform/increment/step_damping.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace deltaform
@@ -27,6 +28,15 @@ namespace deltaform
     if (residual > near_equilibrium || std::isfinite(radius_) || way <= 0. || length <= share_of_increment * way)
       return false;
     radius_ = share_of_increment * way;
+    return true;
+  }
+
+
+  bool StepDamping::shorten(const double residual, const double most)
+  {
+    if (residual > near_equilibrium)
+      return false;
+    radius_ = std::min(radius_ / growth, most);
     return true;
   }
 

@@ -294,7 +294,8 @@ BOOST_AUTO_TEST_CASE(another_set_does_not_make_a_step_longer_than_its_radius)
   BOOST_TEST(problem.is_released);
   BOOST_TEST(problem.q[0] == .5002, boost::test_tools::tolerance(1e-2));
   // The whole step is 200; the second radius is four times the first, and where it leads to the force turns round.
-  const auto second = std::find_if(problem.visited.begin() + 2, problem.visited.end(), [](double u) { return u != 0.; });
+  const auto second =
+    std::find_if(problem.visited.begin() + 2, problem.visited.end(), [](double u) { return u != 0.; });
   BOOST_TEST(*std::max_element(second, problem.visited.end()) <= .5 + 1.2 * .8);
 }
 

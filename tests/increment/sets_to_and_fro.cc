@@ -64,21 +64,23 @@ namespace
       if (!step.empty())
         return;
       step = {d[0], d[1]};
+      touches_in_step = touches;
       n_sets_of_step = n_sets;
     }
 
-    void solve()
+    /// @param force_floor large against the forces: close to equilibrium
+    void solve(const double force_floor = 0.)
     {
       const std::vector<double> scale(2, 1.), size(2, 1e-6);
       Timers timers;
       Vector u(2);
       const Vector start = u;
       Newton newton(*this, system, newton_settings({"Maximal iterations=2"}), scale, size, timers);
-      newton.solve(u, start, std::vector<bool>(2, false), start, 0.);
+      newton.solve(u, start, std::vector<bool>(2, false), start, force_floor);
     }
 
     double load;
-    bool touches = true, next = true;
+    bool touches = true, next = true, touches_in_step = true;
     unsigned int n_sets = 0, n_sets_of_step = 0; ///< all; of the first step
     std::vector<double> step; ///< the first one
     System system;
@@ -97,6 +99,15 @@ BOOST_AUTO_TEST_CASE(two_sets_that_lead_to_each_other_are_left)
   // It is the step with the spring, as that of any even number of sets.
   BOOST_TEST(std::abs(body.step[0] - .5) < 1e-14);
   BOOST_TEST(std::abs(body.step[1] - 1.) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(close_to_equilibrium_a_shorter_step_is_for_one_that_leads_to_itself)
+{
+  Softening body(0.);
+  body.solve(1e4);
+  // The spring is left along its force. The longer step is -1, without it, so the radius .25 and the damping 4 at most.
+  BOOST_TEST(std::abs(body.step[0] - 1. / 3.) < 1e-12);
+  BOOST_TEST(!body.touches_in_step);
 }
 
 BOOST_AUTO_TEST_CASE(a_change_of_no_weight_ends_the_search)

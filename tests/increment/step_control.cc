@@ -17,6 +17,20 @@ namespace
     Section section = tree.root();
     return StepSettings(section);
   }
+
+  /// Of @p n increments that take @p iterations; what is longer than @p longest fails.
+  unsigned int
+  failures(StepControl &control, const unsigned int n, const double longest, const unsigned int iterations)
+  {
+    unsigned int result = 0;
+    for (unsigned int k = 0; k < n; ++k)
+    {
+      for (; control.increment() > longest; ++result)
+        control.reject(control.increment());
+      control.accept(iterations);
+    }
+    return result;
+  }
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(step_control)
@@ -185,23 +199,26 @@ BOOST_AUTO_TEST_CASE(a_length_that_fails_is_tried_less_and_less_often)
   StepControl control(what, 0., 1e3, 1e-3, 1e-6, 2., {});
   // Whatever is longer than a third of what would always grow fails.
   const double longest = 6e-3;
-  const auto run = [&control](const unsigned int n, const double largest) {
-    unsigned int failures = 0;
-    for (unsigned int k = 0; k < n; ++k)
-    {
-      for (; control.increment() > largest; ++failures)
-        control.reject(control.increment());
-      control.accept(30);
-    }
-    return failures;
-  };
-  BOOST_TEST(run(500, longest) < 20u);
+  const unsigned int few_iterations = 10;
+  BOOST_TEST(failures(control, 500, longest, few_iterations) < 20u);
   // Between two failures it is as long as the last one that did not fail, not half of the one that did.
-  BOOST_TEST(run(20, longest) <= 1u);
+  BOOST_TEST(failures(control, 20, longest, few_iterations) <= 1u);
   BOOST_TEST(control.increment() > longest / 1.5);
   // Where longer ones do not fail any more they are found.
-  BOOST_TEST(run(100, 1.) == 0u);
+  BOOST_TEST(failures(control, 100, 1., few_iterations) == 0u);
   BOOST_TEST(control.increment() > .02);
+}
+
+BOOST_AUTO_TEST_CASE(increments_that_are_short_and_dear_do_not_wait)
+{
+  const StepSettings what = settings();
+  StepControl control(what, 0., 1e3, 1e-3, 1e-6, 2., {});
+  const double longest = 6e-3;
+  // Each would take more than twice the iterations that are aimed at: one in three or four is followed by a failure.
+  BOOST_TEST(failures(control, 500, longest, 11) > 100u);
+  // Long ones wait, whatever they take.
+  StepControl longer(what, 0., 1e3, .1, 1e-6, 2., {});
+  BOOST_TEST(failures(longer, 500, .1, 11) < 20u);
 }
 
 BOOST_AUTO_TEST_CASE(increments_that_crawl_do_not_wait)

@@ -85,4 +85,17 @@ BOOST_AUTO_TEST_CASE(it_grows_with_steps_that_need_all_of_it)
   BOOST_TEST(damping.radius(1e-4) == 1.6, near);
 }
 
+BOOST_AUTO_TEST_CASE(it_shrinks_where_sets_lead_to_each_other)
+{
+  StepDamping damping;
+  BOOST_TEST(!damping.shorten(2e-3, 3.)); // far from equilibrium
+  BOOST_TEST(std::isinf(damping.radius(1e-4)));
+  BOOST_TEST(damping.shorten(1e-4, 3.));
+  BOOST_TEST(damping.radius(1e-4) == 3., near);
+  BOOST_TEST(damping.shorten(1e-4, 1.));
+  BOOST_TEST(damping.radius(1e-4) == .75, near);
+  BOOST_TEST(damping.shorten(1e-4, .1));
+  BOOST_TEST(damping.radius(1e-4) == .1, near);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -117,6 +117,5 @@ namespace deltaform
     double smallest_motion_; ///< displacements below are not a scale to measure steps by
     bool damps_ = true; ///< steps that nothing resists
     Timers &timers_;
-    Timers::Index timer_solve_;
   };
 } // namespace deltaform

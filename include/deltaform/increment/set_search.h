@@ -2,6 +2,7 @@
 
 #include <deltaform/increment/newton.h>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -46,6 +47,18 @@ namespace deltaform
       return is_guess_;
     }
 
+    /// Has it ended with two sets that lead to each other?
+    bool lead_to_each_other() const
+    {
+      return lead_to_each_other_;
+    }
+
+    /// The longer one of the last two steps that were solved for, scaled.
+    double longer_step() const
+    {
+      return std::max(length_, length_before_);
+    }
+
   private:
     /// Does the step solve the equations as they were assembled last, well enough for an iteration?
     bool solves_linear_equations(const Vector &d, const Place &place);
@@ -56,6 +69,7 @@ namespace deltaform
     const std::vector<double> &scale_;
     const std::vector<bool> &is_prescribed_;
     Vector linear_; ///< R + K d
-    bool is_guess_ = false;
+    bool is_guess_ = false, lead_to_each_other_ = false;
+    double length_ = 0., length_before_ = 0.; ///< of the last two steps, scaled
   };
 } // namespace deltaform

@@ -31,6 +31,14 @@ namespace deltaform
     bool bound(double residual, double length, double way);
 
     /**
+     * The radius of a step in place of one whose sets lead to each other: a quarter of the one before, and no more than
+     * @p most.
+     * @param residual  relative, where it begins
+     * @return false far from equilibrium, where there is none
+     */
+    bool shorten(double residual, double most);
+
+    /**
      * A step was made.
      * @param residual  relative, where it began
      * @param factor    of the step that was taken
