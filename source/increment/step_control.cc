@@ -93,8 +93,9 @@ namespace deltaform
       resize(*iterations, error);
       // Where increments are so short (a neck, a snap) to wait with longer ones never ends. Where they are short and
       // dear it costs more than another failure.
-      const bool is_dear = last<far_too_short * usual_ && * iterations> dear * settings_.target_iterations;
-      if (last > crawling * usual_ && !is_dear)
+      const bool is_short = last < far_too_short * usual_;
+      const bool is_dear = *iterations > dear * settings_.target_iterations;
+      if (last > crawling * usual_ && !(is_short && is_dear))
         increment_ = failed_.bounded(increment_, last);
     }
     else
