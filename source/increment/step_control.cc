@@ -38,8 +38,8 @@ namespace deltaform
                                      1,
                                      1000000000,
                                      "Increments of the whole run; then it stops with status 2 and can be resumed. "
-                                     "So it does where a stage, at the pace of its last 1000, takes a hundred thousand "
-                                     "more, and more than ten times as many as these.")),
+                                     "So it does where a stage, at the pace of its last 1000, takes fifty thousand "
+                                     "more, and more than these.")),
       flow_error(
         section.number("Flow error",
                        0.,

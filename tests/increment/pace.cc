@@ -27,9 +27,10 @@ BOOST_AUTO_TEST_CASE(a_stage_that_never_ends_says_so)
   for (unsigned int i = 1; i <= Pace::window; ++i)
     pace.accept(1e-6 * i);
   BOOST_TEST(pace.never_ends(1., 400).find("at the pace of the last 1000 increments the stage takes ") == 0u);
-  BOOST_TEST(pace.never_ends(.1, 400).empty()); // just below a hundred thousand
-  BOOST_TEST(!pace.never_ends(1., 99000).empty());
-  BOOST_TEST(pace.never_ends(1., 100000).empty()); // so many are allowed that ten times are more
+  BOOST_TEST(!pace.never_ends(.0511, 400).empty());
+  BOOST_TEST(pace.never_ends(.0509, 400).empty()); // 49 900 more
+  BOOST_TEST(!pace.never_ends(1., 998000).empty());
+  BOOST_TEST(pace.never_ends(1., 999001).empty()); // so many are allowed
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_left_at_the_end)

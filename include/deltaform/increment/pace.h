@@ -23,8 +23,8 @@ namespace deltaform
     /// Increments from the last one to @p end at the pace of the last ones; 0 as long as there were fewer.
     double left(double end) const;
 
-    /// Why the stage does not get to @p end: it takes a hundred thousand increments more, and ten times as many as the
-    /// @p most that are allowed. Empty if it does.
+    /// Why the stage does not get to @p end: it takes fifty thousand increments more, and more than the @p most
+    /// that are allowed in all. Empty if it does.
     std::string never_ends(double end, unsigned int most) const;
 
     template <class Archive>
