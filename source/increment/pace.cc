@@ -23,7 +23,7 @@ namespace deltaform
 
   std::string Pace::never_ends(const double end, const unsigned int most) const
   {
-    // Random scenes that come to their ends had at most 34 000 left in their worst thousand increments (doc/decisions).
+    // The longest random scenes that come to their ends had up to 34 000 left in a bad thousand (doc/decisions).
     constexpr double far_too_many = 5e4;
     const double more = left(end);
     if (more <= std::max(far_too_many, double(most)))
