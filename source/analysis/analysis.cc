@@ -90,6 +90,7 @@ namespace deltaform
       increment_(next_, newton_, settings.steps), conditions_(actors), ends_(actors),
       outcome_{exit_status::done, "", {}, 0, 0, std::nullopt}
   {
+    newton_.limit_sets(state_.set_limit);
     if (!settings.energies)
       model_.count_no_energy();
   }
@@ -248,6 +249,7 @@ namespace deltaform
     control_->accept(result.iterations_of_its_length(), flow_error, result.longest(length), cost_.iterations);
     control_->shorten(state_.predictor.passage().longest());
     state_.pace.accept(next);
+    state_.set_limit.accept(length, cost_.iterations);
     ++state_.since_refinement;
     const bool refined = refinement_marked();
     AcceptedIncrement increment = accepted(std::exchange(cost_, IncrementCost()));

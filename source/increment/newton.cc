@@ -109,7 +109,9 @@ namespace deltaform
         norm_(system_, scale_, newton.size_, is_prescribed, force_floor, settings_.force_tolerance),
         stagnation_(stagnation(settings_)),
         increments_(q.size()), start_(q.size()),
-        steps_(equations_, system_, settings_, scale_, is_prescribed, newton.timers_, newton.damps_), d_(steps_.step())
+        steps_(equations_, system_, settings_, scale_, is_prescribed, newton.timers_, newton.damps_,
+               newton.set_limit_),
+        d_(steps_.step())
     {
       Vector way = q_;
       way -= q_committed_;

@@ -10,7 +10,6 @@ namespace deltaform
   namespace
   {
     // doc/decisions/README.md, "Sets for each tangent"
-    constexpr unsigned int most_sets = 60;
     constexpr unsigned int sets_before_peeling = 20, sets_between_peelings = 10, peeled_places = 2;
     constexpr unsigned int most_returns_of_a_set = 2; ///< the first may be due to points that had not been projected
 
@@ -24,23 +23,35 @@ namespace deltaform
                        System &system,
                        const NewtonSettings &settings,
                        const std::vector<double> &scale,
-                       const std::vector<bool> &is_prescribed)
+                       const std::vector<bool> &is_prescribed,
+                       SetLimit *limit)
     : equations_(equations), system_(system), force_tolerance_(settings.force_tolerance), scale_(scale),
-      is_prescribed_(is_prescribed), linear_(scale.size())
+      is_prescribed_(is_prescribed), limit_(limit), linear_(scale.size())
   {
   }
 
 
-  bool SetSearch::run(const Vector &q,
-                      const Vector &d,
-                      const Place &place,
-                      const Solve &solve)
+  bool SetSearch::run(const Vector &q, const Vector &d, const Place &place, const Solve &solve)
+  {
+    std::vector<std::size_t> sets;
+    const bool found = meet_sets(q, d, place, solve, sets);
+    if (limit_ != nullptr)
+      limit_->met(static_cast<unsigned int>(sets.size()), !is_guess_ && !lead_to_each_other_);
+    return found;
+  }
+
+
+  bool SetSearch::meet_sets(const Vector &q,
+                            const Vector &d,
+                            const Place &place,
+                            const Solve &solve,
+                            std::vector<std::size_t> &sets)
   {
     is_guess_ = lead_to_each_other_ = false;
     length_ = scaled_norm(d, scale_);
     ActiveSet &active_set = *equations_.active_set();
-    std::vector<std::size_t> sets;
-    while (sets.size() < most_sets && active_set.foresee(q, d))
+    const unsigned int most = limit_ != nullptr ? limit_->most() : SetLimit::many;
+    while (sets.size() < most && active_set.foresee(q, d))
     {
       // A zone that touches grows wherever points would penetrate, but peels off at its ends only, a place in a set.
       if (sets.size() >= sets_before_peeling && sets.size() % sets_between_peelings == 0)
@@ -63,7 +74,7 @@ namespace deltaform
       if (lead_to_each_other_)
         return true;
     }
-    is_guess_ = sets.size() == most_sets;
+    is_guess_ = sets.size() == most;
     return true;
   }
 

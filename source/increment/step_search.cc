@@ -25,10 +25,11 @@ namespace deltaform
                          const std::vector<double> &scale,
                          const std::vector<bool> &is_prescribed,
                          Timers &timers,
-                         const bool damps)
+                         const bool damps,
+                         SetLimit *limit)
     : equations_(equations), system_(system), scale_(scale), timers_(timers),
       timer_solve_(timers.section("11 factorization and solve")), has_sets_(equations.active_set() != nullptr),
-      damps_(damps), d_(scale.size()), sets_(equations, system, settings, scale, is_prescribed)
+      damps_(damps), d_(scale.size()), sets_(equations, system, settings, scale, is_prescribed, limit)
   {
   }
 

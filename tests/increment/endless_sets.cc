@@ -1,6 +1,8 @@
 // A search for the set of active inequalities that comes to no end: its last set is a guess.
 #include "sets_problem.h"
 
+#include <deltaform/increment/set_limit.h>
+
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -59,7 +61,7 @@ namespace
       steps.push_back(d[0]);
     }
 
-    NewtonResult solve()
+    NewtonResult solve(SetLimit *limit = nullptr)
     {
       const std::vector<double> scale(1, 1.), size(1, 1e-6);
       Timers timers;
@@ -67,6 +69,8 @@ namespace
       Vector u(1);
       const Vector start = u;
       Newton newton(*this, system, newton_settings({"Maximal iterations=5"}), scale, size, timers);
+      if (limit != nullptr)
+        newton.limit_sets(*limit);
       return newton.solve(u, start, std::vector<bool>(1, false), start, force_floor);
     }
 
@@ -104,6 +108,25 @@ BOOST_AUTO_TEST_CASE(one_that_leads_to_a_smaller_residual_is)
   BOOST_TEST(std::abs(body.steps[0] - 1.) < 1e-12);
   if (body.steps.size() > 1)
     BOOST_TEST(std::abs(body.steps[1]) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(it_ends_earlier_where_few_sets_are_better)
+{
+  SetLimit limit;
+  Endless many(false);
+  BOOST_TEST(many.solve(&limit).converged());
+  BOOST_TEST(many.n_sets >= SetLimit::many);
+  // What the search has met is known, and few sets are tried in the next block.
+  for (unsigned int k = 0; k < 28; ++k)
+  {
+    if (k > 0)
+      limit.met(SetLimit::many, false);
+    limit.accept(1., 1);
+  }
+  BOOST_TEST_REQUIRE(limit.most() == SetLimit::few);
+  Endless few(false);
+  BOOST_TEST(few.solve(&limit).converged());
+  BOOST_TEST(few.n_sets < 2 * SetLimit::few + 2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,6 +2,7 @@
 
 #include <deltaform/increment/pace.h>
 #include <deltaform/increment/predictor.h>
+#include <deltaform/increment/set_limit.h>
 #include <deltaform/increment/step_control.h>
 #include <deltaform/model/model_state.h>
 #include <deltaform/parameters/skipped_time.h>
@@ -30,6 +31,7 @@ namespace deltaform
     Predictor predictor; ///< of the next one
     std::optional<StepControl::State> step; ///< after the last increment of the stage, if there is one
     Pace pace; ///< of the stage
+    SetLimit set_limit; ///< of searches
     ///@}
 
     std::string conditions; ///< what conditions remember, in bytes that only they understand

@@ -11,6 +11,7 @@
 namespace deltaform
 {
   class Section;
+  class SetLimit;
 
   /// Tolerances and limits of the Newton iteration.
   struct NewtonSettings
@@ -81,7 +82,14 @@ namespace deltaform
     {
       Newton newton(equations, system_, settings, scale_, size_, timers_);
       newton.damps_ = false;
+      newton.set_limit_ = set_limit_;
       return newton;
+    }
+
+    /// Searches for sets are limited by @p limit from now on, which has to outlive it.
+    void limit_sets(SetLimit &limit)
+    {
+      set_limit_ = &limit;
     }
 
     /// What it solves with.
@@ -116,6 +124,7 @@ namespace deltaform
     const std::vector<double> &scale_, &size_;
     double smallest_motion_; ///< displacements below are not a scale to measure steps by
     bool damps_ = true; ///< steps that nothing resists
+    SetLimit *set_limit_ = nullptr; ///< null: none but the largest
     Timers &timers_;
   };
 } // namespace deltaform

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/increment/newton.h>
+#include <deltaform/increment/set_limit.h>
 
 #include <algorithm>
 #include <functional>
@@ -19,12 +20,13 @@ namespace deltaform
     /// Solve the equations as they were assembled last for the step, with a shift of the diagonal. @return could it?
     using Solve = std::function<bool(double shift)>;
 
-    /// All but the settings, which are copied, has to outlive it.
+    /// All but the settings, which are copied, has to outlive it. @param limit of the sets of a search; null: many
     SetSearch(Equations &equations,
               System &system,
               const NewtonSettings &settings,
               const std::vector<double> &scale,
-              const std::vector<bool> &is_prescribed);
+              const std::vector<bool> &is_prescribed,
+              SetLimit *limit);
 
     /// Of the last assembly: the residual, relative to the magnitude, and what StepDamping adds to the tangent there.
     struct Place
@@ -63,11 +65,15 @@ namespace deltaform
     /// Does the step solve the equations as they were assembled last, well enough for an iteration?
     bool solves_linear_equations(const Vector &d, const Place &place);
 
+    /// run(), with the number of sets that were met.
+    bool meet_sets(const Vector &q, const Vector &d, const Place &place, const Solve &solve, std::vector<std::size_t> &sets);
+
     Equations &equations_;
     System &system_;
     double force_tolerance_;
     const std::vector<double> &scale_;
     const std::vector<bool> &is_prescribed_;
+    SetLimit *limit_;
     Vector linear_; ///< R + K d
     bool is_guess_ = false, lead_to_each_other_ = false;
     double length_ = 0., length_before_ = 0.; ///< of the last two steps, scaled

@@ -22,11 +22,12 @@ namespace deltaform
      * @param scale  of every unknown, in which lengths are measured
      * @param damps  is there a radius at all?
      * @param timers where factorizations and solves are counted
+     * @param limit  of the sets of a search; null: SetLimit::many
      *
      * All but @p damps has to outlive it.
      */
     StepSearch(Equations &equations, System &system, const NewtonSettings &settings, const std::vector<double> &scale,
-               const std::vector<bool> &is_prescribed, Timers &timers, bool damps);
+               const std::vector<bool> &is_prescribed, Timers &timers, bool damps, SetLimit *limit);
 
     /// Where a step begins, as assembled last.
     struct Start
