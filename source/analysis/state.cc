@@ -14,8 +14,8 @@ namespace deltaform
     void archive_own(Archive &archive, Value &state, StepControl::State &step, bool &has_step)
     {
       archive &state.stage &state.n_increments &state.n_iterations &state.since_refinement &state.predictor
-        &has_step &step.increment &step.quiet &step.shortened &step.error &step.failed &step.search &state.pace &state.set_limit;
-      archive &state.conditions &state.ends &state.skipped;
+        &has_step &step.increment &step.quiet &step.shortened &step.error &step.failed &step.search &state.pace;
+      archive &state.set_limit &state.conditions &state.ends &state.skipped;
     }
   } // namespace
 

@@ -10,7 +10,7 @@ namespace deltaform
     // doc/decisions/README.md, "Few sets or many"
     constexpr double sets_of_an_iteration = 4.; ///< what an iteration costs without its sets
     constexpr double worth_a_look = .6; ///< share of the effort
-    constexpr unsigned int increments_of_block = 8, blocks = 4, pause_after_change = 80, longest_pause = 640;
+    constexpr unsigned int pause_after_change = 80, longest_pause = 640;
   } // namespace
 
 
@@ -50,24 +50,11 @@ namespace deltaform
 
   void SetLimit::compare(const double length, const double effort)
   {
-    // The first increment of a block has the length of the one before.
-    if (count_ > 0)
-    {
-      Cost &cost = costs_[tries_other() ? 1 : 0];
-      cost.effort += effort;
-      cost.length += length;
-    }
-    if (++count_ < increments_of_block)
+    const auto other_is_faster = comparison_.accept(length, effort);
+    if (!other_is_faster)
       return;
-    count_ = 0;
-    if (++block_ < blocks)
-      return;
-    const auto &[own, other] = costs_;
-    const bool other_is_faster = other.effort * own.length < own.effort * other.length;
-    is_few_ = is_few_ != other_is_faster;
-    pause_ = other_is_faster ? pause_after_change : std::min(2 * pause_, longest_pause);
-    block_ = 0;
+    is_few_ = is_few_ != *other_is_faster;
+    pause_ = *other_is_faster ? pause_after_change : std::min(2 * pause_, longest_pause);
     compares_ = false;
-    costs_ = {};
   }
 } // namespace deltaform

@@ -5,7 +5,6 @@ namespace deltaform
   namespace
   {
     constexpr unsigned int most = 3; // more than the least
-    constexpr unsigned int increments_of_block = 20, that_do_not_count = 6, blocks = 4;
   } // namespace
 
 
@@ -19,23 +18,12 @@ namespace deltaform
 
   void TargetSearch::accept(const double length, const unsigned int iterations)
   {
-    if (count_ >= that_do_not_count)
-    {
-      Cost &cost = costs_[tries_other() ? 1 : 0];
-      cost.iterations += iterations;
-      cost.length += length;
-    }
-    if (++count_ < increments_of_block)
+    const auto other_is_faster = comparison_.accept(length, iterations);
+    if (!other_is_faster)
       return;
-    count_ = 0;
-    if (++block_ < blocks)
-      return;
-    block_ = 0;
-    const auto &[own, other_one] = costs_;
-    if (other_one.iterations * own.length < own.iterations * other_one.length)
+    if (*other_is_faster)
       own_ = other();
     else
       up_ = !up_;
-    costs_ = {};
   }
 } // namespace deltaform

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <deltaform/increment/block_comparison.h>
 
 namespace deltaform
 {
@@ -8,8 +8,7 @@ namespace deltaform
    * How many sets a search (SetSearch) may meet before it ends with a guess: sixty, or ten in a process that moves
    * faster with them. A long strip needs sixty where a zone of contact moves by some places in a set; in another one
    * most searches come to no end, and most of the effort goes into them. A search does not tell which it is. So both
-   * are tried where three fifths of the effort are in vain: over blocks of increments in the order own, other, other,
-   * own, so that a process that gets harder favours neither. What stays is tried again after ever longer pauses.
+   * are tried where three fifths of the effort are in vain. What stays is compared again after ever longer pauses.
    */
   class SetLimit
   {
@@ -19,7 +18,7 @@ namespace deltaform
     /// Sets of a search now.
     unsigned int most() const
     {
-      return is_few_ != tries_other() ? few : many;
+      return is_few_ != comparison_.tries_other() ? few : many;
     }
 
     /// A search has met so many @p sets. @param ended with one that leads to itself
@@ -31,17 +30,10 @@ namespace deltaform
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
     {
-      archive &is_few_ &compares_ &block_ &count_ &pause_ &sets_ &vain_sets_ &waited_.effort &waited_.in_vain;
-      for (auto &cost : costs_)
-        archive &cost.effort &cost.length;
+      archive &is_few_ &compares_ &count_ &pause_ &sets_ &vain_sets_ &waited_.effort &waited_.in_vain &comparison_;
     }
 
   private:
-    bool tries_other() const
-    {
-      return compares_ && (block_ == 1 || block_ == 2);
-    }
-
     void wait(double effort, double in_vain);
     void compare(double length, double effort);
 
@@ -50,18 +42,12 @@ namespace deltaform
       double effort = 0., in_vain = 0.; ///< in all, of searches that came to no end
     };
 
-    struct Cost
-    {
-      double effort = 0., length = 0.;
-    };
-
     static constexpr unsigned int first_pause = 20;
 
     bool is_few_ = false, compares_ = false;
-    unsigned int block_ = 0, count_ = 0; ///< of a comparison; increments of this block or pause
-    unsigned int pause_ = first_pause; ///< increments before the next comparison
+    unsigned int count_ = 0, pause_ = first_pause; ///< increments of this pause; before the next comparison
     unsigned int sets_ = 0, vain_sets_ = 0; ///< since the last increment: all, of searches that came to no end
     Waited waited_; ///< in this pause
-    std::array<Cost, 2> costs_; ///< with the own limit, with the other one
+    BlockComparison<8, 1> comparison_; ///< of the own limit and the other one
   };
 } // namespace deltaform

@@ -66,7 +66,8 @@ namespace deltaform
     bool solves_linear_equations(const Vector &d, const Place &place);
 
     /// run(), with the number of sets that were met.
-    bool meet_sets(const Vector &q, const Vector &d, const Place &place, const Solve &solve, std::vector<std::size_t> &sets);
+    bool meet_sets(const Vector &q, const Vector &d, const Place &place, const Solve &solve,
+                   std::vector<std::size_t> &sets);
 
     Equations &equations_;
     System &system_;
