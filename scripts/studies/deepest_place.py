@@ -103,7 +103,7 @@ def cup(run):
     scene = os.path.join(ROOT, "prm", "cup.prm")
     for elements in (50, 100, 200):
         for points in (0, 2, 3, 5, 10):
-            for delta in ("1e-3", "1e-4"):
+            for delta in ("1e-3", "1e-4", "1e-6"):
                 own = [GAUSS, f"Blank/Gauss points={points}"] if points else [NODES]
                 summary = run(scene, f"cup_{elements}_{points}_{delta}", f"Blank/Elements={elements}",
                               f"Contact/Allowed penetration={delta}*thickness", *own)

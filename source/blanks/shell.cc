@@ -152,8 +152,12 @@ namespace deltaform
   }
 
 
-  void Shell::touch_inside()
+  void Shell::touch_inside(const DeltaSize delta)
   {
+    // Nothing but friction holds a strip on a tool: it would snap from one point to the next (doc/decisions/README.md,
+    // "Points inside, and a fine delta").
+    if (delta == DeltaSize::fine && !axisymmetric())
+      return;
     surface_.touch_inside();
   }
 

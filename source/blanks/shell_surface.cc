@@ -96,8 +96,9 @@ namespace deltaform
        {"automatic", "nodes", "gauss"},
        "Which points touch: the nodes, or points inside the elements on the smooth curve through the nodes; with 3 and "
        "more of them the ends of the sheet touch as well. automatic: inside, where the penalty factor of each is found "
-       "(Enforcement = penalty, Penalty rule = adaptive) for a delta of at least 1e-4 thickness, the sheet bends and "
-       "'Contact point' is the normal offset; else the nodes.",
+       "(Enforcement = penalty, Penalty rule = adaptive), the sheet bends and 'Contact point' is the normal offset; in "
+       "plane strain, and with 'Thickness compliance = off', for a delta of at least 1e-4 thickness only; else the "
+       "nodes.",
        "Contact points inside an element, between two neighbouring nodes. With 2 the force of each is determinate; "
        "with 10 the face between them is little deeper than they are."},
       3);

@@ -49,9 +49,9 @@ namespace deltaform
   }
 
 
-  void Solid::touch_inside()
+  void Solid::touch_inside(const DeltaSize delta)
   {
-    if (!motion_.finite())
+    if (!motion_.finite() || delta == DeltaSize::fine)
       return;
     if (ranks::count() == 1)
       surface_.touch_inside();

@@ -21,14 +21,18 @@ namespace deltaform
     thickness_ = thickness == "current"   ? ContactThickness::current
                  : thickness == "initial" ? ContactThickness::initial
                                           : ContactThickness::none;
-    const std::string compliance = section.choice(
-      "Thickness compliance",
-      "on",
-      {"on", "off"},
-      "Elasticity of a shell through its thickness. on: the half on this tool's side is an elastic spring that the "
-      "contact pressure compresses. off: it is rigid within an increment.");
-    gives_way_ = compliance == "on";
+    gives_way_ = reads_compliance(section);
     reset();
+  }
+
+
+  bool ContactProjector::reads_compliance(Section &section)
+  {
+    return section.choice("Thickness compliance",
+                          "on",
+                          {"on", "off"},
+                          "Elasticity of a shell through its thickness. on: the half on this tool's side is an elastic "
+                          "spring that the contact pressure compresses. off: it is rigid within an increment.") == "on";
   }
 
 

@@ -7,6 +7,7 @@
 #include <deltaform/scene/known_entries.h>
 #include <deltaform/scene/scene.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace deltaform
@@ -139,9 +140,15 @@ namespace deltaform
       return;
     }
     actors.contact = std::make_unique<ContactSettings>(contact, contact_constants, natural_length);
-    if (actors.contact->finds_factors() &&
-        actors.contact->allowed_penetration(0.) >= ContactSettings::coarse_delta * contact_constants[natural_length])
-      actors.blank->touch_inside();
+    // Points of rigid faces would come and go with a fine delta (doc/decisions/README.md, "Points inside, and a fine
+    // delta").
+    const DeltaSize delta = actors.contact->delta_size(contact_constants[natural_length]);
+    const bool gives_way = std::all_of(names.begin(), names.end(), [&](const std::string &name) {
+      Section own = section.sub(name);
+      return ContactProjector::reads_compliance(own);
+    });
+    if (actors.contact->finds_factors() && (gives_way || delta == DeltaSize::coarse))
+      actors.blank->touch_inside(delta);
     for (const auto &name : names)
     {
       Section own = section.sub(name);

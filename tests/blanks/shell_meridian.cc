@@ -199,6 +199,27 @@ BOOST_AUTO_TEST_CASE(two_points_hold_the_face_and_no_more)
   BOOST_TEST(inf_sup(40, 3) < 1e-10);
 }
 
+BOOST_AUTO_TEST_CASE(points_that_are_left_open_lie_inside_where_something_holds_the_sheet)
+{
+  const auto are_inside = [](const DeltaSize delta, const Entries &more) {
+    Entries entries{"Blank/Points=0 0; 1 0", "Blank/Thickness=.01", "Blank/Elements=4", "Material/Young's modulus=2e3"};
+    entries.insert(entries.end(), more.begin(), more.end());
+    const auto blank = make_blank("shell", entries);
+    blank->touch_inside(delta);
+    return blank->surface().points_per_edge() > 0u;
+  };
+  const std::string strip = "Blank/Symmetry=plane strain";
+  for (const DeltaSize delta : {DeltaSize::coarse, DeltaSize::fine})
+  {
+    BOOST_TEST(are_inside(delta, {}));
+    BOOST_TEST(are_inside(delta, {strip}) == (delta == DeltaSize::coarse));
+    BOOST_TEST(are_inside(delta, {strip, "Blank/Contact points=gauss"}));
+    for (const std::string stays :
+         {"Blank/Contact points=nodes", "Blank/Membrane=true", "Blank/Contact point=outer fibre"})
+      BOOST_TEST(!are_inside(delta, {stays}), stays);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_has_no_smooth_meridian_is_refused)
 {
   for (const std::string entry : {"Blank/Membrane=true", "Blank/Contact point=outer fibre"})

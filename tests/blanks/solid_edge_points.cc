@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(how_many_points_are_stable)
 
 BOOST_AUTO_TEST_CASE(points_that_are_left_open_lie_inside_where_that_is_asked_for)
 {
-  const auto count_of = [](const unsigned int degree, const Entries &more) {
+  const auto count_of = [](const unsigned int degree, const Entries &more, const DeltaSize delta = DeltaSize::coarse) {
     Entries entries{"Blank/Points=0 0; 1 0",
                     "Blank/Thickness=.1",
                     "Blank/Degree=" + std::to_string(degree),
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(points_that_are_left_open_lie_inside_where_that_is_asked_fo
     const auto blank = make_blank("solid", entries);
     const unsigned int before = count(*blank);
     BOOST_TEST(blank->may_be_distributed());
-    blank->touch_inside();
+    blank->touch_inside(delta);
     BOOST_TEST(blank->may_be_distributed() == (blank->surface().points_per_edge() == 0u));
     return std::pair(before, count(*blank));
   };
@@ -154,6 +154,7 @@ BOOST_AUTO_TEST_CASE(points_that_are_left_open_lie_inside_where_that_is_asked_fo
     BOOST_TEST((count_of(degree, {}) == std::pair(n_nodes, 4u * 20u)));
     BOOST_TEST((count_of(degree, {"Blank/Gauss points=7"}) == std::pair(n_nodes, 4u * 7u)));
     BOOST_TEST((count_of(degree, {"Blank/Refinement/Criterion=contact"}) == std::pair(n_nodes, 4u * 20u)));
+    BOOST_TEST((count_of(degree, {}, DeltaSize::fine) == std::pair(n_nodes, n_nodes)));
     for (const std::string stays : {"Blank/Contact points=nodes", "Blank/Kinematics=small"})
       BOOST_TEST((count_of(degree, {stays}) == std::pair(n_nodes, n_nodes)), stays);
   }

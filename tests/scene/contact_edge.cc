@@ -80,6 +80,26 @@ BOOST_AUTO_TEST_CASE(default_of_a_shell_counts_in_thicknesses_and_of_a_solid_in_
 }
 
 
+BOOST_AUTO_TEST_CASE(a_fine_delta_is_kept_inside_the_elements_of_a_sheet_that_gives_way_around_an_axis)
+{
+  const auto touches_inside = [](const bool around_axis, const std::string &delta, const std::string &more = "") {
+    std::string text = strip(touched_from_above(more), shell) + contact(" set Allowed penetration = " + delta + "\n");
+    const std::string plane = "plane strain\n set Points = -10 0; 10 0";
+    if (around_axis)
+      text.replace(text.find(plane), plane.size(), "axisymmetric\n set Points = 5 0; 25 0");
+    return ReadScene(text).scene->actors.blank->surface().points_per_edge() > 0U;
+  };
+  const std::string coarse = "1e-4*thickness", fine = ".99e-4*thickness", rigid = "  set Thickness compliance = off\n";
+  for (const bool around_axis : {false, true})
+  {
+    BOOST_TEST(touches_inside(around_axis, coarse));
+    BOOST_TEST(touches_inside(around_axis, coarse, rigid));
+    BOOST_TEST(touches_inside(around_axis, fine) == around_axis);
+    BOOST_TEST(!touches_inside(around_axis, fine, rigid));
+  }
+}
+
+
 BOOST_AUTO_TEST_CASE(edge_is_known_in_penetrations_only)
 {
   const std::string text = strip(punch + tool("punch", "  set Shape = plate\n  set Side = top\n"

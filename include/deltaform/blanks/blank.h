@@ -2,6 +2,7 @@
 
 #include <deltaform/assembly/assembly_target.h>
 #include <deltaform/assembly/contact_surface.h>
+#include <deltaform/assembly/delta_size.h>
 #include <deltaform/assembly/energy.h>
 #include <deltaform/assembly/status.h>
 #include <deltaform/assembly/types.h>
@@ -147,8 +148,9 @@ namespace deltaform
     ///@}
 
     /// The penalty factor of every contact point is found, so that each keeps delta, however many there are: where the
-    /// scene leaves it open, contact points lie inside the elements. To be said before anything touches the surface.
-    virtual void touch_inside()
+    /// scene leaves it open, contact points lie inside the elements if that suits such a delta. To be said before
+    /// anything touches the surface.
+    virtual void touch_inside(DeltaSize /*delta*/)
     {
     }
 

@@ -28,6 +28,9 @@ namespace deltaform
     /// @param section entries on the thickness that keeps the counterpart from the mid-surface
     ContactProjector(const ContactSurface &surface, Side side, const Counterpart &counterpart, Section &section);
 
+    /// Does a shell give way through its thickness? @param section of the tool
+    static bool reads_compliance(Section &section);
+
     const ContactSurface &surface() const
     {
       return surface_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/assembly/delta_size.h>
 #include <deltaform/contact/normal_law.h>
 #include <deltaform/contact/penalty_rule.h>
 #include <deltaform/parameters/time_function.h>
@@ -27,11 +28,12 @@ namespace deltaform
       return normal_law->augmentation_tolerance() == 0;
     }
 
-    /// An allowed penetration from this share of the natural length (thickness; solids: shortest edge) on is coarse:
-    /// points inside the elements keep it wherever they are. Below, the face between them is deeper all the same, and
-    /// they hold an element in more places than it can follow: they come and go, and an increment takes many times the
-    /// iterations.
-    static constexpr double coarse_delta = 1e-4;
+    /// Of the allowed penetration at the start, against the natural length (thickness; solids: shortest edge).
+    DeltaSize delta_size(const double natural_length) const
+    {
+      constexpr double coarse = 1e-4;
+      return allowed_penetration(0.) >= coarse * natural_length ? DeltaSize::coarse : DeltaSize::fine;
+    }
 
     /// Is the factor of every contact point found so that it keeps delta?
     bool finds_factors() const
