@@ -136,7 +136,7 @@ namespace deltaform
     const std::string natural_length = actors.blank->fields().is_sheet() ? "thickness" : "edge";
     if (names.empty())
     {
-      ContactSettings(contact, contact_constants, natural_length);
+      const ContactSettings declared(contact, contact_constants, natural_length);
       return;
     }
     actors.contact = std::make_unique<ContactSettings>(contact, contact_constants, natural_length);
