@@ -241,12 +241,16 @@ namespace deltaform
     for (unsigned int i = 0; i < result.size(); ++i)
     {
       const double h = state_.node_thickness(i);
+      const auto [lower, higher] =
+        std::minmax({state_.contact_pressure(Side::bottom, i), state_.contact_pressure(Side::top, i)});
       result[i] = {space_.mesh().nodes()[i][0],
+                   space_.mesh().arc_length()[i],
                    h,
                    mean_stretch[i],
                    -std::log(h / points_.thickness()),
                    mean_stress[i],
-                   std::min(state_.contact_pressure(Side::bottom, i), state_.contact_pressure(Side::top, i)),
+                   higher,
+                   lower,
                    0.};
     }
     add_flow_stress(result);

@@ -16,6 +16,8 @@ namespace deltaform
       void observe(const AcceptedIncrement &increment) override
       {
         watch_.observe(increment.sections());
+        if (std::string holding = watch_.holding(); !holding.empty())
+          held_ = std::move(holding);
       }
 
       std::string failure(const Stage &stage) override
@@ -38,20 +40,24 @@ namespace deltaform
 
       std::vector<std::string> warnings(bool) const override
       {
-        if (passed_over_.empty())
-          return {};
-        return {"necked: " + passed_over_ + ". What was computed after that depends on the mesh."};
+        std::vector<std::string> result;
+        if (!passed_over_.empty())
+          result.push_back("necked: " + passed_over_ + ". What was computed after that depends on the mesh.");
+        if (!held_.empty())
+          result.push_back("past the maximum: " + held_ + ". A real sheet is less even: compare with its forming limit.");
+        return result;
       }
 
       template <class Archive>
       void serialize(Archive &archive, unsigned int)
       {
-        archive &watch_ &passed_over_;
+        archive &watch_ &passed_over_ &held_;
       }
 
     private:
       NeckingWatch watch_;
       std::string passed_over_; ///< the last neck with which the run went on
+      std::string held_; ///< what a tool held last
     };
 
     const ConditionMakers::Entry

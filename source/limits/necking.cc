@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace deltaform
 {
@@ -20,6 +21,41 @@ namespace deltaform
       const auto thinner = [](const SheetSection &a, const SheetSection &b) { return a.thickness < b.thickness; };
       return static_cast<std::size_t>(std::min_element(sections.begin(), sections.end(), thinner) - sections.begin());
     }
+
+    double median_size(std::vector<double> values)
+    {
+      std::transform(values.begin(), values.end(), values.begin(), [](const double v) { return std::abs(v); });
+      std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+      return values[values.size() / 2];
+    }
+
+    /// Lengths of the undeformed meridian that belong to the nodes: half the way to either neighbour.
+    std::vector<double> lengths(const std::vector<SheetSection> &sections)
+    {
+      std::vector<std::size_t> order(sections.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
+        return sections[a].arc < sections[b].arc;
+      });
+      std::vector<double> result(sections.size(), 0.);
+      for (std::size_t k = 1; k < order.size(); ++k)
+      {
+        const double half = .5 * (sections[order[k]].arc - sections[order[k - 1]].arc);
+        result[order[k - 1]] += half;
+        result[order[k]] += half;
+      }
+      return result;
+    }
+
+    /// Of random scenes past the maximum those that tear have at most 6, those that are held at least 14 (doc/decisions,
+    /// "Torn, or held by a tool").
+    constexpr double widest_neck = 10; // thicknesses
+
+    /// A neck in one element, or at the node between two, is two such lengths wide.
+    constexpr double narrowest_zone = 2.5; // lengths of a node
+
+    /// Share of the zone that touches a tool which holds it.
+    constexpr double enough_touching = .5;
   } // namespace
 
 
@@ -34,21 +70,31 @@ namespace deltaform
     before_ = std::move(now_);
     now_ = std::move(sections);
     ++n_since_;
-    if (std::string found = finding(); !found.empty())
-    {
-      last_ = std::move(found);
-      n_since_ = 0;
-      thickness_then_ = now_[thinnest(now_)].thickness;
-    }
-    else
+    const std::optional<Neck> found = neck();
+    if (!found || found->held != held_)
     {
       n_necking_ = 0;
       lost_ = 0.;
-      return;
     }
-    const std::size_t i = thinnest(now_);
+    if (!found)
+      return;
+    last_ = describe(*found);
+    n_since_ = 0;
+    thickness_then_ = now_[found->node].thickness;
     ++n_necking_;
-    lost_ += 1. - force(now_[i]) / force(before_[i]);
+    lost_ += found->fall;
+    held_ = found->held;
+  }
+
+
+  std::string NeckingWatch::holding() const
+  {
+    if (!past_maximum() || !held_)
+      return "";
+    const std::size_t i = thinnest(now_);
+    return "the section of node " + std::to_string(i) + " at R0 = " + text::rounded(now_[i].place) +
+           " stretches although its force falls (past Considere's maximum), so far by " + text::percent(lost_) +
+           ". The tool on which it lies holds it, at a thickness of " + text::rounded(now_[i].thickness);
   }
 
 
@@ -65,29 +111,54 @@ namespace deltaform
 
   std::string NeckingWatch::finding() const
   {
-    if (now_.empty() || before_.size() != now_.size())
-      return "";
-    const std::size_t i = thinnest(now_);
-    std::vector<double> rates;
-    for (std::size_t k = 0; k < now_.size(); ++k)
-      rates.push_back(std::abs(now_[k].thinning - before_[k].thinning));
-    std::nth_element(rates.begin(), rates.begin() + rates.size() / 2, rates.end());
-    const double median = rates[rates.size() / 2];
+    const std::optional<Neck> found = neck();
+    return found ? describe(*found) : "";
+  }
 
-    const SheetSection &node = now_[i];
-    const double stretch = node.stretch - before_[i].stretch;
-    const double thinned = node.thinning - before_[i].thinning;
-    const double fall = 1 - force(node) / force(before_[i]);
+
+  std::optional<NeckingWatch::Neck> NeckingWatch::neck() const
+  {
+    if (now_.empty() || before_.size() != now_.size())
+      return {};
+    const std::size_t i = thinnest(now_);
+    std::vector<double> thinned;
+    for (std::size_t k = 0; k < now_.size(); ++k)
+      thinned.push_back(now_[k].thinning - before_[k].thinning);
+    const double stretch = now_[i].stretch - before_[i].stretch;
+    const double fall = 1 - force(now_[i]) / force(before_[i]);
     // A metal under plastic loading does not soften: d tau >= 0, so that F falls by no more than d eps. A node is the
     // mean of its neighbours. Where only one of them stretches, by d eps, and the other unloads with it, the stress of
     // which falls by up to d eps, the mean stretches by half of d eps and its force falls by up to all of it. A larger
     // fall is unloading or bending, and no neck. A change in the last digits is no change.
     const bool softens =
-      node.stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9 && fall <= 2.002 * stretch;
-    if (!softens || !(thinned > 3 * median))
-      return "";
-    return "node " + std::to_string(i) + " at R0 = " + text::rounded(node.place) + " necks: its thickness is " +
-           text::rounded(node.thickness) + ", in the last increment it stretched by " + text::rounded(stretch) +
-           " while its section force fell by " + text::percent(fall) + " (past Considere's maximum)";
+      now_[i].stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9 && fall <= 2.002 * stretch;
+    if (!softens || !(thinned[i] > 3 * median_size(thinned)))
+      return {};
+    return Neck{i, stretch, fall, held_by_tool(i, thinned)};
+  }
+
+
+  bool NeckingWatch::held_by_tool(const std::size_t node, const std::vector<double> &thinned) const
+  {
+    const std::vector<double> length = lengths(now_);
+    double width = 0, touching = 0;
+    for (std::size_t k = 0; k < thinned.size(); ++k)
+    {
+      const double part = length[k] * std::max(0., thinned[k]) / thinned[node];
+      width += part;
+      if (now_[k].contact_pressure > 0.)
+        touching += part;
+    }
+    return touching >= enough_touching * width &&
+           width > std::max(widest_neck * now_[node].thickness, narrowest_zone * length[node]);
+  }
+
+
+  std::string NeckingWatch::describe(const Neck &neck) const
+  {
+    const SheetSection &node = now_[neck.node];
+    return "node " + std::to_string(neck.node) + " at R0 = " + text::rounded(node.place) + " necks: its thickness is " +
+           text::rounded(node.thickness) + ", in the last increment it stretched by " + text::rounded(neck.stretch) +
+           " while its section force fell by " + text::percent(neck.fall) + " (past Considere's maximum)";
   }
 } // namespace deltaform

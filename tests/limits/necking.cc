@@ -15,7 +15,7 @@ namespace
     for (unsigned int i = 0; i < 5; ++i)
     {
       const double strain = i == 3 ? neck : rest;
-      sections.push_back({.1 * i, std::exp(-strain / 2), strain, strain / 2, std::pow(strain, n)});
+      sections.push_back({.1 * i, .1 * i, std::exp(-strain / 2), strain, strain / 2, std::pow(strain, n)});
     }
     return sections;
   }
@@ -155,6 +155,78 @@ BOOST_AUTO_TEST_CASE(a_neck_that_stops_is_not_torn)
     watch.observe(bar(.2, .15, strain));
     BOOST_TEST(!watch.torn());
   }
+}
+
+namespace
+{
+  /// 81 nodes, 5 apart, perfectly plastic: each increment stretches node 20, in the middle, by .01 and the others by the
+  /// bell curve of the next of @p widths about it. Nodes before @p end touch a tool. Nodes of odd number come last.
+  NeckingWatch zone(const std::vector<double> &widths, const double h0 = 1., const double end = 400.)
+  {
+    constexpr int n = 81;
+    std::vector<SheetSection> sections;
+    for (int k = 0; k < n; ++k)
+    {
+      const double s = 5. * (k < 41 ? 2 * k : 2 * (k - 41) + 1);
+      sections.push_back({s, s, h0, 0., 0., 1., s < end ? .1 : 0.});
+    }
+    NeckingWatch watch;
+    watch.observe(sections);
+    for (const double width : widths)
+    {
+      for (SheetSection &section : sections)
+      {
+        const double x = (section.arc - 200.) / width;
+        section.stretch += .01 * std::exp(-x * x);
+        section.thinning = section.stretch;
+        section.thickness = h0 * std::exp(-section.thinning);
+      }
+      watch.observe(sections);
+      BOOST_TEST(watch.finding().find("node 20 at R0 = 200 necks") == 0u);
+      BOOST_TEST(!(watch.torn() && !watch.holding().empty()));
+    }
+    return watch;
+  }
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_wide_zone_is_held_by_the_tool_on_which_it_lies)
+{
+  const NeckingWatch watch = zone(std::vector<double>(10, 20.));
+  BOOST_TEST(!watch.torn());
+  // Perfectly plastic: F falls by as much as it stretches.
+  BOOST_TEST(watch.holding().find("the section of node 20 at R0 = 200 stretches although its force falls") == 0u);
+  BOOST_TEST(watch.holding().find("by 10 %") != std::string::npos);
+  BOOST_TEST(watch.holding().find("at a thickness of 0.9048") != std::string::npos);
+  // More than half of it has to lie on the tool.
+  BOOST_TEST(!zone(std::vector<double>(10, 20.), 1., 210.).torn());
+  BOOST_TEST(zone(std::vector<double>(10, 20.), 1., 190.).torn());
+  BOOST_TEST(zone(std::vector<double>(10, 20.), 1., 190.).holding() == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_narrow_zone_tears_on_a_tool_too)
+{
+  // The zone is sqrt(pi) times as wide as the bell curve; one of ten thicknesses is a neck.
+  BOOST_TEST(zone(std::vector<double>(5, 5.)).torn());
+  BOOST_TEST(!zone(std::vector<double>(4, 5.)).torn());
+  BOOST_TEST(zone(std::vector<double>(5, 10.), 2.).torn());
+  BOOST_TEST(!zone(std::vector<double>(5, 10.)).torn());
+}
+
+BOOST_AUTO_TEST_CASE(what_was_held_tears_after_as_many_increments_as_any_neck)
+{
+  std::vector<double> widths(10, 20.);
+  widths.insert(widths.end(), 4, 5.);
+  BOOST_TEST(!zone(widths).torn());
+  BOOST_TEST(zone(widths).holding() == "");
+  widths.push_back(5.);
+  BOOST_TEST(zone(widths).torn());
+}
+
+BOOST_AUTO_TEST_CASE(a_mesh_can_show_no_neck_narrower_than_its_elements)
+{
+  // One node of elements of fifty thicknesses thins: the zone is 5.6 wide. Four do: 13.3.
+  BOOST_TEST(zone(std::vector<double>(5, 3.), .1).torn());
+  BOOST_TEST(!zone(std::vector<double>(5, 7.5), .1).torn());
 }
 
 BOOST_AUTO_TEST_CASE(nothing_known_is_no_neck)

@@ -3,6 +3,7 @@
 #include <deltaform/blanks/sheet_section.h>
 #include <deltaform/io/archive.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,11 @@ namespace deltaform
    * its force falls has lost its load-bearing capacity (a fall of more than twice the stretch is unloading), and what
    * else the sheet is asked to give comes from there. A neck is that at the node with the smallest thickness, thinning
    * at least three times as fast as the blank's median node.
+   *
+   * A tool on which the sheet lies, by its friction and its curvature, can hold a section that is past this maximum: the
+   * zone that thins stays wide, or spreads. A sheet that tears does so in a narrow zone, or away from the tools. The
+   * width of the zone is that of one that thins evenly at the rate of the neck, w = integral of max(d eps_t, 0) over the
+   * undeformed meridian / d eps_t of the neck.
    */
   class NeckingWatch
   {
@@ -28,30 +34,52 @@ namespace deltaform
     /// What has most likely ended a run: the last increments showed a neck, and the sheet has thinned further.
     std::string suspicion() const;
 
-    /// Is the sheet torn? Then it has necked in so many increments in a row, and the section there has lost so much of
-    /// its force meanwhile. A smaller loss may be made up for: friction and bending can hold a section a little past
-    /// its maximum.
+    /// Is the sheet torn? Then it has necked in so many increments in a row, the section there has lost so much of its
+    /// force meanwhile, and no tool holds it. A smaller loss may be made up for: friction and bending can hold a
+    /// section a little past its maximum.
     bool torn() const
     {
-      return n_necking_ >= enough_increments && lost_ >= enough_loss;
+      return past_maximum() && !held_;
     }
+
+    /// "the section of node 12 at R0 = 0.9 stretches although its force falls, ...", or empty. The same as torn, but for
+    /// a tool that holds the sheet.
+    std::string holding() const;
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
     {
       archive_plain(archive, before_);
       archive_plain(archive, now_);
-      archive &n_necking_ &lost_ &last_ &n_since_ &thickness_then_;
+      archive &n_necking_ &lost_ &held_ &last_ &n_since_ &thickness_then_;
     }
 
   private:
+    /// What an increment shows at the thinnest node.
+    struct Neck
+    {
+      std::size_t node;
+      double stretch, fall; ///< by which the node stretched, and share of its force that it lost
+      bool held; ///< does it lie on a tool, and is the zone that thins wider than a neck?
+    };
+
     static constexpr unsigned int enough_increments = 5;
     static constexpr double enough_loss = .01;
     static constexpr unsigned int recent_increments = 5;
 
+    bool past_maximum() const
+    {
+      return n_necking_ >= enough_increments && lost_ >= enough_loss;
+    }
+
+    std::optional<Neck> neck() const;
+    bool held_by_tool(std::size_t node, const std::vector<double> &thinned) const;
+    std::string describe(const Neck &neck) const;
+
     std::vector<SheetSection> before_, now_;
-    unsigned int n_necking_ = 0; ///< increments in a row with a finding
+    unsigned int n_necking_ = 0; ///< increments in a row with a finding, all held by a tool or none
     double lost_ = 0; ///< share of the section force that was lost in them
+    bool held_ = false; ///< the last finding
     std::string last_; ///< finding, so many increments ago, with that thickness
     unsigned int n_since_ = 0;
     double thickness_then_ = 0;
