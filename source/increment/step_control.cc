@@ -171,10 +171,11 @@ namespace deltaform
 
   Effort StepControl::effort(const double length, const unsigned int cutbacks, const bool continues) const
   {
-    // As short as it may be, or cut twice: the length of the increment is not the reason.
+    // As short as it may be: the length of the increment is not the reason. Nor is it after two cuts, or where
+    // increments are so short. doc/decisions/README.md, "Increments that creep towards a snap"
     if (length * settings_.shrink < smallest_)
       return Effort::all;
-    if (cutbacks >= cuts_before_last_resorts || longer_tries_ > 0)
+    if (cutbacks >= cuts_before_last_resorts || longer_tries_ > 0 || length < crawling * usual_)
       return Effort::last_resorts;
     return cutbacks == 0 && continues ? Effort::first : Effort::usual;
   }

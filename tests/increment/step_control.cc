@@ -121,6 +121,17 @@ BOOST_AUTO_TEST_CASE(failures_cut_back)
   BOOST_TEST(!control.reject(.1));
 }
 
+BOOST_AUTO_TEST_CASE(an_increment_that_creeps_has_last_resorts_at_once)
+{
+  // A thousandth of a usual increment, which is .013 of the stage.
+  const StepSettings what = settings({});
+  const StepControl control(what, 0., 2., .01, 1e-9, .1, {});
+  BOOST_TEST((control.effort(2.7e-5, 0, true) == Effort::first));
+  BOOST_TEST((control.effort(2.5e-5, 0, true) == Effort::last_resorts));
+  const StepControl shorter(what, 0., 2., .01, 1e-9, .002, {});
+  BOOST_TEST((shorter.effort(2.5e-5, 0, true) == Effort::first));
+}
+
 BOOST_AUTO_TEST_CASE(cuts_that_did_not_help_are_taken_back)
 {
   const StepSettings what = settings({"Shrink=.5", "Growth=1.5"});
