@@ -240,18 +240,16 @@ namespace deltaform
     std::vector<SheetSection> result(space_.n_nodes());
     for (unsigned int i = 0; i < result.size(); ++i)
     {
-      const double h = state_.node_thickness(i);
       const auto [lower, higher] =
         std::minmax({state_.contact_pressure(Side::bottom, i), state_.contact_pressure(Side::top, i)});
       result[i] = {space_.mesh().nodes()[i][0],
                    space_.mesh().arc_length()[i],
-                   h,
+                   state_.node_thickness(i),
                    mean_stretch[i],
-                   -std::log(h / points_.thickness()),
+                   -std::log(state_.node_thickness(i) / points_.thickness()),
                    mean_stress[i],
                    higher,
-                   lower,
-                   0.};
+                   lower};
     }
     add_flow_stress(result);
     return result;
