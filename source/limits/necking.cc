@@ -54,8 +54,9 @@ namespace deltaform
     /// A neck in one element, or at the node between two, is two such lengths wide.
     constexpr double narrowest_zone = 2.5; // lengths of a node
 
-    /// Share of the zone that touches a tool which holds it.
-    constexpr double enough_touching = .5;
+    /// Share of the zone that touches a tool which holds it, and width over the largest one so far of a zone that it
+    /// still holds.
+    constexpr double enough_touching = .5, enough_width = .9;
   } // namespace
 
 
@@ -71,19 +72,21 @@ namespace deltaform
     now_ = std::move(sections);
     ++n_since_;
     const std::optional<Neck> found = neck();
-    if (!found || found->held != held_)
+    if (!found)
     {
       n_necking_ = 0;
-      lost_ = 0.;
-    }
-    if (!found)
+      lost_ = widest_ = 0.;
+      held_ = false;
       return;
+    }
     last_ = describe(*found);
     n_since_ = 0;
     thickness_then_ = now_[found->node].thickness;
     ++n_necking_;
     lost_ += found->fall;
-    held_ = found->held;
+    widest_ = found->node == node_ ? std::max(widest_, found->width) : found->width;
+    node_ = found->node;
+    held_ = found->may_be_held && found->width >= enough_width * widest_;
   }
 
 
@@ -134,23 +137,26 @@ namespace deltaform
       now_[i].stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9 && fall <= 2.002 * stretch;
     if (!softens || !(thinned[i] > 3 * median_size(thinned)))
       return {};
-    return Neck{i, stretch, fall, held_by_tool(i, thinned)};
+    Neck neck{i, stretch, fall};
+    measure_zone(thinned, neck);
+    return neck;
   }
 
 
-  bool NeckingWatch::held_by_tool(const std::size_t node, const std::vector<double> &thinned) const
+  void NeckingWatch::measure_zone(const std::vector<double> &thinned, Neck &neck) const
   {
     const std::vector<double> length = lengths(now_);
-    double width = 0, touching = 0;
+    double touching = 0;
     for (std::size_t k = 0; k < thinned.size(); ++k)
     {
-      const double part = length[k] * std::max(0., thinned[k]) / thinned[node];
-      width += part;
+      const double part = length[k] * std::max(0., thinned[k]) / thinned[neck.node];
+      neck.width += part;
       if (now_[k].contact_pressure > 0.)
         touching += part;
     }
-    return touching >= enough_touching * width &&
-           width > std::max(widest_neck * now_[node].thickness, narrowest_zone * length[node]);
+    neck.may_be_held =
+      touching >= enough_touching * neck.width &&
+      neck.width > std::max(widest_neck * now_[neck.node].thickness, narrowest_zone * length[neck.node]);
   }
 
 

@@ -18,9 +18,9 @@ namespace deltaform
    * at least three times as fast as the blank's median node.
    *
    * A tool on which the sheet lies, by its friction and its curvature, can hold a section that is past this maximum: the
-   * zone that thins stays wide, or spreads. A sheet that tears does so in a narrow zone, or away from the tools. The
-   * width of the zone is that of one that thins evenly at the rate of the neck, w = integral of max(d eps_t, 0) over the
-   * undeformed meridian / d eps_t of the neck.
+   * zone that thins is wide and spreads. A sheet that tears does so in a narrow zone, in one that narrows, or away from
+   * the tools. The width of the zone is that of one that thins evenly at the rate of its thinnest node, w =
+   * integral of max(d eps_t, 0) over the undeformed meridian / d eps_t of that node.
    */
   class NeckingWatch
   {
@@ -51,7 +51,7 @@ namespace deltaform
     {
       archive_plain(archive, before_);
       archive_plain(archive, now_);
-      archive &n_necking_ &lost_ &held_ &last_ &n_since_ &thickness_then_;
+      archive &n_necking_ &lost_ &node_ &widest_ &held_ &last_ &n_since_ &thickness_then_;
     }
 
   private:
@@ -60,7 +60,8 @@ namespace deltaform
     {
       std::size_t node;
       double stretch, fall; ///< by which the node stretched, and share of its force that it lost
-      bool held; ///< does it lie on a tool, and is the zone that thins wider than a neck?
+      double width = 0; ///< of the zone that thins (length)
+      bool may_be_held = false; ///< does the zone lie on a tool, and is it wider than a neck?
     };
 
     static constexpr unsigned int enough_increments = 5;
@@ -73,13 +74,15 @@ namespace deltaform
     }
 
     std::optional<Neck> neck() const;
-    bool held_by_tool(std::size_t node, const std::vector<double> &thinned) const;
+    void measure_zone(const std::vector<double> &thinned, Neck &neck) const;
     std::string describe(const Neck &neck) const;
 
     std::vector<SheetSection> before_, now_;
-    unsigned int n_necking_ = 0; ///< increments in a row with a finding, all held by a tool or none
+    unsigned int n_necking_ = 0; ///< increments in a row with a finding
     double lost_ = 0; ///< share of the section force that was lost in them
-    bool held_ = false; ///< the last finding
+    std::size_t node_ = 0; ///< of the last of them
+    double widest_ = 0; ///< largest width of the zone while that node was the thinnest (length)
+    bool held_ = false; ///< did a tool hold the sheet in the last of them?
     std::string last_; ///< finding, so many increments ago, with that thickness
     unsigned int n_since_ = 0;
     double thickness_then_ = 0;
