@@ -24,6 +24,7 @@ namespace deltaform
       {
         if (!watch_.torn())
           return "";
+        held_.clear();
         if (!stage.continue_after_necking)
           return "the sheet tears: " + watch_.finding() +
                  ". Form less deep, or with less friction, less holder force or larger radii; to go on all the same, "
