@@ -191,11 +191,22 @@ namespace deltaform
   IncrementSize Shell::increment_size(const Vector &dq) const
   {
     IncrementSize largest;
+    unsigned int strained = 0, turned = 0;
     for (unsigned int i = 0; i < material_.size(); ++i)
       for (unsigned int k = 0; k < 2; ++k)
-        largest.strain = std::max(largest.strain, std::abs(material_.strain(i)[k] - state_.strain(i)[k]));
-    for (const auto &dofs : space_.dofs())
-      largest.rotation = std::max(largest.rotation, std::abs(dq[dofs[2]]));
+        if (const double strain = std::abs(material_.strain(i)[k] - state_.strain(i)[k]); strain > largest.strain)
+        {
+          largest.strain = strain;
+          strained = i / points_.n_layers();
+        }
+    for (unsigned int i = 0; i < space_.n_nodes(); ++i)
+      if (const double rotation = std::abs(dq[space_.dofs()[i][2]]); rotation > largest.rotation)
+      {
+        largest.rotation = rotation;
+        turned = i;
+      }
+    largest.strained = points_.place(strained);
+    largest.turned = space_.mesh().nodes()[turned];
     return largest;
   }
 

@@ -103,6 +103,16 @@ namespace deltaform
   }
 
 
+  Point2 ShellPoints::place(const unsigned int point) const
+  {
+    const auto &nodes = space_.mesh().cells()[point / n_points_per_cell_].nodes;
+    Point2 result;
+    for (unsigned int a = 0; a < space_.n_nodes_per_cell(); ++a)
+      result += points_[point].shape[a] * space_.mesh().nodes()[nodes[a]];
+    return result;
+  }
+
+
   ShellStrain ShellPoints::strain(const Vector &q, const unsigned int cell, const unsigned int point) const
   {
     const auto &nodes = space_.mesh().cells()[cell].nodes;

@@ -82,6 +82,9 @@ namespace deltaform
       return thickness_;
     }
 
+    /// Where a point is on the undeformed meridian.
+    Point2 place(unsigned int point) const;
+
     /// Reference volume that a layer of a point stands for. @param sine of the angle of the undeformed meridian
     double layer_volume(const ShellPoint &point, const double sine, const unsigned int layer) const
     {

@@ -7,6 +7,7 @@
 #include <deltaform/process/ranks.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace deltaform
 {
@@ -240,11 +241,27 @@ namespace deltaform
 
   IncrementSize Solid::increment_size(const Vector &dq) const
   {
-    if (!kernel_.is_linear())
-      return motion_.increment_size();
     // Where the law is linear, points are visited at the commit only.
     Vector storage;
-    return SolidMotion::increment_size(body_.points(), body_.space().hanging().with_hanging(dq, storage));
+    const SolidPoints &points = body_.points();
+    const SolidIncrementSize size =
+      kernel_.is_linear() ? SolidMotion::increment_size(points, body_.space().hanging().with_hanging(dq, storage))
+                          : motion_.increment_size();
+    IncrementSize own{size.strain, size.rotation};
+    if (points.size() > 0)
+    {
+      own.strained = points.place(size.strained);
+      own.turned = points.place(size.turned);
+    }
+    IncrementSize result;
+    for (const IncrementSize &one : ranks::gather(std::vector<IncrementSize>{own}))
+    {
+      if (one.strain > result.strain)
+        std::tie(result.strain, result.strained) = std::tie(one.strain, one.strained);
+      if (one.rotation > result.rotation)
+        std::tie(result.rotation, result.turned) = std::tie(one.rotation, one.turned);
+    }
+    return result;
   }
 
 

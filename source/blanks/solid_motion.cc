@@ -1,7 +1,6 @@
 #include "solid_motion.h"
 
 #include <deltaform/kinematics/logarithmic_strain.h>
-#include <deltaform/process/ranks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,17 +41,18 @@ namespace deltaform
     }
 
 
-    /// The largest angle of many, each by a sine and a cosine times a length.
+    /// The largest angle of many points, each by a sine and a cosine times a length.
     class LargestAngle
     {
     public:
-      void add(const std::array<double, 4> &f)
+      void add(const std::array<double, 4> &f, const unsigned int point)
       {
         const double own_sine = std::abs(f[2] - f[1]), own_cosine = f[0] + f[3];
         if (own_sine * cosine_ > sine_ * own_cosine)
         {
           sine_ = own_sine;
           cosine_ = own_cosine;
+          point_ = point;
         }
       }
 
@@ -61,9 +61,36 @@ namespace deltaform
         return std::atan2(sine_, cosine_);
       }
 
+      unsigned int point() const
+      {
+        return point_;
+      }
+
     private:
       double sine_ = 0., cosine_ = 1.;
+      unsigned int point_ = 0;
     };
+
+
+    /// The largest of the squared principal stretches and their inverses.
+    double largest_square(const Deformation &d)
+    {
+      const auto &f = d.f;
+      const double xx = f[0] * f[0] + f[1] * f[1], yy = f[2] * f[2] + f[3] * f[3], xy = f[0] * f[2] + f[1] * f[3];
+      const double j = f[0] * f[3] - f[1] * f[2], hoop = d.hoop * d.hoop;
+      const double longest = .5 * (xx + yy) + std::sqrt(.25 * (xx - yy) * (xx - yy) + xy * xy);
+      return std::max({longest, longest / (j * j), hoop, 1. / hoop});
+    }
+
+
+    /// The largest principal value of the change of a small strain.
+    double largest_change(const Deformation &now, const Deformation &before)
+    {
+      const auto &a = now.f, &b = before.f;
+      const Mandel e{{a[0] - b[0], a[3] - b[3], now.hoop - before.hoop, (a[1] - b[1] + a[2] - b[2]) / root_2}};
+      const double radius = std::hypot(.5 * (e[0] - e[1]), e[3] / root_2);
+      return std::max(.5 * std::abs(e[0] + e[1]) + radius, std::abs(e[2]));
+    }
   } // namespace
 
 
@@ -106,39 +133,32 @@ namespace deltaform
   }
 
 
-  IncrementSize SolidMotion::increment_size() const
+  SolidIncrementSize SolidMotion::increment_size() const
   {
-    double strain = 0., most = 1.; // of small strains; of squared stretches and their inverses
+    double most = finite_ ? 1. : 0.; // of squared stretches and their inverses; of small strains
+    unsigned int strained = 0;
     LargestAngle angle;
-    for (std::size_t i = 0; i < deformation_.size(); ++i)
+    for (unsigned int i = 0; i < deformation_.size(); ++i)
     {
       const Deformation d = increment(i);
-      const auto &f = d.f;
-      angle.add(f);
-      if (finite_)
+      angle.add(d.f, i);
+      if (const double size = finite_ ? largest_square(d) : largest_change(deformation_[i], committed_deformation_[i]);
+          size > most)
       {
-        const double xx = f[0] * f[0] + f[1] * f[1], yy = f[2] * f[2] + f[3] * f[3], xy = f[0] * f[2] + f[1] * f[3];
-        const double j = f[0] * f[3] - f[1] * f[2], hoop = d.hoop * d.hoop;
-        const double longest = .5 * (xx + yy) + std::sqrt(.25 * (xx - yy) * (xx - yy) + xy * xy);
-        most = std::max({most, longest, longest / (j * j), hoop, 1. / hoop});
-        continue;
+        most = size;
+        strained = i;
       }
-      const Deformation &now = deformation_[i], &before = committed_deformation_[i];
-      const auto &a = now.f, &b = before.f;
-      const Mandel e{{a[0] - b[0], a[3] - b[3], now.hoop - before.hoop, (a[1] - b[1] + a[2] - b[2]) / root_2}};
-      const double radius = std::hypot(.5 * (e[0] - e[1]), e[3] / root_2);
-      strain = std::max({strain, .5 * std::abs(e[0] + e[1]) + radius, std::abs(e[2])});
     }
-    return {ranks::max(finite_ ? .5 * std::log(most) : strain), ranks::max(angle.value())};
+    return {finite_ ? .5 * std::log(most) : most, angle.value(), strained, angle.point()};
   }
 
 
-  IncrementSize SolidMotion::increment_size(const SolidPoints &points, const Vector &du)
+  SolidIncrementSize SolidMotion::increment_size(const SolidPoints &points, const Vector &du)
   {
     LargestAngle angle;
     for (unsigned int i = 0; i < points.size(); ++i)
-      angle.add(points.deformation(du, i / points.per_cell(), i % points.per_cell()).f);
-    return {0., ranks::max(angle.value())};
+      angle.add(points.deformation(du, i / points.per_cell(), i % points.per_cell()).f, i);
+    return {0., angle.value(), 0, angle.point()};
   }
 
 

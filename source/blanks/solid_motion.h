@@ -3,7 +3,6 @@
 #include "material_points.h"
 #include "solid_points.h"
 
-#include <deltaform/blanks/increment_size.h>
 #include <deltaform/materials/material.h>
 
 #include <array>
@@ -17,6 +16,14 @@ namespace deltaform
     double cosine = 1, sine = 0;
 
     Mandel operator()(const Mandel &t) const;
+  };
+
+
+  /// The largest changes of the points of this process in an increment.
+  struct SolidIncrementSize
+  {
+    double strain = 0, rotation = 0; ///< as in IncrementSize
+    unsigned int strained = 0, turned = 0; ///< the points with these values
   };
 
 
@@ -57,11 +64,11 @@ namespace deltaform
     /// By how much that turns the axes of the material.
     Turn turn(std::size_t point) const;
 
-    /// The largest strain that points have suffered, and the largest angle by which they have turned.
-    IncrementSize increment_size() const;
+    /// From the committed to the trial state.
+    SolidIncrementSize increment_size() const;
 
     /// The same where only small displacements from the begin are known, and no strain is too large.
-    static IncrementSize increment_size(const SolidPoints &points, const Vector &du);
+    static SolidIncrementSize increment_size(const SolidPoints &points, const Vector &du);
 
     /// Logarithmic strain ln(F F^T)/2, of small kinematics the symmetric part of the displacement gradient.
     Mandel strain(const Deformation &F) const;

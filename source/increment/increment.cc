@@ -102,14 +102,15 @@ namespace deltaform
 
   std::optional<Rejected> Increment::too_large(const double length, const bool may_snap, IncrementResult &result) const
   {
-    const auto refused = [](const char *what, const double value, const double allowed) {
+    const auto refused = [](const char *what, const double value, const Point2 &place, const double allowed) {
       return Rejected{Rejected::Kind::too_large,
-                      std::string("the largest ") + what + " increment is " + text::rounded(value) + ", allowed are " +
+                      std::string("the largest ") + what + " increment is " + text::rounded(value) +
+                        ", at R0 = " + text::rounded(place[0]) + ", Z0 = " + text::rounded(place[1]) + "; allowed are " +
                         text::rounded(allowed) + " (Solver/Largest " + what + " increment)"};
     };
     Vector dq = result.q;
     dq -= problem_.committed();
-    const auto [strain, rotation] = problem_.increment_size(dq);
+    const auto [strain, rotation, strained, turned] = problem_.increment_size(dq);
     // A new equilibrium at the same time is as far as the mesh was wrong, and no shorter increment brings it closer: it
     // is said.
     if (length <= 0.)
@@ -121,9 +122,9 @@ namespace deltaform
     // far in one step has been on another path.
     constexpr double far = 3.;
     if (strain > (may_snap ? far : 1.) * settings_.largest_strain)
-      return refused("strain", strain, settings_.largest_strain);
+      return refused("strain", strain, strained, settings_.largest_strain);
     if (rotation > settings_.largest_rotation && !may_snap)
-      return refused("rotation", rotation, settings_.largest_rotation);
+      return refused("rotation", rotation, turned, settings_.largest_rotation);
     // What a last resort has led to is another equilibrium if it is far, allowed or not.
     const double near = result.by_last_resort ? .5 : 1.;
     if (strain > near * settings_.largest_strain)

@@ -203,6 +203,30 @@ BOOST_AUTO_TEST_CASE(the_size_of_an_increment_is_counted_from_the_last_commit)
     });
 }
 
+BOOST_AUTO_TEST_CASE(the_size_of_an_increment_says_where)
+{
+  for (const double end : {.3, 1.1})
+    for_all_blanks(
+      {"Blank/Points=.3 0; 1.1 0", "Blank/Thickness=.01", "Material/Model=linear elastic", "Blank/Elements=4"},
+      [end](Blank &blank, const Entries &) {
+        const auto role = roles(blank);
+        const auto X = blank.positions(Vector(blank.n_dofs()));
+        const auto shifted = [&](const unsigned int axis) {
+          Vector q(blank.n_dofs());
+          for (unsigned int i = 0; i < q.size(); ++i)
+            if (role[i].node != invalid_index && role[i].axis == axis && std::abs(X[role[i].node][0] - end) < 1e-9)
+              q[i] = .001;
+          return q;
+        };
+        const Vector start(blank.n_dofs());
+        const IncrementSize longer = increment_size(blank, start, shifted(0));
+        BOOST_TEST(std::abs(longer.strained[0] - end) < .2);
+        BOOST_TEST(std::abs(longer.strained[1]) < .01);
+        if (const IncrementSize turned = increment_size(blank, start, shifted(1)); turned.rotation > 0.)
+          BOOST_TEST(std::abs(turned.turned[0] - end) < .2);
+      });
+}
+
 BOOST_AUTO_TEST_CASE(the_size_of_an_increment_with_small_strain)
 {
   // A linear law does not visit its points; a plastic one does. No strain is too large for the linear one.

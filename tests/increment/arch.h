@@ -98,7 +98,7 @@ namespace deltaform
       }
       IncrementSize increment_size(const Vector &dq) const override
       {
-        return {strain, std::abs(dq[0])};
+        return {strain, std::abs(dq[0]), Point2(.25, -.5), Point2(.75, 1.)};
       }
       std::string broken_promise() const override
       {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deltaform/assembly/types.h>
+
 namespace deltaform
 {
   /// The largest changes in an increment, by which its length is judged.
@@ -7,5 +9,6 @@ namespace deltaform
   {
     double strain = 0; ///< largest change of logarithmic strain of any point
     double rotation = 0; ///< largest angle that a point turns by
+    Point2 strained{}, turned{}; ///< where these points are in the undeformed blank
   };
 } // namespace deltaform
