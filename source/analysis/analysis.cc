@@ -52,6 +52,8 @@ namespace deltaform
     {
       if (rejected.kind == Rejected::Kind::promise_broken)
         return "a larger allowed penetration";
+      if (rejected.kind == Rejected::Kind::too_large)
+        return "shorter elements there";
       if (increment == 1)
         return "supports that hold the blank where only friction does";
       return is_sheet ? "shorter elements at radii" : "shorter elements where contact begins and ends";
@@ -60,9 +62,11 @@ namespace deltaform
     std::string in_words(const Rejected &rejected, const unsigned int increment, const Stage &stage,
                          const bool is_sheet)
     {
+      const bool at_once = rejected.kind == Rejected::Kind::too_large;
       return "in increment " + std::to_string(increment) + ": " + rejected.sentence + ". The smallest increment, " +
-             text::rounded(stage.smallest_increment) + ", was reached. Try a smaller Steps/" + stage.name +
-             "/Smallest increment, or " + what_else_to_try(rejected, increment, is_sheet);
+             text::rounded(stage.smallest_increment) + ", was reached" +
+             (at_once ? ": what happens at once is a neck, a fold or a snap" : "") + ". Try a smaller Steps/" +
+             stage.name + "/Smallest increment, or " + what_else_to_try(rejected, increment, is_sheet);
     }
 
     std::string does_not_find_the_blank(const std::string &tool, const Stage &stage)

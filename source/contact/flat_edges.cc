@@ -2,6 +2,7 @@
 #include <deltaform/contact/flat_edges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace deltaform
 {
@@ -10,6 +11,9 @@ namespace deltaform
     // Shares of delta by which an edge may be deeper between its outermost points than these: where it begins, and
     // where it ends in an increment.
     constexpr double flat_enough = .1, no_longer = .25;
+
+    // So often in an increment edges wake alone.
+    constexpr unsigned int alone = 2;
 
     /// The points of an edge over the tool.
     class Face
@@ -86,18 +90,36 @@ namespace deltaform
 
   unsigned int FlatEdges::wake(const ContactProjector &projector, const Points &trial)
   {
-    unsigned int n_woken = 0;
+    std::vector<unsigned int> woken;
     if (flat_.empty())
-      return n_woken;
+      return 0;
     for (const unsigned int e : projector.near_edges())
       if (flat_[e])
         if (const Face face(projector, trial, e);
             face.ends_touch() && face.bulge() > no_longer * trial[e * projector.group()].delta)
         {
           flat_[e] = false;
-          ++n_woken;
+          woken.push_back(e);
         }
-    return n_woken;
+    if (!woken.empty() && ++n_wakings_ > alone)
+      wake_neighbours(projector, trial, woken);
+    return woken.size();
+  }
+
+
+  void FlatEdges::wake_neighbours(const ContactProjector &projector,
+                                  const Points &trial,
+                                  const std::vector<unsigned int> &woken)
+  {
+    const double reach = std::ldexp(1., static_cast<int>(n_wakings_ - alone)); // lengths of an edge
+    const unsigned int n = projector.group();
+    const auto begin = [&](const unsigned int e) { return trial[e * n].position; };
+    for (const unsigned int e : projector.near_edges())
+      if (flat_[e])
+        flat_[e] = std::none_of(woken.begin(), woken.end(), [&](const unsigned int other) {
+          const double length = begin(other).distance(trial[other * n + n - 1].position);
+          return begin(e).distance(begin(other)) < reach * length;
+        });
   }
 
 

@@ -58,7 +58,7 @@ namespace deltaform
     trial.time = time;
     trial.step = committed.step;
     trial.energy = committed.energy;
-    projector_.find_flat(projector_.near_edges(), committed.points, delta);
+    projector_.begin_increment(committed.points, delta);
     for (const unsigned int e : projector_.near_edges())
       begin(e);
   }

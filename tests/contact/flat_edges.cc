@@ -10,16 +10,18 @@ namespace
 {
   constexpr double delta = 1e-3;
 
-  /// Two edges, each with four points inside it; every point moves by itself.
-  class TwoEdges : public FakeSurface
+  /// Edges of length 1, each with four points inside it; every point moves by itself.
+  class Edges : public FakeSurface
   {
   public:
-    TwoEdges()
-      : FakeSurface(8)
+    explicit Edges(const unsigned int n_edges)
+      : FakeSurface(4 * n_edges)
     {
-      for (unsigned int i = 0; i < 8; ++i)
+      for (unsigned int i = 0; i < 4 * n_edges; ++i)
         X[i] = Point2(.25 * i, 0.);
-      edges = {{{0, 1, invalid_index}}, {{1, 2, invalid_index}}};
+      edges.clear();
+      for (unsigned int e = 0; e < n_edges; ++e)
+        edges.push_back({{e, e + 1, invalid_index}});
       area = .3;
       compliance = .02;
     }
@@ -38,8 +40,8 @@ namespace
   /// Over a tool, in the first increment with the second edge bulged by @p bulge (length) towards the tool.
   struct Fixture
   {
-    explicit Fixture(const Entries &tool_entries, const double bulge = 0.)
-      : interface(surface, {"Allowed penetration=" + std::to_string(delta)}, tool_entries), q(interface.n)
+    explicit Fixture(const Entries &tool_entries, const double bulge = 0., const unsigned int n_edges = 2)
+      : surface(n_edges), interface(surface, {"Allowed penetration=" + std::to_string(delta)}, tool_entries), q(interface.n)
     {
       q[2 * 5 + 1] = -bulge;
       begin();
@@ -59,7 +61,7 @@ namespace
       return result;
     }
 
-    TwoEdges surface;
+    Edges surface;
     InterfaceFixture interface;
     Vector q;
   };
@@ -124,6 +126,30 @@ BOOST_AUTO_TEST_CASE(an_edge_that_is_flat_no_longer_has_all_its_points)
   contact.commit(fixture.q);
   fixture.interface.begin_increment(fixture.q, 2., 1e3);
   BOOST_TEST(fixture.areas() == both(outermost, all), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(edges_that_wake_one_another_are_awake_soon)
+{
+  // Whenever one has woken, its neighbour on the right is no longer flat.
+  constexpr unsigned int n = 30;
+  Fixture fixture(flat, 0., n);
+  auto &contact = fixture.interface.contact;
+  for (unsigned int i = 0; i < 4 * n; ++i)
+    fixture.q[2 * i + 1] = -.5 * delta;
+  std::vector<unsigned int> asleep{n};
+  while (asleep.back() > 0)
+  {
+    const unsigned int next = n - asleep.back();
+    fixture.q[2 * (4 * next + 1) + 1] -= .3 * delta;
+    fixture.interface.assemble(fixture.q);
+    BOOST_REQUIRE(contact.correct_factors(fixture.q) > 0U);
+    unsigned int n_asleep = 0;
+    for (unsigned int e = 0; e < n; ++e)
+      n_asleep += contact.point(fixture.q, 4 * e + 1).area == 0.;
+    asleep.push_back(n_asleep);
+  }
+  // Two alone, then with them those that begin closer than 1.5, 3, 6, 12, ... to one that was not flat any more.
+  BOOST_TEST(asleep == (std::vector<unsigned int>{30, 29, 28, 26, 23, 17, 5, 0}), boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(only_edges_whose_points_come_or_go_are_assembled_anew)

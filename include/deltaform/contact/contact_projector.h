@@ -112,6 +112,11 @@ namespace deltaform
 
     /// See FlatEdges.
     ///@{
+    void begin_increment(const FlatEdges::Points &committed, const double delta)
+    {
+      flat_.begin_increment();
+      find_flat(near_edges(), committed, delta);
+    }
     void find_flat(const std::vector<unsigned int> &edges, const FlatEdges::Points &committed, const double delta)
     {
       flat_.find(*this, edges, committed, delta);

@@ -27,8 +27,15 @@ namespace deltaform
               const Points &points,
               double delta);
 
-    /// Equilibrium: an edge that is not flat any more has all its points from here on, until the next find().
-    /// @return how many edges
+    /// An increment begins: nothing has woken.
+    void begin_increment()
+    {
+      n_wakings_ = 0;
+    }
+
+    /// Equilibrium: an edge that is not flat any more has all its points from here on, until the next find(). In a
+    /// flange that is pressed each may wake its neighbours: from the third time in an increment on they wake with it,
+    /// to twice the reach each time. @return how many edges were not flat any more
     unsigned int wake(const ContactProjector &projector, const Points &trial);
 
     /// These are, until the next find(); none are where @p flat is empty.
@@ -58,6 +65,9 @@ namespace deltaform
     void describe(const ContactSurface &surface, Side side, unsigned int i, ContactPoint &point) const;
 
   private:
+    void wake_neighbours(const ContactProjector &projector, const Points &trial, const std::vector<unsigned int> &woken);
+
     std::vector<bool> flat_; ///< of every edge; empty: none
+    unsigned int n_wakings_ = 0; ///< in this increment
   };
 } // namespace deltaform
