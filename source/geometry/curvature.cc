@@ -9,6 +9,21 @@
 
 namespace deltaform
 {
+  namespace
+  {
+    bool is_sharp_corner(const Segment &segment)
+    {
+      return segment.kind == Segment::Kind::arc && segment.radius == 0. && segment.convex && segment.sweep != 0.;
+    }
+
+    /// Arc length on either side of a corner within which friction grows.
+    double reach_of(const Segment &corner, const double offset)
+    {
+      return .25 * offset * std::abs(corner.sweep);
+    }
+  } // namespace
+
+
   double mean_curvature(const Curve &curve, const double arc_length, const double reach)
   {
     double turned = 0.;
@@ -85,25 +100,44 @@ namespace deltaform
   }
 
 
+  CornerShare corner_share(const Curve &curve, const double arc_length, const double offset)
+  {
+    CornerShare share;
+    for (const Segment &segment : curve.segments())
+      if (is_sharp_corner(segment))
+        curve.for_each_image(segment.arc_start, [&](const double s) {
+          const double reach = reach_of(segment, offset), way = arc_length - s;
+          if (std::abs(way) < share.value * reach)
+            share = {std::abs(way) / reach, std::copysign(1. / reach, way)};
+        });
+    return share;
+  }
+
+
   double offset_slip(const Curve &curve, const double a, const double b, const double offset)
   {
     const double whole = curve.slip(a, b);
     if (offset == 0. || whole == 0.)
       return whole;
     const double first = std::min(a, a + whole), last = std::max(a, a + whole);
-    const auto for_joints = [&](const auto &action) {
+    // Where the integrand may have kinks: the joints and their images, the offset before and after each, and where the
+    // share of the friction at a corner begins to grow.
+    const auto for_kinks = [&](const auto &action) {
       for (const Segment &segment : curve.segments())
+      {
         for (const double joint : {segment.arc_start, segment.arc_start + segment.length})
-          curve.for_each_image(joint, action);
+          curve.for_each_image(joint, [&](const double s) { action(s, offset); });
+        if (is_sharp_corner(segment))
+          curve.for_each_image(segment.arc_start, [&](const double s) { action(s, reach_of(segment, offset)); });
+      }
     };
     bool any = false;
-    for_joints([&](const double s) { any |= s + offset > first && s - offset < last; });
+    for_kinks([&](const double s, const double reach) { any |= s + reach > first && s - reach < last; });
     if (!any)
       return whole;
-    // Where the integrand has kinks: the joints and their images, and the offset before and after each.
     std::vector<double> kinks{first, last};
-    for_joints([&](const double s) {
-      for (const double kink : {s - offset, s, s + offset})
+    for_kinks([&](const double s, const double reach) {
+      for (const double kink : {s - reach, s, s + reach})
         if (kink > first && kink < last)
           kinks.push_back(kink);
     });
@@ -117,8 +151,9 @@ namespace deltaform
       const double ahead = 1. + offset * curvature(curve, middle);
       for (unsigned int g = 0; g < 3; ++g)
       {
-        const double mean = mean_curvature(curve, middle + .5 * length * point[g], offset);
-        sum += weight[g] * length * ahead / (1. + offset * mean);
+        const double place = middle + .5 * length * point[g];
+        sum += weight[g] * length * ahead * corner_share(curve, place, offset).value /
+               (1. + offset * mean_curvature(curve, place, offset));
       }
     }
     return whole > 0 ? sum : -sum;

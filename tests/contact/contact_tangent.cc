@@ -43,13 +43,16 @@ namespace
   };
 
   /// Where contact may be: on every line, arc and outer corner of a tool, and the normal there, in the scene's frame.
-  std::vector<Place> places(const Tool &tool)
+  /// @p near_corners: also where a node without an offset would be on the other side of one
+  std::vector<Place> places(const Tool &tool, const bool near_corners)
   {
     std::vector<Place> result;
     const double mirror = tool.side() == Side::top && !tool.shape().in_scene_frame() ? -1. : 1.;
     for (const auto &segment : tool.shape().segments())
-      for (const double part : {.03, .3, .6})
+      for (const double part : {.003, .03, .3, .6})
       {
+        if (!near_corners && part < .01)
+          continue;
         Point2 closest;
         Tensor1 normal;
         if (segment.kind == Segment::Kind::line)
@@ -148,7 +151,9 @@ namespace
         result.emplace_back(point.touching,
                             point.sticking,
                             closest.segment,
-                            surface.offset > 0. ? curvature_change(shape, closest.arc_length, surface.offset) : 0.);
+                            surface.offset > 0. ? curvature_change(shape, closest.arc_length, surface.offset) +
+                                                    corner_share(shape, closest.arc_length, surface.offset).slope
+                                                : 0.);
       }
       return result;
     }
@@ -194,7 +199,7 @@ namespace
                                 "Friction coefficient=.3",
                                 what.drive};
     const Entries contact{"Enforcement=" + what.enforcement, "Tangential factor=20"};
-    const auto all = places(InterfaceFixture(FakeSurface(1), contact, entries).tool);
+    const auto all = places(InterfaceFixture(FakeSurface(1), contact, entries).tool, what.arm == 0.);
     BOOST_TEST_REQUIRE(all.size() > 0u);
 
     std::vector<Place> where;

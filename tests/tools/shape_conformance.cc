@@ -308,9 +308,35 @@ BOOST_AUTO_TEST_CASE(mean_curvature_has_no_jumps)
     });
 }
 
+BOOST_AUTO_TEST_CASE(friction_fades_towards_a_sharp_corner)
+{
+  constexpr double offset = .05, h = 1e-7;
+  const Curve edge({Point2(0., 0.), Point2(1., 0.), Point2(1., -3.)}, {0., 0., 0.});
+  const double corner = edge.segments()[1].arc_start, reach = .25 * offset * dealii::numbers::PI_2;
+  BOOST_TEST(corner_share(edge, corner, offset).value == 0.);
+  for (const double side : {-1., 1.})
+  {
+    BOOST_TEST(corner_share(edge, corner + side * 1.001 * reach, offset).value == 1.);
+    BOOST_TEST(corner_share(edge, corner + side * 1.001 * reach, offset).slope == 0.);
+    const CornerShare half = corner_share(edge, corner + side * .5 * reach, offset);
+    BOOST_TEST(half.value == .5, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(half.slope == side / reach, boost::test_tools::tolerance(1e-12));
+  }
+  // Over the corner half of the slip on either side is missing.
+  BOOST_TEST(offset_slip(edge, corner - 2. * reach, corner + 2. * reach, offset) == 3. * reach,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(offset_slip(edge, corner, corner + h, offset) == .5 * h * h / reach, boost::test_tools::tolerance(1e-6));
+  // A dent and a rounded edge are no corners.
+  const Curve dent({Point2(0., 0.), Point2(1., 0.), Point2(1., 3.)}, {0., 0., 0.}),
+    rounded({Point2(0., 0.), Point2(1., 0.), Point2(1., -3.)}, {0., .1, 0.});
+  for (const Curve &curve : {dent, rounded})
+    for (double s = 0.; s < curve.length(); s += .01)
+      BOOST_TEST_REQUIRE(corner_share(curve, s, offset).value == 1.);
+}
+
 BOOST_AUTO_TEST_CASE(slip_of_a_node_kept_off_does_work_with_its_share_of_the_force)
 {
-  // d(slip)/d(node) = 1/(1 + mean k offset) for a node at the distance of the offset, joints or not.
+  // d(slip)/d(node) = c/(1 + mean k offset) for a node at the distance of the offset, joints or not.
   for_all(
     [](const Shape &shape, const Point2 &x, const Projection &p) {
       constexpr double offset = .04, h = 1e-6;
@@ -319,11 +345,13 @@ BOOST_AUTO_TEST_CASE(slip_of_a_node_kept_off_does_work_with_its_share_of_the_for
                        b = shape.project(node + h * p.tangent);
       if (std::abs(here.distance - offset) > 1e-9 || here.slip_rate == 0. || a.segment != b.segment ||
           std::abs(shape.slip(a.arc_length, b.arc_length)) > 1e-4 ||
-          curvature_change(shape, a.arc_length, offset) != curvature_change(shape, b.arc_length, offset)) // a kink
+          curvature_change(shape, a.arc_length, offset) != curvature_change(shape, b.arc_length, offset) ||
+          corner_share(shape, a.arc_length, offset).slope != corner_share(shape, b.arc_length, offset).slope) // a kink
         return false;
       const double slope = offset_slip(shape, a.arc_length, b.arc_length, offset) / (2 * h);
       const double curvature = mean_curvature(shape, here.arc_length, offset);
-      require_close(slope, 1. / (1. + offset * curvature), 1e-7, "the slip of a node");
+      const double share = corner_share(shape, here.arc_length, offset).value;
+      require_close(slope, share / (1. + offset * curvature), 1e-7, "the slip of a node");
       // In two parts as in one.
       const double start = here.arc_length - .2;
       const double to_a = offset_slip(shape, start, a.arc_length, offset);

@@ -14,11 +14,26 @@ namespace deltaform
   /// d(mean curvature)/d(arc length).
   double curvature_change(const Curve &curve, double arc_length, double reach);
 
+  /// Share of a friction force near sharp corners.
+  struct CornerShare
+  {
+    double value = 1;
+    double slope = 0; ///< by arc length (1/length)
+  };
+
+  /**
+   * How much of a friction force reaches a node that is kept off the curve by @p offset. At a sharp corner, around which
+   * the node turns without slip, there is none; it grows to all of it within a quarter of the way around the corner,
+   * the angle times the offset. A force that jumped there would leave a node that comes to rest at the corner without
+   * equilibrium (doc/theory/contact.md).
+   */
+  CornerShare corner_share(const Curve &curve, double arc_length, double offset);
+
   /**
    * The slip of a node that is kept off the curve by @p offset while its closest point goes from @p a to @p b: the
-   * integral of (1 + k offset)/(1 + mean k offset) over the arc length, so that a friction force that reaches
-   * the node by the share 1/(1 + mean k offset) does the same work on both sides (doc/theory/contact.md). On lines, and
-   * on arcs away from their ends, the arc length itself.
+   * integral of c (1 + k offset)/(1 + mean k offset) over the arc length, c = corner_share(), so that a friction force
+   * that reaches the node by the share c/(1 + mean k offset) does the same work on both sides (doc/theory/contact.md).
+   * On lines, and on arcs, away from their ends the arc length itself.
    */
   double offset_slip(const Curve &curve, double a, double b, double offset);
 
