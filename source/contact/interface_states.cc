@@ -28,7 +28,7 @@ namespace deltaform
 
   std::vector<unsigned int> InterfaceStates::look_at_near(const Vector &q, const Tensor1 &way)
   {
-    const std::vector<unsigned int> edges = projector_.far().begin_increment(projector_, q, way);
+    std::vector<unsigned int> edges = projector_.far().begin_increment(projector_, q, way);
     for (const unsigned int e : edges)
       locate_committed(e, q, way);
     return edges;
@@ -39,7 +39,7 @@ namespace deltaform
   InterfaceStates::approach(const Vector &q, const Vector *const step, const Tensor1 &way, const Tensor1 &motion)
   {
     FarEdges &far = projector_.far();
-    const std::vector<unsigned int> edges = far.approach(projector_, q, step, way + motion);
+    std::vector<unsigned int> edges = far.approach(projector_, q, step, way + motion);
     for (const unsigned int e : edges)
       locate_committed(e, far.start(), far.start_shift());
     projector_.find_flat(edges, committed.points, delta_);
