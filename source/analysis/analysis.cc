@@ -1,6 +1,7 @@
 #include <deltaform/analysis/analysis.h>
 #include <deltaform/analysis/mesh_change.h>
 #include <deltaform/checks/tool_placement.h>
+#include <deltaform/increment/shortest_failure.h>
 #include <deltaform/parameters/command_line.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/interruption.h>
@@ -59,11 +60,12 @@ namespace deltaform
       return is_sheet ? "shorter elements at radii" : "shorter elements where contact begins and ends";
     }
 
-    std::string in_words(const Rejected &rejected, const unsigned int increment, const Stage &stage,
-                         const bool is_sheet)
+    /// @param cause that is likely; empty if none is known
+    std::string in_words(const std::string &cause, const Rejected &rejected, const unsigned int increment,
+                         const Stage &stage, const bool is_sheet)
     {
-      const bool at_once = rejected.kind == Rejected::Kind::too_large;
-      return "in increment " + std::to_string(increment) + ": " + rejected.sentence + ". The smallest increment, " +
+      const bool at_once = rejected.kind == Rejected::Kind::too_large && cause.empty();
+      return (cause.empty() ? "" : cause + "; ") + "in increment " + std::to_string(increment) + ": " + rejected.sentence + ". The smallest increment, " +
              text::rounded(stage.smallest_increment) + ", was reached" +
              (at_once ? ": what happens at once is a neck, a fold or a snap" : "") + ". Try a smaller Steps/" +
              stage.name + "/Smallest increment, or " + what_else_to_try(rejected, increment, is_sheet);
@@ -195,6 +197,7 @@ namespace deltaform
     if (const std::string why = too_many(state_, settings_.steps, stage().end); !why.empty())
       return stop(why, exit_status::not_converged, checkpoint());
     observers_.announce(model_, workspace_, state_.n_increments + 1);
+    ShortestFailure failure;
     for (;;)
     {
       const double next = ends_.shorten(control_->next(time()));
@@ -210,12 +213,12 @@ namespace deltaform
       cost_ += result.cost;
       if (!result.rejected)
         return accept(next, result);
-      cost_.rejected_iterations += result.cost.iterations;
-      ++cost_.cutbacks;
+      cost_.count_failure(result.cost.iterations);
       journal_.detail(cut_back_in_words(*result.rejected, state_.n_increments + 1, next));
       state_.predictor.passage().distrust();
+      failure.add(*result.rejected, next - time());
       if (!control_->reject(next - time()))
-        return give_up(*result.rejected);
+        return give_up(failure.reason());
     }
   }
 
@@ -302,9 +305,8 @@ namespace deltaform
   bool Analysis::give_up(const Rejected &rejected)
   {
     workspace_.begin(time());
-    const std::string cause = conditions_.likely_cause();
-    return stop((cause.empty() ? "" : cause + "; ") +
-                  in_words(rejected, state_.n_increments + 1, stage(), model_.blank().fields().is_sheet()),
+    return stop(in_words(conditions_.likely_cause(rejected.sections), rejected, state_.n_increments + 1, stage(),
+                         model_.blank().fields().is_sheet()),
                 status_of(rejected), checkpoint());
   }
 } // namespace deltaform

@@ -1,4 +1,5 @@
 #include "shell.h"
+#include "shell_sections.h"
 #include "shell_transfer.h"
 
 #include <deltaform/materials/flow_error.h>
@@ -208,6 +209,19 @@ namespace deltaform
     largest.strained = points_.place(strained);
     largest.turned = space_.mesh().nodes()[turned];
     return largest;
+  }
+
+
+  std::vector<SheetSection> Shell::trial_sections() const
+  {
+    std::vector<double> thickness(points_.size());
+    for (unsigned int p = 0; p < points_.size(); ++p)
+      thickness[p] = trial_thickness(p);
+    thickness = points_.to_nodes(thickness);
+    return shell_sections(
+      space_, points_, [&](const unsigned int i) { return thickness[i]; },
+      [&](const unsigned int i) { return material_.strain(i)[0]; },
+      [&](const unsigned int i) { return material_.stress(i)[0]; });
   }
 
 

@@ -57,6 +57,7 @@ namespace deltaform
     void begin_increment(double duration, double ratio) override;
     double flow_error() const override;
     IncrementSize increment_size(const Vector &dq) const override;
+    std::vector<SheetSection> trial_sections() const override;
     void commit(const Vector &q) override;
     bool feels_pressure() const override;
     void set_pressure(const FaceValues &pressure) override;

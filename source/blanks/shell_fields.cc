@@ -1,9 +1,11 @@
 // Tables of the accepted state of the shell.
 #include "shell_fields.h"
 #include "shell_overlap.h"
+#include "shell_sections.h"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace deltaform
 {
@@ -227,30 +229,14 @@ namespace deltaform
 
   std::vector<SheetSection> ShellFields::sections() const
   {
-    const unsigned int n = points_.size();
-    std::vector<double> stretch(n, 0.), stress(n, 0.);
-    for (unsigned int p = 0, i = 0; p < n; ++p)
-      for (unsigned int l = 0; l < points_.n_layers(); ++l, ++i)
-      {
-        const double w = points_.layer_weight(l) / points_.thickness();
-        stretch[p] += w * state_.strain(i)[0];
-        stress[p] += w * material_.committed_stress(i)[0];
-      }
-    const auto mean_stretch = points_.to_nodes(stretch), mean_stress = points_.to_nodes(stress);
-    std::vector<SheetSection> result(space_.n_nodes());
+    std::vector<SheetSection> result =
+      shell_sections(
+        space_, points_, [&](const unsigned int i) { return state_.node_thickness(i); },
+        [&](const unsigned int i) { return state_.strain(i)[0]; },
+        [&](const unsigned int i) { return material_.committed_stress(i)[0]; });
     for (unsigned int i = 0; i < result.size(); ++i)
-    {
-      const auto [lower, higher] =
+      std::tie(result[i].clamping_pressure, result[i].contact_pressure) =
         std::minmax({state_.contact_pressure(Side::bottom, i), state_.contact_pressure(Side::top, i)});
-      result[i] = {space_.mesh().nodes()[i][0],
-                   space_.mesh().arc_length()[i],
-                   state_.node_thickness(i),
-                   mean_stretch[i],
-                   -std::log(state_.node_thickness(i) / points_.thickness()),
-                   mean_stress[i],
-                   higher,
-                   lower};
-    }
     add_flow_stress(result);
     return result;
   }

@@ -39,10 +39,10 @@ namespace deltaform
   }
 
 
-  std::string Conditions::likely_cause() const
+  std::string Conditions::likely_cause(const std::vector<SheetSection> &refused) const
   {
     for (const auto &condition : all_)
-      if (std::string cause = condition->likely_cause(); !cause.empty())
+      if (std::string cause = condition->likely_cause(refused); !cause.empty())
         return cause;
     return "";
   }

@@ -28,7 +28,7 @@ namespace deltaform
         return share_ > unusable ? "the mesh has folded over: " + sentence() : "";
       }
 
-      std::string likely_cause() const override
+      std::string likely_cause(const std::vector<SheetSection> &) const override
       {
         return share_ > doubtful ? "the mesh folds over: " + sentence() : "";
       }

@@ -23,7 +23,7 @@ namespace deltaform
         return with_remedy(watch_.finding());
       }
 
-      std::string likely_cause() const override
+      std::string likely_cause(const std::vector<SheetSection> &) const override
       {
         return with_remedy(watch_.suspicion());
       }

@@ -34,8 +34,10 @@ namespace deltaform
         return "";
       }
 
-      std::string likely_cause() const override
+      std::string likely_cause(const std::vector<SheetSection> &refused) const override
       {
+        if (std::string neck = watch_.at_once(refused); !neck.empty())
+          return neck;
         return watch_.suspicion();
       }
 

@@ -122,7 +122,11 @@ namespace deltaform
     // far in one step has been on another path.
     constexpr double far = 3.;
     if (strain > (may_snap ? far : 1.) * settings_.largest_strain)
-      return refused("strain", strain, strained, settings_.largest_strain);
+    {
+      Rejected rejected = refused("strain", strain, strained, settings_.largest_strain);
+      rejected.sections = problem_.trial_sections();
+      return rejected;
+    }
     if (rotation > settings_.largest_rotation && !may_snap)
       return refused("rotation", rotation, turned, settings_.largest_rotation);
     // What a last resort has led to is another equilibrium if it is far, allowed or not.

@@ -112,6 +112,23 @@ namespace deltaform
   }
 
 
+  std::string NeckingWatch::at_once(const std::vector<SheetSection> &sections) const
+  {
+    if (sections.size() != now_.size())
+      return "";
+    NeckingWatch next = *this;
+    next.observe(sections);
+    const std::optional<Neck> found = next.neck();
+    if (!found)
+      return "";
+    const SheetSection &node = sections[found->node];
+    return "node " + std::to_string(found->node) + " at R0 = " + text::rounded(node.place) +
+           " necks at once: its thickness falls from " + text::rounded(now_[found->node].thickness) + " to " +
+           text::rounded(node.thickness) + " while its section force falls by " + text::percent(found->fall) +
+           " (past Considere's maximum)";
+  }
+
+
   std::string NeckingWatch::finding() const
   {
     const std::optional<Neck> found = neck();

@@ -9,6 +9,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
+
 using namespace deltaform;
 
 namespace
@@ -107,6 +109,26 @@ BOOST_AUTO_TEST_CASE(a_sound_increment_says_nothing)
   BOOST_TEST(fixture.warnings().empty());
   BOOST_TEST(fixture.conditions.failure(fixture.scene.actors.stages.front()).empty());
   BOOST_TEST(fixture.conditions.likely_cause().empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_refused_increment_that_would_neck_has_that_as_its_likely_cause)
+{
+  // In tension, without hardening; node 1 would stretch by .5 and thin as much.
+  Fixture fixture;
+  SheetSection section;
+  section.thickness = 3.;
+  section.stress = 200.;
+  const std::vector<SheetSection> now(3, section);
+  fixture.increment.sections_ = now;
+  fixture.observe();
+  std::vector<SheetSection> refused = now;
+  refused[1].stretch = refused[1].thinning = .5;
+  refused[1].thickness = 3. * std::exp(-.5);
+  BOOST_TEST(fixture.conditions.likely_cause(refused).find("necks at once: its thickness falls from 3 to 1.82") !=
+             std::string::npos);
+  BOOST_TEST(fixture.conditions.likely_cause(now).empty());
+  BOOST_TEST(fixture.conditions.likely_cause().empty());
+  BOOST_TEST(fixture.warnings().empty());
 }
 
 BOOST_AUTO_TEST_CASE(an_element_that_bends_too_much_is_told)

@@ -81,6 +81,29 @@ BOOST_AUTO_TEST_CASE(a_neck_in_one_of_the_two_elements_at_a_node)
   BOOST_TEST(watch.finding().find("node 3") == 0u);
 }
 
+BOOST_AUTO_TEST_CASE(a_neck_at_once_is_told_and_not_remembered)
+{
+  // From .1, below the maximum at .2, to 1.2: the force falls from .571 to .312.
+  NeckingWatch watch;
+  watch.observe(bar(.2, .1, .1));
+  const std::string found = watch.at_once(bar(.2, .1, 1.2));
+  BOOST_TEST(found.find("node 3 at R0 = 0.3 necks at once: its thickness falls from 0.9512 to 0.5488 while its section "
+                        "force falls by 45 %") == 0u);
+  BOOST_TEST(watch.finding() == "");
+  BOOST_TEST(watch.suspicion() == "");
+  // To .25 the force grows as a whole; evenly; bent back; another mesh; no sheet; nothing known.
+  BOOST_TEST(watch.at_once(bar(.2, .1, .25)) == "");
+  BOOST_TEST(watch.at_once(bar(.2, 1.2, 1.2)) == "");
+  auto bent = bar(.2, .1, 1.2);
+  bent[3].stress = -.1;
+  BOOST_TEST(watch.at_once(bent) == "");
+  auto refined = bar(.2, .1, 1.2);
+  refined.push_back(refined.back());
+  BOOST_TEST(watch.at_once(refined) == "");
+  BOOST_TEST(watch.at_once({}) == "");
+  BOOST_TEST(NeckingWatch().at_once(bar(.2, .1, 1.2)) == "");
+}
+
 BOOST_AUTO_TEST_CASE(a_run_that_stops_soon_after_a_neck_has_it_as_its_likely_cause)
 {
   const auto suspicion_after = [](const unsigned int increments, const double step) {

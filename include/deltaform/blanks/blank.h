@@ -12,6 +12,7 @@
 #include <deltaform/blanks/element_chain.h>
 #include <deltaform/blanks/fields.h>
 #include <deltaform/blanks/increment_size.h>
+#include <deltaform/blanks/sheet_section.h>
 #include <deltaform/io/keyed_arrays.h>
 
 #include <deal.II/base/index_set.h>
@@ -194,6 +195,12 @@ namespace deltaform
 
     /// How far the trial state, which the displacement increment @p dq led to, is from the committed one.
     virtual IncrementSize increment_size(const Vector &dq) const = 0;
+
+    /// Cross-sections of a sheet at its nodes in the trial state, without what presses on them; none of a solid.
+    virtual std::vector<SheetSection> trial_sections() const
+    {
+      return {};
+    }
 
     /// Accept the trial state that belongs to @p q: history, thickness, energies.
     virtual void commit(const Vector &q) = 0;

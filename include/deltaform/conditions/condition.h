@@ -8,6 +8,7 @@
 namespace deltaform
 {
   class AcceptedIncrement;
+  struct SheetSection;
   struct Stage;
 
   /**
@@ -33,8 +34,9 @@ namespace deltaform
       return "";
     }
 
-    /// What may be the cause that the next increment could not be solved; empty if nothing is known.
-    virtual std::string likely_cause() const
+    /// What may be the cause that the next increment could not be solved; empty if nothing is known. @param refused
+    /// cross-sections of a sheet that an increment has led to which strains it too much; else none
+    virtual std::string likely_cause(const std::vector<SheetSection> & /*refused*/) const
     {
       return "";
     }

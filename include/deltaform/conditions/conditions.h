@@ -62,8 +62,8 @@ namespace deltaform
     /// Why the stage is over before its time; empty if it is not.
     std::string stage_end(const Stage &stage) const;
 
-    /// What may be the cause that the next increment could not be solved; empty if nothing is known.
-    std::string likely_cause() const;
+    /// See Condition::likely_cause().
+    std::string likely_cause(const std::vector<SheetSection> &refused = {}) const;
 
     /// See Condition::warnings().
     std::vector<std::string> warnings(bool done) const;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace deltaform
 {
@@ -24,6 +25,7 @@ namespace deltaform
     Kind kind;
     std::string sentence; ///< what happened, and where
     std::string residuals = {}; ///< of the attempt, for the log
+    std::vector<SheetSection> sections = {}; ///< of a sheet, where the equilibrium is that strains it too much
   };
 
   /// What became of an attempt at an increment.

@@ -22,5 +22,12 @@ namespace deltaform
       rejected_iterations += other.rejected_iterations;
       return *this;
     }
+
+    /// An attempt that these iterations, already counted, belong to has failed.
+    void count_failure(const unsigned int n_iterations)
+    {
+      ++cutbacks;
+      rejected_iterations += n_iterations;
+    }
   };
 } // namespace deltaform

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/blanks/increment_size.h>
+#include <deltaform/blanks/sheet_section.h>
 #include <deltaform/increment/equations.h>
 
 #include <string>
@@ -31,6 +32,12 @@ namespace deltaform
 
     /// Of the step @p dq from the committed state to the one that was assembled last.
     virtual IncrementSize increment_size(const Vector &dq) const = 0;
+
+    /// Cross-sections of a sheet in the state that was assembled last; none of a solid.
+    virtual std::vector<SheetSection> trial_sections() const
+    {
+      return {};
+    }
 
     /// Where penetration <= delta is broken in the state assembled last, in words; empty if it is kept.
     virtual std::string broken_promise() const = 0;

@@ -74,6 +74,10 @@ namespace deltaform
     {
       return model_.blank().increment_size(dq);
     }
+    std::vector<SheetSection> trial_sections() const override
+    {
+      return model_.blank().trial_sections();
+    }
     std::string broken_promise() const override
     {
       return model_.contact_set().broken_promise(model_.committed());
