@@ -26,19 +26,16 @@ namespace deltaform
           return "";
         held_.clear();
         if (!stage.continue_after_necking)
-          return "the sheet tears: " + watch_.finding() +
-                 ". Form less deep, or with less friction, less holder force or larger radii; to go on all the same, "
-                 "set Steps/" +
-                 stage.name + "/Continue after necking = true and --resume";
+          return "the sheet tears: " + with_remedy(watch_.finding()) + "; to go on all the same, set Steps/" + stage.name +
+                 "/Continue after necking = true and --resume";
         passed_over_ = watch_.finding();
         return "";
       }
 
       std::string likely_cause(const std::vector<SheetSection> &refused) const override
       {
-        if (std::string neck = watch_.at_once(refused); !neck.empty())
-          return neck;
-        return watch_.suspicion();
+        const std::string neck = watch_.at_once(refused);
+        return with_remedy(neck.empty() ? watch_.suspicion() : neck);
       }
 
       std::vector<std::string> warnings(bool) const override
@@ -58,6 +55,11 @@ namespace deltaform
       }
 
     private:
+      static std::string with_remedy(const std::string &neck)
+      {
+        return neck.empty() ? "" : neck + ". Form less deep, or with less friction, less holder force or larger radii";
+      }
+
       NeckingWatch watch_;
       std::string passed_over_; ///< the last neck with which the run went on
       std::string held_; ///< what a tool held last
