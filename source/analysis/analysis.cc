@@ -64,11 +64,14 @@ namespace deltaform
     std::string in_words(const std::string &cause, const Rejected &rejected, const unsigned int increment,
                          const Stage &stage, const bool is_sheet)
     {
-      const bool at_once = rejected.kind == Rejected::Kind::too_large && cause.empty();
-      return (cause.empty() ? "" : cause + "; ") + "in increment " + std::to_string(increment) + ": " + rejected.sentence + ". The smallest increment, " +
+      const bool at_once = rejected.kind == Rejected::Kind::too_large;
+      return "in increment " + std::to_string(increment) + ": " + rejected.sentence + ". The smallest increment, " +
              text::rounded(stage.smallest_increment) + ", was reached" +
-             (at_once ? ": what happens at once is a neck, a fold or a snap" : "") + ". Try a smaller Steps/" +
-             stage.name + "/Smallest increment, or " + what_else_to_try(rejected, increment, is_sheet);
+             (!cause.empty() ? ". The likely cause: " + cause + ". Else try"
+              : at_once      ? ": what happens at once is a neck, a fold or a snap. Try"
+                             : ". Try") +
+             " a smaller Steps/" + stage.name + "/Smallest increment, or " +
+             what_else_to_try(rejected, increment, is_sheet);
     }
 
     std::string does_not_find_the_blank(const std::string &tool, const Stage &stage)

@@ -26,16 +26,16 @@ namespace deltaform
           return "";
         held_.clear();
         if (!stage.continue_after_necking)
-          return "the sheet tears: " + with_remedy(watch_.finding()) + "; to go on all the same, set Steps/" + stage.name +
-                 "/Continue after necking = true and --resume";
+          return "the sheet tears: " + with_remedy(watch_.finding()) + "; to go on all the same, set Steps/" +
+                 stage.name + "/Continue after necking = true and --resume";
         passed_over_ = watch_.finding();
         return "";
       }
 
       std::string likely_cause(const std::vector<SheetSection> &refused) const override
       {
-        const std::string neck = watch_.at_once(refused);
-        return with_remedy(neck.empty() ? watch_.suspicion() : neck);
+        const std::string neck = watch_.suspicion();
+        return with_remedy(neck.empty() ? watch_.at_once(refused) : neck);
       }
 
       std::vector<std::string> warnings(bool) const override

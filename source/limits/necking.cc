@@ -112,14 +112,16 @@ namespace deltaform
   }
 
 
-  std::string NeckingWatch::at_once(const std::vector<SheetSection> &sections) const
+  std::string NeckingWatch::at_once(std::vector<SheetSection> sections) const
   {
     if (sections.size() != now_.size())
       return "";
+    for (std::size_t k = 0; k < sections.size(); ++k)
+      sections[k].contact_pressure = now_[k].contact_pressure;
     NeckingWatch next = *this;
     next.observe(sections);
     const std::optional<Neck> found = next.neck();
-    if (!found)
+    if (!found || found->may_be_held)
       return "";
     const SheetSection &node = sections[found->node];
     return "node " + std::to_string(found->node) + " at R0 = " + text::rounded(node.place) +
@@ -148,10 +150,11 @@ namespace deltaform
     const double fall = 1 - force(now_[i]) / force(before_[i]);
     // A metal under plastic loading does not soften: d tau >= 0, so that F falls by no more than d eps. A node is the
     // mean of its neighbours. Where only one of them stretches, by d eps, and the other unloads with it, the stress of
-    // which falls by up to d eps, the mean stretches by half of d eps and its force falls by up to all of it. A larger
-    // fall is unloading or bending, and no neck. A change in the last digits is no change.
-    const bool softens =
-      now_[i].stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9 && fall <= 2.002 * stretch;
+    // which falls by up to d eps, the mean stretches by half of d eps and its force falls by up to all of it, to no less
+    // than exp(-d eps) of what it was. A larger fall is unloading or bending, and no neck. A change in the last digits
+    // is no change.
+    const bool softens = now_[i].stress > 0 && before_[i].stress > 0 && fall > 1e-9 && stretch > 1e-9 &&
+                         fall <= -std::expm1(-2.002 * stretch);
     if (!softens || !(thinned[i] > 3 * median_size(thinned)))
       return {};
     Neck neck{i, stretch, fall};

@@ -64,11 +64,11 @@ BOOST_AUTO_TEST_CASE(falling_stress_is_no_neck)
 
 BOOST_AUTO_TEST_CASE(a_neck_in_one_of_the_two_elements_at_a_node)
 {
-  // Perfectly plastic, tau = 1. Only the element after node 3 stretches, by .01; the force falls by as much, in the
+  // Perfectly plastic, tau = 1. Only the element after node 3 stretches, by .01; the force falls to exp(-.01), in the
   // element before it too, which unloads. The node has the mean of both.
   const auto strip = [](const double neck) {
     auto sections = bar(.2, .15, .21);
-    const double fall = neck - .2;
+    const double fall = -std::expm1(.2 - neck);
     sections[3].stretch = .5 * (.2 + neck);
     sections[3].stress = .5 * ((1. - fall) + 1.);
     sections[3].thickness = std::exp(-neck);
@@ -102,6 +102,26 @@ BOOST_AUTO_TEST_CASE(a_neck_at_once_is_told_and_not_remembered)
   BOOST_TEST(watch.at_once(refined) == "");
   BOOST_TEST(watch.at_once({}) == "");
   BOOST_TEST(NeckingWatch().at_once(bar(.2, .1, 1.2)) == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_fall_of_the_force_by_more_than_twice_the_stretch_is_no_neck_at_once)
+{
+  // Stretched by .4 a section keeps exp(-.8) = .449 of its force at least, a small step has to say the same.
+  const auto keeps = [](const double stretch, const double share) {
+    NeckingWatch watch;
+    auto sections = bar(.2, .1, .1);
+    watch.observe(sections);
+    const double force = sections[3].stress * std::exp(-.1);
+    sections[3].stretch += stretch;
+    sections[3].thinning += stretch / 2;
+    sections[3].thickness *= std::exp(-stretch / 2);
+    sections[3].stress = share * force * std::exp(.1 + stretch);
+    return watch.at_once(sections);
+  };
+  BOOST_TEST(keeps(.4, .46) != "");
+  BOOST_TEST(keeps(.4, .44) == "");
+  BOOST_TEST(keeps(.004, .993) != "");
+  BOOST_TEST(keeps(.004, .991) == "");
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_stops_soon_after_a_neck_has_it_as_its_likely_cause)
@@ -224,6 +244,29 @@ BOOST_AUTO_TEST_CASE(a_wide_zone_is_held_by_the_tool_on_which_it_lies)
   BOOST_TEST(!zone(std::vector<double>(10, 20.), 1., 210.).torn());
   BOOST_TEST(zone(std::vector<double>(10, 20.), 1., 190.).torn());
   BOOST_TEST(zone(std::vector<double>(10, 20.), 1., 190.).holding() == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_zone_that_a_tool_may_hold_is_no_neck_at_once)
+{
+  // Perfectly plastic; the thinnest node stretches by .2 of a sudden, in a zone of that width. Tools touch up to @p end.
+  const auto at_once = [](const double width, const double end) {
+    std::vector<SheetSection> sections;
+    for (int k = 0; k < 81; ++k)
+      sections.push_back({5. * k, 5. * k, 1., 0., 0., 1., 5. * k < end ? .1 : 0.});
+    NeckingWatch watch;
+    watch.observe(sections);
+    for (SheetSection &section : sections)
+    {
+      const double x = (section.arc - 200.) / width;
+      section.stretch = section.thinning = .2 * std::exp(-x * x);
+      section.thickness = std::exp(-section.thinning);
+      section.contact_pressure = 0.; // is not known
+    }
+    return watch.at_once(sections);
+  };
+  BOOST_TEST(at_once(20., 400.) == "");
+  BOOST_TEST(at_once(20., 190.).find("node 40 at R0 = 200 necks at once") == 0u);
+  BOOST_TEST(at_once(5., 400.).find("node 40 at R0 = 200 necks at once") == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(a_narrow_zone_tears_on_a_tool_too)

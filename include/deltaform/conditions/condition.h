@@ -35,7 +35,7 @@ namespace deltaform
     }
 
     /// What may be the cause that the next increment could not be solved; empty if nothing is known. @param refused
-    /// cross-sections of a sheet that an increment has led to which strains it too much; else none
+    /// cross-sections of the sheet in the equilibrium that was refused for its strain; none if that was not the reason
     virtual std::string likely_cause(const std::vector<SheetSection> & /*refused*/) const
     {
       return "";

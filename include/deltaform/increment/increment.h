@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deltaform/blanks/sheet_section.h>
 #include <deltaform/increment/increment_cost.h>
 #include <deltaform/increment/strategy.h>
 
@@ -25,7 +26,7 @@ namespace deltaform
     Kind kind;
     std::string sentence; ///< what happened, and where
     std::string residuals = {}; ///< of the attempt, for the log
-    std::vector<SheetSection> sections = {}; ///< of a sheet, where the equilibrium is that strains it too much
+    std::vector<SheetSection> sections = {}; ///< of the sheet in an equilibrium that is refused for its strain; else none
   };
 
   /// What became of an attempt at an increment.

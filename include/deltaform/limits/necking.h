@@ -34,9 +34,9 @@ namespace deltaform
     /// What has most likely ended a run: the last increments showed a neck, and the sheet has thinned further.
     std::string suspicion() const;
 
-    /// "node 12 at R0 = 0.9 necks at once: ...", or empty. What an increment shows that led to @p sections and was
-    /// refused, as it strains too much. A neck may begin so, at a snap.
-    std::string at_once(const std::vector<SheetSection> &sections) const;
+    /// "node 12 at R0 = 0.9 necks at once: ...", or empty: the step to the equilibrium with these @p sections, which is
+    /// not accepted because it strains too much, is a neck. They touch the tools where the last ones do.
+    std::string at_once(std::vector<SheetSection> sections) const;
 
     /// Is the sheet torn? Then it has necked in so many increments in a row, the section there has lost so much of its
     /// force meanwhile, and no tool holds it. A smaller loss may be made up for: friction and bending can hold a
