@@ -22,11 +22,11 @@ namespace deltaform
              (model.discretization().on_linear_path() ? ", constant stiffness: one factorization" : "");
     }
 
-    std::string effort_in_words(const Discretization &discretization, const System &system)
+    std::string effort_in_words(const Discretization &discretization, const Workspace &workspace)
     {
-      return std::to_string(system.n_factorizations()) + " factorizations" +
+      return std::to_string(workspace.n_factorizations()) + " factorizations" +
              (discretization.on_linear_path()
-                ? ", " + std::to_string(system.n_compliances()) + " compliances of contact unknowns"
+                ? ", " + std::to_string(workspace.system().n_compliances()) + " compliances of contact unknowns"
                 : "");
     }
 
@@ -133,7 +133,7 @@ namespace deltaform
 
   int Analysis::end()
   {
-    journal_.detail(effort_in_words(model_.discretization(), workspace_.system()));
+    journal_.detail(effort_in_words(model_.discretization(), workspace_));
     const bool done = outcome_.exit_status == exit_status::done;
     warn(conditions_.warnings(done));
     if (done)

@@ -26,6 +26,7 @@ namespace deltaform
     const Discretization &discretization = model_.discretization();
     if (mesh_ == discretization.n_meshes())
       return;
+    n_earlier_factorizations_ += system_.n_factorizations();
     system_ = discretization.make_system();
     mesh_ = discretization.n_meshes();
   }

@@ -43,6 +43,12 @@ namespace deltaform
       return system_;
     }
 
+    /// On all meshes of this run.
+    unsigned int n_factorizations() const
+    {
+      return n_earlier_factorizations_ + system_.n_factorizations();
+    }
+
     ContactSolve &contact()
     {
       return contact_;
@@ -76,6 +82,7 @@ namespace deltaform
     const Model &model_;
     System system_;
     unsigned int mesh_; ///< for which the system is made, by its number
+    unsigned int n_earlier_factorizations_ = 0; ///< of the systems before
     ContactSolve contact_;
     FacePressure pressure_;
     Vector prescribed_;
