@@ -53,7 +53,7 @@ namespace deltaform
         i += n - 1;
         continue;
       }
-      const ContactPoint point = contact.point(q, i);
+      const ContactPoint point = contact.projector().accepted_point(q, i, points);
       for (unsigned int a = 0; a < point.n_nodes; ++a)
       {
         const auto &[node, share] = point.nodes[a];

@@ -44,6 +44,20 @@ namespace deltaform
   }
 
 
+  ContactPoint
+  ContactProjector::accepted_point(const Vector &q, const unsigned int i, const FlatEdges::Points &accepted) const
+  {
+    ContactPoint result;
+    surface_.contact_point(q, side_, i, thickness_, result);
+    // Of an edge that bore nothing the accepted points may have been put down since, each with its own area.
+    const unsigned int e = i / group(), first = e * group(), last = first + group() - 1;
+    if (FlatEdges::was_flat(accepted, group(), e) && (accepted[first].touching || accepted[last].touching))
+      FlatEdges::describe_on_flat(surface_, side_, i, result);
+    release_face(result);
+    return result;
+  }
+
+
   void ContactProjector::locate(const Vector &q, const unsigned int i, ContactPoint &point) const
   {
     surface_.locate_point(q, side_, i, thickness_, point);

@@ -126,8 +126,8 @@ namespace deltaform
   std::vector<bool> FlatEdges::were_flat(const Points &points, const unsigned int per_edge)
   {
     std::vector<bool> result(points.size() / per_edge, false);
-    for (unsigned int e = 0; e < result.size() && per_edge > 2; ++e)
-      result[e] = !(points[e * per_edge + 1].area > 0.);
+    for (unsigned int e = 0; e < result.size(); ++e)
+      result[e] = was_flat(points, per_edge, e);
     return result;
   }
 
@@ -136,8 +136,17 @@ namespace deltaform
   FlatEdges::describe(const ContactSurface &surface, const Side side, const unsigned int i, ContactPoint &point) const
   {
     const unsigned int n = surface.points_per_edge();
-    if (n == 0 || !contains(i / n))
-      return;
+    if (n > 0 && contains(i / n))
+      describe_on_flat(surface, side, i, point);
+  }
+
+
+  void FlatEdges::describe_on_flat(const ContactSurface &surface,
+                                   const Side side,
+                                   const unsigned int i,
+                                   ContactPoint &point)
+  {
+    const unsigned int n = surface.points_per_edge();
     if (i % n != 0 && i % n != n - 1)
     {
       point.area = point.compliance = 0.;

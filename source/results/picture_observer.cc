@@ -78,6 +78,8 @@ namespace deltaform
       drawing.fields.push_back({"tool", "index", false, 1, std::vector<double>(drawing.cells.size() / 2, number)});
       return drawing;
     }
+
+
     /// Values at the nodes of the blank: contact, pressures that act on it, temperature.
     std::vector<DrawnField> nodal_fields(const Model &model, const std::string &stage, const double time)
     {
@@ -131,10 +133,10 @@ namespace deltaform
         n_pictures_ = series_->size();
       }
 
-      /// A run that stopped shows its last state.
+      /// A run that stopped shows its last state, once.
       void ended(const Model &model, const RunOutcome &outcome) override
       {
-        if (outcome.stopped_by_itself() && outcome.increments > 0)
+        if (outcome.stopped_by_itself() && outcome.increments > 0 && last_picture_ != time_)
           write(model, stage_, time_);
       }
 

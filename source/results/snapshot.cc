@@ -28,7 +28,7 @@ namespace deltaform
           const ContactPointState &state = interface->committed()[i];
           if (!state.touching)
             continue;
-          const ContactPoint node = interface->point(model.committed(), i);
+          const ContactPoint node = interface->accepted_point(model.committed(), i);
           table.rows.push_back({interface->tool().name(),
                                 node.reference_coordinate,
                                 state.penetration(),

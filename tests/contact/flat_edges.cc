@@ -1,6 +1,7 @@
 // Edges that lie flat on a straight part of the tool: their outermost points stand for them.
 #include "fake_surface.h"
 
+#include <deltaform/contact/contact_measures.h>
 #include <deltaform/parameters/registry.h>
 
 using namespace deltaform;
@@ -126,6 +127,30 @@ BOOST_AUTO_TEST_CASE(an_edge_that_is_flat_no_longer_has_all_its_points)
   contact.commit(fixture.q);
   fixture.interface.begin_increment(fixture.q, 2., 1e3);
   BOOST_TEST(fixture.areas() == both(outermost, all), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(pressures_of_the_accepted_state_are_those_before_and_after_the_next_increment_begins)
+{
+  // The second edge begins bulged and ends hollow, on its ends: flat from the next increment on.
+  Fixture fixture(flat, .2 * delta);
+  auto &contact = fixture.interface.contact;
+  BOOST_TEST(fixture.areas() == both(outermost, all), boost::test_tools::per_element());
+  fixture.q = 0.;
+  fixture.q[2 * 4 + 1] = fixture.q[2 * 7 + 1] = -.5 * delta;
+  fixture.q[2 * 5 + 1] = fixture.q[2 * 6 + 1] = .1 * delta;
+  fixture.interface.assemble(fixture.q);
+  contact.commit(fixture.q);
+  const auto pressures = [&]() {
+    return contact_pressure(contact, contact.committed(), fixture.q, fixture.surface.n_nodes());
+  };
+  const std::vector<double> before = pressures();
+  BOOST_TEST(before[4] > 0.);
+  BOOST_TEST(contact.accepted_point(fixture.q, 0).area == 1.5);
+  fixture.interface.begin_increment(fixture.q, 2., 1e3);
+  BOOST_TEST(fixture.areas() == both(outermost, outermost), boost::test_tools::per_element());
+  BOOST_TEST(contact.accepted_point(fixture.q, 0).area == 1.5);
+  BOOST_TEST(pressures() == before, boost::test_tools::per_element());
+  BOOST_TEST(contact.accepted_point(fixture.q, 4).area == .3);
 }
 
 BOOST_AUTO_TEST_CASE(edges_that_wake_one_another_are_awake_soon)

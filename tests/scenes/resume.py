@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Kill a run at random moments, resume it, and compare every result with that of a run that was left alone.
 
+A run that ended by itself is resumed as well: it ends again, and leaves the same.
+
     resume.py PROGRAM SCENE FOLDER [--seed N] [--kills N] [--launcher MPIRUN --np N] [--set ENTRY=VALUE]...
 
 All files are compared byte by byte, but for those that contain wall times (run.log, timing.json, the seconds of
@@ -108,6 +110,13 @@ def main():
     expected = subprocess.run(command + ["--output", str(alone)], stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL).returncode
     span = time.monotonic() - begin
+    shutil.copytree(alone, killed)
+    status = subprocess.run(command + ["--output", str(killed), "--resume"], stdout=subprocess.DEVNULL,
+                            stderr=subprocess.DEVNULL).returncode
+    different = compare(alone, killed)
+    if status != expected or different:
+        print(f"resumed at its end: exit status {status}, alone {expected}; different: {', '.join(different) or 'nothing'}")
+        return 1
     chance, resumable = random.Random(arguments.seed), 0
     for trial in range(20):
         shutil.rmtree(killed, ignore_errors=True)

@@ -64,6 +64,12 @@ namespace deltaform
       return projector_.point(q, i);
     }
 
+    /// At the accepted @p q, with the area that bore its force.
+    ContactPoint accepted_point(const Vector &q, const unsigned int i) const
+    {
+      return projector_.accepted_point(q, i, states_.committed.points);
+    }
+
     /// Contact points of the last iteration, and of the last accepted increment.
     const std::vector<ContactPointState> &trial() const
     {

@@ -66,6 +66,10 @@ namespace deltaform
     /// Point @p i as the counterpart meets it, with its thickness before compression.
     void describe(const Vector &q, unsigned int i, ContactPoint &point) const;
 
+    /// Point @p i with the area that bore its force in the increment that ended at @p accepted: which edges are flat
+    /// (FlatEdges) changes when the next one begins.
+    ContactPoint accepted_point(const Vector &q, unsigned int i, const FlatEdges::Points &accepted) const;
+
     /// Where it is, with area and thickness, but without its row (ContactSurface::locate_point()).
     void locate(const Vector &q, unsigned int i, ContactPoint &point) const;
 

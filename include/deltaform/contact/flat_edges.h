@@ -57,12 +57,21 @@ namespace deltaform
       return e < flat_.size() && flat_[e];
     }
 
-    /// Of every edge, where @p points were accepted: was it flat in the increment that led there? Its points between
-    /// the outermost stood for no area then.
+    /// Where @p points were accepted: was edge @p e flat in the increment that led there? Its points between the
+    /// outermost stood for no area then.
+    static bool was_flat(const Points &points, const unsigned int per_edge, const unsigned int e)
+    {
+      return per_edge > 2 && !(points[e * per_edge + 1].area > 0.);
+    }
+
+    /// Of every edge.
     static std::vector<bool> were_flat(const Points &points, unsigned int per_edge);
 
     /// What point @p i of @p surface stands for: its area and compliance.
     void describe(const ContactSurface &surface, Side side, unsigned int i, ContactPoint &point) const;
+
+    /// The same for a point of an edge that is flat.
+    static void describe_on_flat(const ContactSurface &surface, Side side, unsigned int i, ContactPoint &point);
 
   private:
     void wake_neighbours(const ContactProjector &projector, const Points &trial, const std::vector<unsigned int> &woken);
