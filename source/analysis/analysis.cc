@@ -258,7 +258,7 @@ namespace deltaform
     ++state_.n_increments;
     control_->accept(result.iterations_of_its_length(), flow_error, result.longest(length), cost_.iterations);
     control_->shorten(state_.predictor.passage().longest());
-    state_.pace.accept(next);
+    state_.pace.accept(next, cost_.iterations);
     state_.set_limit.accept(length, cost_.iterations);
     ++state_.since_refinement;
     const bool refined = refinement_marked();

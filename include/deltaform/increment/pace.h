@@ -1,7 +1,9 @@
 #pragma once
 
-#include <deque>
+#include <deltaform/io/archive.h>
+
 #include <string>
+#include <vector>
 
 namespace deltaform
 {
@@ -13,27 +15,40 @@ namespace deltaform
 
     /// @param begin of the stage
     explicit Pace(const double begin = 0.)
-      : times_{begin}
+      : last_{{begin, 0.}}
     {
     }
 
-    /// An increment was accepted that ends at @p time.
-    void accept(double time);
+    /// An increment was accepted that ends at @p time. @param iterations with those of its failed attempts
+    void accept(double time, unsigned int iterations);
 
     /// Increments from the last one to @p end at the pace of the last ones; 0 as long as there were fewer.
     double left(double end) const;
 
+    /// Newton iterations, in the same way.
+    double iterations_left(double end) const;
+
     /// Why the stage does not get to @p end: it takes fifty thousand increments more, and more than the @p most
-    /// that are allowed in all. Empty if it does.
+    /// that are allowed in all, or ten times as many iterations as that. Empty if it does.
     std::string never_ends(double end, unsigned int most) const;
 
     template <class Archive>
     void serialize(Archive &archive, unsigned int)
     {
-      archive &times_;
+      archive_plain(archive, last_);
     }
 
   private:
-    std::deque<double> times_; ///< ends of the last increments, and where the first of them began
+    struct Accepted
+    {
+      double time, iterations;
+    };
+
+    bool is_known() const
+    {
+      return last_.size() > window;
+    }
+
+    std::vector<Accepted> last_; ///< the last increments, and where the first of them began
   };
 } // namespace deltaform
