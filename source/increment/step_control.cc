@@ -39,7 +39,7 @@ namespace deltaform
                                      1000000000,
                                      "Increments of the whole run; then it stops with status 2 and can be resumed. "
                                      "So it does where a stage, at the pace of its last 1000, takes fifty thousand "
-                                     "more, and more than these, or ten times as many Newton iterations.")),
+                                     "more, and more than these, or forty times as many Newton iterations.")),
       flow_error(
         section.number("Flow error",
                        0.,

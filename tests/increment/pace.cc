@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_left_at_the_end)
 
 BOOST_AUTO_TEST_CASE(iterations_count_as_well)
 {
-  // One increment in ten snaps.
+  // One increment in ten snaps: 15 iterations on average.
   Pace pace(0.);
   for (unsigned int i = 1; i <= Pace::window; ++i)
   {
@@ -52,11 +52,27 @@ BOOST_AUTO_TEST_CASE(iterations_count_as_well)
     pace.accept(1e-4 * i, i % 10 == 0 ? 105 : 5);
   }
   BOOST_TEST(pace.iterations_left(1.) == 9000. * 15., boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(pace.never_ends(1., 400).empty());
-  BOOST_TEST(pace.never_ends(3.4, 400).empty()); // 33 000 increments, 495 000 iterations
-  const std::string why = pace.never_ends(3.5, 400);
-  BOOST_TEST(why.find("takes 34000 more, with 510000 Newton iterations") != std::string::npos, why);
-  BOOST_TEST(pace.never_ends(3.5, 52000).empty()); // so many are allowed, of ten iterations each
+  // Each does: the last 191 took 20 055 iterations. The pace of the others no longer counts.
+  for (unsigned int i = 1; i <= 200; ++i)
+    pace.accept(.1 + 1e-5 * i, 105);
+  BOOST_TEST(pace.iterations_left(1.) == .898 / 1e-5 * 105., boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(the_effort_tells_before_so_many_increments_do)
+{
+  Pace pace(0.);
+  for (unsigned int i = 1; i <= 19; ++i)
+  {
+    pace.accept(1e-5 * i, 1050);
+    BOOST_TEST(pace.never_ends(1., 400).empty());
+  }
+  pace.accept(20e-5, 1050);
+  BOOST_TEST(pace.iterations_left(1.) == (1. - 20e-5) / 1e-5 * 1050., boost::test_tools::tolerance(1e-9));
+  const std::string why = pace.never_ends(1., 400);
+  BOOST_TEST(why.find("at the pace of the last 20000 Newton iterations the stage takes 1.05e8 more") == 0u, why);
+  BOOST_TEST(pace.never_ends(20e-5 + 1904. * 1e-5, 400).empty()); // 1 999 200 iterations
+  BOOST_TEST(!pace.never_ends(20e-5 + 1905. * 1e-5, 400).empty());
+  BOOST_TEST(pace.never_ends(20e-5 + 1905. * 1e-5, 52000).empty()); // so many increments are allowed, of forty each
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,7 @@ namespace deltaform
   {
   public:
     static constexpr unsigned int window = 1000; ///< increments that tell the pace
+    static constexpr unsigned int effort = 20000; ///< Newton iterations that tell it before
 
     /// @param begin of the stage
     explicit Pace(const double begin = 0.)
@@ -25,11 +26,12 @@ namespace deltaform
     /// Increments from the last one to @p end at the pace of the last ones; 0 as long as there were fewer.
     double left(double end) const;
 
-    /// Newton iterations, in the same way.
+    /// Newton iterations from there to @p end at the pace of the last increments, so many that they took the effort, or
+    /// a window of them if that is less; 0 as long as there was neither.
     double iterations_left(double end) const;
 
     /// Why the stage does not get to @p end: it takes fifty thousand increments more, and more than the @p most
-    /// that are allowed in all, or ten times as many iterations as that. Empty if it does.
+    /// that are allowed in all, or forty times as many iterations. Empty if it does.
     std::string never_ends(double end, unsigned int most) const;
 
     template <class Archive>
