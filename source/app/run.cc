@@ -138,12 +138,16 @@ namespace deltaform
       analysis.add(make_folder_observer(results, [&](std::ostream &out) { tree.print_prm(out); }));
       for (auto &observer : make_observers(analysis.model(), *scene.output, results, start ? &*start : nullptr))
         analysis.add(std::move(observer));
+      // Of the mesh that the scene states: that of a saved state may be a refined one.
+      auto warnings = input_warnings(scene);
       if (start)
         resume(analysis, *start, folder, journal);
       else if (!scene.start_from.empty())
         analysis.start_from(formed_blank(scene));
+      if (!scene.start_from.empty())
+        warnings = input_warnings(scene);
       timers.add(timer_start, timers.total());
-      analysis.warn(input_warnings(scene));
+      analysis.warn(warnings);
       return compute(analysis, journal);
     }
 
