@@ -39,7 +39,7 @@ namespace deltaform
     const double energy = model_.blank().energy().elastic;
     std::vector<Vector> steps = state_.predictor.steps();
     model_.refine(steps);
-    journal_.detail("refined after increment " + std::to_string(state_.n_increments) + ": " +
+    journal_.detail("mesh changed after increment " + std::to_string(state_.n_increments) + ": " +
                     change_in_words(n_cells, energy, model_));
     state_.predictor.renumber(std::move(steps));
   }

@@ -39,7 +39,7 @@ namespace deltaform
     }
 
 
-    /// A piece of an old edge, from one share of its length to another.
+    /// A piece of an old edge, from one share of its length to another; 2: the end of the next edge.
     struct Piece
     {
       unsigned int edge;
@@ -72,6 +72,8 @@ namespace deltaform
         consider(start, end, 0., 1.);
         consider(start, half, 0., .5);
         consider(half, end, .5, 1.);
+        if (e + 1 < old.edges.size() && old.edges[e + 1][0] == b)
+          consider(start, old.places[old.edges[e + 1][1]], 0., 2.);
       }
       return best;
     }
@@ -86,9 +88,11 @@ namespace deltaform
       {
       }
 
-      /// Of a place of an edge, from 0 to 1 of it.
+      /// Of a place of an edge, from 0 to 1 of it; to 2: of the next one.
       PointOrigin at(const unsigned int edge, const double xi) const
       {
+        if (xi > 1.)
+          return at(edge + 1, xi - 1.);
         const auto &points = face_.inside[edge];
         const unsigned int first = edge * per_edge_;
         unsigned int next = 0;

@@ -32,6 +32,11 @@ namespace deltaform
       return points_;
     }
 
+    const ShellState &state() const
+    {
+      return state_;
+    }
+
     ShellSurface &surface()
     {
       return surface_;

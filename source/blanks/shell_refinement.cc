@@ -59,31 +59,39 @@ namespace deltaform
       }
       return result;
     }
+    BendLimit bend_limit(Section &section, const ShellParts &parts)
+    {
+      const double largest =
+        dealii::numbers::PI / 180. *
+        section.number("Largest bend",
+                       15.,
+                       Range::between(0., 60.),
+                       "degree",
+                       "An element that bends by more while tools form the sheet is halved, and so is one "
+                       "that would on the round part of a tool that it comes to; less where the sheet "
+                       "hardly yields; 0: none is.");
+      return {largest,
+              2. * parts.material().initial_flow_stress() /
+                (parts.material().law().young_modulus() * parts.points().thickness())};
+    }
   } // namespace
 
 
   ShellRefinement::ShellRefinement(Section section, const ShellParts &parts)
-    : parts_(parts), first_(parts.space().mesh()), elements_(whole(first_))
+    : limit_(bend_limit(section, parts)), parts_(parts), first_(parts.space().mesh()), elements_(whole(first_))
   {
-    largest_bend_ = dealii::numbers::PI / 180. *
-                    section.number("Largest bend",
-                                   15.,
-                                   Range::between(0., 60.),
-                                   "degree",
-                                   "An element that bends by more while tools form the sheet is halved, and so is one "
-                                   "that would on the round part of a tool that it comes to; less where the sheet "
-                                   "hardly yields; 0: none is.");
     shortest_ = parts.points().thickness() *
                 section.number("Shortest element",
                                .25,
                                Range::positive(),
                                "thickness",
                                "None becomes shorter than this.");
-    elastic_curvature_ = 2. * parts.material().initial_flow_stress() /
-                         (parts.material().law().young_modulus() * parts.points().thickness());
+    joins_ = section.flag("Join halves",
+                          true,
+                          "Join the halves of an element again where the sheet is straight, as behind a radius.");
     settings_.active = active();
     settings_.passes = 30;
-    settings_.edge_share = 1.5 * largest_bend_;
+    settings_.edge_share = 1.5 * limit_.largest();
     settings_.smooth = true;
     settings_.from_the_start = true;
     settings_.asked_for = false;
@@ -106,7 +114,7 @@ namespace deltaform
       lengths.push_back(mesh.arc_length()[cell.nodes[1]] - mesh.arc_length()[cell.nodes[0]]);
     marked_.assign(n, false);
     for (unsigned int c = 0; c < n; ++c)
-      marked_[c] = std::abs(bends_[c]) > largest_bend_ * share_of_bend(std::abs(bends_[c]) / lengths[c]) &&
+      marked_[c] = std::abs(bends_[c]) > limit_.at(std::abs(bends_[c]) / lengths[c]) &&
                    !left_alone(c, false);
     for (const unsigned int side : {0, 1})
     {
@@ -116,8 +124,8 @@ namespace deltaform
         const std::size_t c = e * n / longest.size(); // the halves of one of degree 2 are edges
         const double length = lengths[c] * n / longest.size();
         const double towards = static_cast<Side>(side) == Side::top ? bends_[c] : -bends_[c];
-        const double allowed = (towards > begins * largest_bend_ ? 1. : flat) * longest[e] *
-                               share_of_bend(settings_.edge_share / longest[e]);
+        const double allowed = (towards > begins * limit_.largest() ? 1. : flat) * longest[e] *
+                               limit_.share(settings_.edge_share / longest[e]);
         if (length > allowed && !marked_[c])
           marked_[c] = !left_alone(c, true);
       }
@@ -135,7 +143,7 @@ namespace deltaform
     }
     if (any)
       mark_neighbours(lengths);
-    return any;
+    return mark_to_join(lengths, longest_edges) || any;
   }
 
 
@@ -148,17 +156,44 @@ namespace deltaform
     {
       const double curvature = std::abs(bends_[k]) / lengths[k];
       if (lengths[element] > much_longer * lengths[k] &&
-          curvature * lengths[element] > nearly * largest_bend_ * share_of_bend(curvature))
+          curvature * lengths[element] > nearly * limit_.at(curvature))
         return true;
     }
     return false;
   }
 
 
-  double ShellRefinement::share_of_bend(const double curvature) const
+  bool ShellRefinement::mark_to_join(const std::vector<double> &lengths,
+                                     const std::array<std::vector<double>, 2> &longest_edges)
   {
-    constexpr double least = .1;
-    return curvature > elastic_curvature_ ? std::sqrt(std::max(least, 1. - elastic_curvature_ / curvature)) : 1.;
+    joined_.assign(elements_.size(), false);
+    if (!joins_ || elements_.size() == first_.cells().size())
+      return false;
+    std::vector<ShellMesh::Part> left;
+    for (const Left &one : left_)
+      left.push_back(one.part);
+    joined_ = ShellJoining(parts_, limit_)
+                .choose({elements_, bends_, lengths, marked_, short_for_tools(longest_edges), left});
+    return std::find(joined_.begin(), joined_.end(), true) != joined_.end();
+  }
+
+
+  std::vector<bool> ShellRefinement::short_for_tools(const std::array<std::vector<double>, 2> &longest_edges) const
+  {
+    constexpr double share = .5; // of what a tool allows: none is halved again at once
+    const ShellMesh &mesh = parts_.space().mesh();
+    const unsigned int n = elements_.size();
+    std::vector<bool> result(n, false);
+    for (const auto &longest : longest_edges)
+      for (std::size_t e = 0; e < longest.size(); ++e)
+      {
+        const std::size_t c = e * n / longest.size();
+        const auto &nodes = mesh.cells()[c].nodes;
+        const double length = (mesh.arc_length()[nodes[1]] - mesh.arc_length()[nodes[0]]) * n / longest.size();
+        if (2. * length > share * longest[e])
+          result[c] = true;
+      }
+    return result;
   }
 
 
@@ -168,7 +203,7 @@ namespace deltaform
     const ShellMesh::Part &part = elements_[element];
     const double bend = std::abs(bends_[element]);
     return std::any_of(left_.begin(), left_.end(), [&](const Left &left) {
-      return left.part == part && (by_contact || bend < much_more * std::max(left.bend, largest_bend_));
+      return left.part == part && (by_contact || bend < much_more * std::max(left.bend, limit_.largest()));
     });
   }
 
@@ -229,12 +264,16 @@ namespace deltaform
     {
       const auto [cell, begin, end] = elements_[c];
       const double middle = .5 * (begin + end);
-      if (marked_[c])
-      {
-        tried_.push_back({elements_[c], std::abs(bends_[c])});
-        elements.push_back({cell, begin, middle});
-      }
-      elements.push_back({cell, marked_[c] ? middle : begin, end});
+      if (joined_[c])
+        elements.push_back({cell, begin, elements_[c + 1].end});
+      else if (marked_[c])
+        elements.insert(elements.end(), {{cell, begin, middle}, {cell, middle, end}});
+      else
+        elements.push_back(elements_[c]);
+      if (joined_[c] || marked_[c])
+        tried_.push_back({joined_[c] ? elements.back() : elements_[c], std::abs(bends_[c])});
+      if (joined_[c])
+        ++c;
     }
     const ShellTransfer transfer(
       parts_.space(), parts_.points(), parts_.material(), ShellTransfer::Correspondence::arc_length);
@@ -273,6 +312,19 @@ namespace deltaform
     edge_lengths_.clear();
     for (const auto &[a, b, middle] : parts_.surface().contact_edges(Side::top))
       edge_lengths_.push_back(space.position(q, a).distance(space.position(q, b)));
+  }
+
+
+  std::vector<double> ShellRefinement::edge_lengths() const
+  {
+    std::vector<double> result = edge_lengths_;
+    // Tools have to look at halves as well, to say whether these may be joined.
+    constexpr double twice_and_with_room = 4.;
+    if (joins_ && elements_.size() > first_.cells().size())
+      for (std::size_t e = 0; e < result.size(); ++e)
+        if (!elements_[e * elements_.size() / result.size()].whole())
+          result[e] *= twice_and_with_room;
+    return result;
   }
 
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bend_limit.h"
+#include "shell_joining.h"
 #include "shell_parts.h"
 
 #include <deltaform/blanks/adaptive.h>
@@ -12,7 +14,8 @@ namespace deltaform
 {
   class Section;
 
-  /// Halving the elements of a shell that bend too sharply while it is formed (doc/theory/shell.md).
+  /// Halving the elements of a shell that bend too sharply while it is formed, and joining the halves where it is straight
+  /// again (doc/theory/shell.md).
   class ShellRefinement : public Adaptive
   {
   public:
@@ -21,17 +24,14 @@ namespace deltaform
     /// Is anything ever halved?
     bool active() const
     {
-      return largest_bend_ > 0. && !parts_.space().membrane();
+      return limit_.largest() > 0. && !parts_.space().membrane();
     }
 
     const RefinementSettings &settings() const override
     {
       return settings_;
     }
-    std::vector<double> edge_lengths() const override
-    {
-      return edge_lengths_;
-    }
+    std::vector<double> edge_lengths() const override;
     bool mark(const std::array<std::vector<double>, 2> &longest_edges) override;
     void refine(std::vector<Vector> &fields) override;
     bool goes_back() const override
@@ -67,9 +67,11 @@ namespace deltaform
     /// Would it bend too much if it came to bend as sharply as one of its neighbours that are much shorter?
     bool will_bend(unsigned int element, const std::vector<double> &lengths) const;
 
-    /// Of the bend that an element may have, at a curvature of the sheet. Elements bend by a share of their angle
-    /// squared too much, which matters most where the sheet hardly yields (doc/theory/shell.md).
-    double share_of_bend(double curvature) const;
+    /// @param lengths of the elements, halved where they are marked @return are any to be joined?
+    bool mark_to_join(const std::vector<double> &lengths, const std::array<std::vector<double>, 2> &longest_edges);
+
+    /// Which may not be twice as long where they touch a tool, or are about to?
+    std::vector<bool> short_for_tools(const std::array<std::vector<double>, 2> &longest_edges) const;
 
     /// Did halving it fail, and has it not bent much more since? @param by_contact: or is it contact that asks?
     bool left_alone(unsigned int element, bool by_contact) const;
@@ -77,24 +79,24 @@ namespace deltaform
     void set_mesh(const std::vector<ShellMesh::Part> &elements);
 
     RefinementSettings settings_;
-    double largest_bend_; ///< rad
-    double elastic_curvature_; ///< of the sheet where its faces begin to yield (1/length)
+    BendLimit limit_;
+    bool joins_;
     double shortest_; ///< undeformed (length)
     ShellParts parts_;
     ShellMesh first_; ///< as read
     std::vector<ShellMesh::Part> elements_; ///< of it, what the elements are
-    std::vector<bool> marked_;
+    std::vector<bool> marked_, joined_; ///< to be halved; to be joined with the next one
     std::vector<double> bends_; ///< of the elements, accepted, positive towards the top (rad)
     std::vector<double> edge_lengths_;
 
-    /// No equilibrium was found when this part of the first mesh was halved.
+    /// No equilibrium was found when this part of the first mesh was halved, or its halves were joined.
     struct Left
     {
       ShellMesh::Part part;
       double bend; ///< then, regardless of sign (rad)
     };
     std::vector<Left> left_;
-    std::vector<Left> tried_; ///< what was halved last
+    std::vector<Left> tried_; ///< what was halved or joined last
     std::array<std::vector<PointOrigin>, 2> point_origins_;
   };
 } // namespace deltaform

@@ -1,4 +1,4 @@
-// Halving the elements of a shell: where the new nodes lie, what they know, and the way back.
+// Halving the elements of a shell and joining the halves: where the new nodes lie, what they know, and the way back.
 #include "any_blank.h"
 
 #include <deltaform/blanks/refinement.h>
@@ -69,13 +69,27 @@ namespace
     return longest;
   }
 
-  Vector refined(Blank &blank, const Vector &q, const std::array<std::vector<double>, 2> &longest = {})
+  Vector remeshed(Blank &blank, const Vector &q, const std::array<std::vector<double>, 2> &longest = {})
   {
     std::vector<Vector> fields{q};
     BOOST_TEST_REQUIRE(blank.adaptive()->mark(longest));
     blank.adaptive()->refine(fields);
     BOOST_TEST_REQUIRE(fields.front().size() == blank.n_dofs());
     return fields.front();
+  }
+
+  /// All elements, so many times; flat.
+  Vector halved(Blank &blank, const unsigned int times)
+  {
+    Vector q(blank.n_dofs());
+    for (unsigned int k = 0; k < times; ++k)
+    {
+      std::vector<unsigned int> all(blank.surface().contact_edges(Side::top).size());
+      std::iota(all.begin(), all.end(), 0U);
+      q = remeshed(blank, q, short_edges(blank, all));
+      accept(blank, q);
+    }
+    return q;
   }
 
   std::vector<double> column(const Blank &blank, const Vector &q, const std::string &name)
@@ -104,7 +118,7 @@ BOOST_AUTO_TEST_CASE(new_nodes_lie_on_the_undeformed_meridian)
       std::vector<unsigned int> all(blank->surface().contact_edges(Side::top).size());
       for (unsigned int e = 0; e < all.size(); ++e)
         all[e] = e;
-      const Vector q = refined(*blank, Vector(blank->n_dofs()), short_edges(*blank, all));
+      const Vector q = remeshed(*blank, Vector(blank->n_dofs()), short_edges(*blank, all));
       BOOST_TEST(q.linfty_norm() < 1e-14);
       const auto X = blank->positions(q);
       BOOST_TEST_REQUIRE(X.size() == 2 * before.size() - 1);
@@ -170,7 +184,7 @@ BOOST_AUTO_TEST_CASE(elements_follow_each_other)
           BOOST_TEST(std::abs(x[chain.rotations[e]] - 200. - h * static_cast<double>(e)) < 1e-9);
         std::vector<unsigned int> all(blank->surface().contact_edges(Side::top).size());
         std::iota(all.begin(), all.end(), 0U);
-        refined(*blank, Vector(blank->n_dofs()), short_edges(*blank, all));
+        remeshed(*blank, Vector(blank->n_dofs()), short_edges(*blank, all));
       }
     }
 }
@@ -191,7 +205,7 @@ BOOST_AUTO_TEST_CASE(stress_and_strain_come_over)
   BOOST_TEST(values.front() > .01);
   const double energy = blank->energy().elastic;
 
-  const Vector finer = refined(*blank, q, short_edges(*blank, {0, 1, 2, 3}));
+  const Vector finer = remeshed(*blank, q, short_edges(*blank, {0, 1, 2, 3}));
   for (unsigned int k = 0; k < 4; ++k)
     for (const double value : column(*blank, finer, kept[k]))
       BOOST_TEST(value == values[k], boost::test_tools::tolerance(1e-12));
@@ -213,7 +227,7 @@ BOOST_AUTO_TEST_CASE(contact_sees_the_same_face)
   const double curvature = .25;
   const Vector q = wound(*blank, curvature, 1.);
   accept(*blank, q);
-  const Vector finer = refined(*blank, q, short_edges(*blank, {0, 1, 2, 3}));
+  const Vector finer = remeshed(*blank, q, short_edges(*blank, {0, 1, 2, 3}));
   const Point2 center(0., 1. / curvature);
   double off = 0.;
   for (unsigned int i = 0; i < blank->surface().n_contact_points(Side::top); ++i)
@@ -243,13 +257,13 @@ BOOST_AUTO_TEST_CASE(elements_that_bend_are_halved_until_none_bends_or_they_are_
   accept(*blank, q);
   BOOST_TEST(blank->adaptive()->settings().edge_share == 1.5 * 10. * dealii::numbers::PI / 180.);
   // It, and the three on either side that are as long.
-  q = refined(*blank, q);
+  q = remeshed(*blank, q);
   BOOST_TEST(blank->adaptive()->n_cells() == 13u);
   const auto places = column(*blank, q, "R0");
   BOOST_TEST(places[10] == 2.5);
   BOOST_TEST(places[11] == 3.);
   // The last halves would be a quarter as long as the next element: that is halved, too, and what is beyond is not.
-  q = refined(*blank, q, short_edges(*blank, {9}));
+  q = remeshed(*blank, q, short_edges(*blank, {9}));
   const auto finer = column(*blank, q, "R0");
   const auto at = [&](const double place) { return std::find(finer.begin(), finer.end(), place) != finer.end(); };
   BOOST_TEST(at(2.375));
@@ -296,7 +310,7 @@ BOOST_AUTO_TEST_CASE(a_long_element_beside_short_ones_that_bend_is_halved_before
 {
   // Eight halves, and eight that are twice as long; the last but two of the halves bends.
   const auto blank = make_blank("shell", strip("12"));
-  refined(*blank, Vector(blank->n_dofs()), short_edges(*blank, {0}));
+  remeshed(*blank, Vector(blank->n_dofs()), short_edges(*blank, {0}));
   BOOST_TEST_REQUIRE(blank->adaptive()->n_cells() == 16u);
   const auto bent = [&](const double angle) {
     return state(*blank, [&](const unsigned int k, const Point2 &X) {
@@ -307,7 +321,7 @@ BOOST_AUTO_TEST_CASE(a_long_element_beside_short_ones_that_bend_is_halved_before
   accept(*blank, bent(5.4 * degree));
   BOOST_TEST(!blank->adaptive()->mark({}));
   accept(*blank, bent(5.6 * degree));
-  const Vector finer = refined(*blank, bent(5.6 * degree));
+  const Vector finer = remeshed(*blank, bent(5.6 * degree));
   // The first of the long ones is the third from it; three more go with it.
   const auto places = column(*blank, finer, "R0");
   BOOST_TEST(places[9] == 1.5, boost::test_tools::tolerance(1e-12));
@@ -344,7 +358,7 @@ BOOST_AUTO_TEST_CASE(what_found_no_equilibrium_is_left_alone)
   accept(*blank, q);
   const KeyedArrays before = blank->state();
   Adaptive &mesh = *blank->adaptive();
-  refined(*blank, q);
+  remeshed(*blank, q);
   BOOST_TEST(mesh.n_cells() == 8u);
   BOOST_TEST_REQUIRE(mesh.goes_back());
   blank->set_state(before);
@@ -366,15 +380,178 @@ BOOST_AUTO_TEST_CASE(what_found_no_equilibrium_is_left_alone)
   }
 }
 
+BOOST_AUTO_TEST_CASE(halves_are_joined_where_the_sheet_is_straight)
+{
+  for (const std::string degree : {"1", "2"})
+    BOOST_TEST_CONTEXT("degree " << degree)
+    {
+      const auto blank = make_blank("shell", strip("4", {"Blank/Degree=" + degree}));
+      Vector q = halved(*blank, 3);
+      BOOST_TEST_REQUIRE(blank->adaptive()->n_cells() == 32u);
+      for (const unsigned int n : {16U, 8U})
+      {
+        q = remeshed(*blank, q);
+        BOOST_TEST_REQUIRE(blank->adaptive()->n_cells() == n);
+        const auto places = column(*blank, q, "R0");
+        for (std::size_t i = 0; i < places.size(); ++i)
+          BOOST_TEST(std::abs(places[i] - 4. * static_cast<double>(i) / static_cast<double>(places.size() - 1)) < 1e-14);
+      }
+      // Four pairs are few.
+      BOOST_TEST(!blank->adaptive()->mark({}));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(halves_stay_if_the_scene_says_so)
+{
+  const auto blank = make_blank("shell", strip("4", {"Blank/Refinement/Join halves=false"}));
+  halved(*blank, 3);
+  BOOST_TEST(!blank->adaptive()->mark({}));
+}
+
+BOOST_AUTO_TEST_CASE(halves_near_what_bends_or_is_needed_by_a_tool_stay)
+{
+  // Long ones, and a stiff sheet that yields at once: the angle alone decides.
+  constexpr double h = 1.;
+  const double degree = dealii::numbers::PI / 180.;
+  const auto joined = [&](const double bend, const std::vector<unsigned int> &touching) {
+    const auto blank = make_blank("shell", strip("4", {"Blank/Points=0 0; 64 0", "Material/Young's modulus=2e5"}));
+    halved(*blank, 4);
+    Vector q = state(*blank, [&](const unsigned int k, const Point2 &X) { return k == 2 && X[0] > 20.5 * h ? bend : 0.; });
+    accept(*blank, q);
+    std::array<std::vector<double>, 2> longest;
+    longest[0].assign(64, std::numeric_limits<double>::infinity());
+    for (const unsigned int e : touching)
+      longest[0][e] = 3.9 * h; // twice the length is more than half of it
+    q = remeshed(*blank, q, longest);
+    const auto places = column(*blank, q, "R0");
+    std::vector<unsigned int> result; // of the old elements, the first of those that are joined
+    for (std::size_t i = 1; i < places.size(); ++i)
+      if (places[i] - places[i - 1] > 1.5 * h)
+        result.push_back(static_cast<unsigned int>(std::lround(places[i - 1] / h)));
+    return result;
+  };
+  const auto without = [](const unsigned int begin, const unsigned int end) {
+    std::vector<unsigned int> result;
+    for (unsigned int c = 0; c < 64; c += 2)
+      if (c < begin || c >= end)
+        result.push_back(c);
+    return result;
+  };
+  // Bent by 2.9 degrees itself: joined. By 3.1: not, nor its other half. By 4.6: nor the six on either side.
+  BOOST_TEST(joined(2.9 * degree, {}) == without(0, 0), boost::test_tools::per_element());
+  BOOST_TEST(joined(3.1 * degree, {}) == without(20, 22), boost::test_tools::per_element());
+  BOOST_TEST(joined(4.6 * degree, {}) == without(14, 28), boost::test_tools::per_element());
+  BOOST_TEST(joined(0., {20}) == without(14, 28), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_neck_stays)
+{
+  // Stretched by a twentieth, and three elements by 2.5 percent more
+  constexpr double h = 4. / 64.;
+  const auto blank = make_blank("shell", strip("4"));
+  halved(*blank, 4);
+  Vector q = state(*blank, [&](const unsigned int k, const Point2 &X) {
+    return k == 0 ? .05 * X[0] + .025 * std::clamp(X[0] - 20. * h, 0., 3. * h) : 0.;
+  });
+  accept(*blank, q);
+  const double thinnest = blank->fields().smallest_thickness();
+  q = remeshed(*blank, q);
+  // 22 is another metal than 23; 20 and 21 are alike.
+  BOOST_TEST(blank->adaptive()->n_cells() == 33u);
+  BOOST_TEST(blank->fields().smallest_thickness() == thinnest, boost::test_tools::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(what_the_halves_knew_is_known_to_the_joined)
+{
+  // Elements of 1.4 degrees that were halved are joined as they had been: thicker again by the square of their angle.
+  for (const std::string degree : {"1", "2"})
+    BOOST_TEST_CONTEXT("degree " << degree)
+    {
+      const auto blank = make_blank("shell", strip("40", {"Blank/Degree=" + degree}));
+      const Vector q = wound(*blank, .25, 1.02);
+      accept(*blank, q);
+      const char *const kept[] = {"equivalent_plastic_strain", "stress_meridional_bottom", "stress_meridional_top",
+                                  "stress_hoop_mid", "thickness"};
+      std::vector<double> values;
+      for (const char *const name : kept)
+        values.push_back(column(*blank, q, name).front());
+      const double energy = blank->energy().elastic;
+      std::vector<unsigned int> all(blank->surface().contact_edges(Side::top).size());
+      std::iota(all.begin(), all.end(), 0U);
+      Vector other = remeshed(*blank, q, short_edges(*blank, all));
+      BOOST_TEST_REQUIRE(blank->adaptive()->n_cells() == 80u);
+      other = remeshed(*blank, other);
+      BOOST_TEST_REQUIRE(blank->adaptive()->n_cells() == 40u);
+      other -= q;
+      BOOST_TEST(other.linfty_norm() < 1e-12);
+      for (std::size_t k = 0; k < values.size(); ++k)
+        for (const double value : column(*blank, q, kept[k]))
+          BOOST_TEST(value == values[k], boost::test_tools::tolerance(k < 4 ? 1e-9 : 1e-4));
+      const double plastic_before = blank->energy().plastic;
+      accept(*blank, q);
+      BOOST_TEST(blank->energy().plastic == plastic_before, boost::test_tools::tolerance(1e-9));
+      BOOST_TEST(blank->energy().elastic == energy, boost::test_tools::tolerance(1e-3));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(contact_of_the_joined_is_that_of_the_halves)
+{
+  for (const Entries &points : {Entries{"Blank/Contact points=nodes"}, Entries{"Blank/Contact points=gauss"},
+                                Entries{"Blank/Contact points=gauss", "Blank/Degree=2"}})
+    BOOST_TEST_CONTEXT(points.back())
+    {
+      const auto blank = make_blank("shell", strip("4", points));
+      Vector q = halved(*blank, 3);
+      const auto places = [&] {
+        std::vector<double> result;
+        for (unsigned int i = 0; i < blank->surface().n_contact_points(Side::top); ++i)
+        {
+          ContactPoint point;
+          blank->surface().contact_point(q, Side::top, i, ContactThickness::initial, point);
+          result.push_back(point.x[0]);
+        }
+        return result;
+      };
+      const std::vector<double> before = places();
+      q = remeshed(*blank, q);
+      const std::vector<double> now = places();
+      const auto &origins = blank->adaptive()->point_origins(Side::top);
+      BOOST_TEST_REQUIRE(origins.size() == now.size());
+      for (std::size_t i = 0; i < now.size(); ++i)
+      {
+        const auto &[first, second, share] = origins[i];
+        BOOST_TEST_REQUIRE((first < before.size() && second < before.size()));
+        BOOST_TEST(std::abs(before[first] + share * (before[second] - before[first]) - now[i]) < 1e-12);
+        BOOST_TEST((share >= 0. && share <= 1.));
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(halves_whose_joining_found_no_equilibrium_stay)
+{
+  const auto blank = make_blank("shell", strip("4"));
+  const Vector q = halved(*blank, 3);
+  const KeyedArrays before = blank->state();
+  remeshed(*blank, q);
+  blank->set_state(before);
+  BOOST_TEST_REQUIRE(blank->adaptive()->n_cells() == 32u);
+  blank->adaptive()->leave_marked();
+  BOOST_TEST(!blank->adaptive()->mark({}));
+  // Saved, and so in another run
+  const auto other = make_blank("shell", strip("4"));
+  other->set_state(blank->state());
+  BOOST_TEST(!other->adaptive()->mark({}));
+}
+
 BOOST_AUTO_TEST_CASE(a_refined_state_is_saved_and_loaded)
 {
   const auto blank = make_blank("shell", strip("4")), other = make_blank("shell", strip("4"));
   Vector q = wound(*blank, .25, 1.02);
   accept(*blank, q);
   const KeyedArrays coarse = blank->state();
-  q = refined(*blank, q, short_edges(*blank, {1, 2}));
+  q = remeshed(*blank, q, short_edges(*blank, {1, 2}));
   accept(*blank, q);
-  q = refined(*blank, q, short_edges(*blank, {2}));
+  q = remeshed(*blank, q, short_edges(*blank, {2}));
   accept(*blank, q);
   const KeyedArrays fine = blank->state();
   other->set_state(fine);
@@ -418,7 +595,7 @@ BOOST_AUTO_TEST_CASE(a_later_operation_goes_on_with_the_mesh)
   const auto blank = make_blank("shell", strip("4"));
   Vector q = wound(*blank, .25, 1.02);
   accept(*blank, q);
-  q = refined(*blank, q, short_edges(*blank, {1, 2}));
+  q = remeshed(*blank, q, short_edges(*blank, {1, 2}));
   accept(*blank, q);
   const KeyedArrays formed = blank->formed(q);
 
