@@ -5,6 +5,13 @@
 
 namespace deltaform
 {
+  bool ShellJoining::bends(const double bend, const double length) const
+  {
+    constexpr double share = .3;
+    return std::abs(bend) > share * limit_.at(std::abs(bend) / length);
+  }
+
+
   bool ShellJoining::halves_of_one(const Elements &elements, const unsigned int element) const
   {
     const ShellMesh::Part &one = elements.parts[element], &other = elements.parts[element + 1];
@@ -65,16 +72,12 @@ namespace deltaform
   std::vector<bool> ShellJoining::at_rest(const Elements &elements) const
   {
     constexpr unsigned int reach = 6;
-    constexpr double bends = .3;
     const unsigned int n = elements.parts.size();
     std::vector<bool> result(n, true);
     for (unsigned int c = 0; c < n; ++c)
-    {
-      const double bend = std::abs(elements.bends[c]);
-      if (elements.halved[c] || elements.short_for_tools[c] || bend > bends * limit_.at(bend / elements.lengths[c]))
+      if (elements.halved[c] || elements.short_for_tools[c] || bends(elements.bends[c], elements.lengths[c]))
         for (unsigned int k = std::max(c, reach) - reach; k < std::min(c + reach + 1, n); ++k)
           result[k] = false;
-    }
     return result;
   }
 
@@ -86,7 +89,7 @@ namespace deltaform
     const std::vector<bool> rests = at_rest(elements);
     unsigned int pairs = 0;
     for (unsigned int c = 0; c + 1 < n; ++c)
-      if (rests[c] && rests[c + 1] && halves_of_one(elements, c) && straight(elements, c) && graded(elements, c) &&
+      if (rests[c] && rests[c + 1] && elements.were_bent[c] && elements.were_bent[c + 1] && halves_of_one(elements, c) && straight(elements, c) && graded(elements, c) &&
           same_metal(c))
       {
         result[c] = true;

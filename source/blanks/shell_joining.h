@@ -17,6 +17,7 @@ namespace deltaform
     {
       const std::vector<ShellMesh::Part> &parts;
       const std::vector<double> &bends; ///< accepted (rad)
+      const std::vector<bool> &were_bent; ///< what was not may still come to a radius
       const std::vector<double> &lengths; ///< undeformed; halved where an element is to be
       const std::vector<bool> &halved; ///< to be
       const std::vector<bool> &short_for_tools; ///< may not be twice as long where it touches a tool
@@ -27,6 +28,9 @@ namespace deltaform
       : parts_(parts), limit_(limit)
     {
     }
+
+    /// Does an element bend so much that it, and its neighbours, stay? @param length undeformed
+    bool bends(double bend, double length) const;
 
     /// Those that are to be joined with the next one; none if they are few.
     std::vector<bool> choose(const Elements &elements) const;

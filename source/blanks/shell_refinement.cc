@@ -12,7 +12,8 @@ namespace deltaform
 {
   namespace
   {
-    constexpr const char *key = "elements of the first mesh", *key_of_left = "elements left alone";
+    constexpr const char *key = "elements of the first mesh", *key_of_left = "elements left alone",
+                         *key_of_bent = "elements that were bent";
 
     std::vector<ShellMesh::Part> whole(const ShellMesh &mesh)
     {
@@ -96,6 +97,7 @@ namespace deltaform
     settings_.from_the_start = true;
     settings_.asked_for = false;
     bends_.assign(elements_.size(), 0.);
+    were_bent_.assign(elements_.size(), false);
   }
 
 
@@ -105,13 +107,12 @@ namespace deltaform
     // towards it, if the element can follow that far.
     constexpr double begins = .3, flat = 2.;
     constexpr unsigned int most = 20000; // whatever a scene asks for
-    const ShellMesh &mesh = parts_.space().mesh();
     const unsigned int n = elements_.size();
     if (n > most)
       return false;
     std::vector<double> lengths;
-    for (const auto &cell : mesh.cells())
-      lengths.push_back(mesh.arc_length()[cell.nodes[1]] - mesh.arc_length()[cell.nodes[0]]);
+    for (unsigned int c = 0; c < n; ++c)
+      lengths.push_back(length(c));
     marked_.assign(n, false);
     for (unsigned int c = 0; c < n; ++c)
       marked_[c] = std::abs(bends_[c]) > limit_.at(std::abs(bends_[c]) / lengths[c]) &&
@@ -122,11 +123,11 @@ namespace deltaform
       for (std::size_t e = 0; e < longest.size(); ++e)
       {
         const std::size_t c = e * n / longest.size(); // the halves of one of degree 2 are edges
-        const double length = lengths[c] * n / longest.size();
+        const double edge = lengths[c] * n / longest.size();
         const double towards = static_cast<Side>(side) == Side::top ? bends_[c] : -bends_[c];
         const double allowed = (towards > begins * limit_.largest() ? 1. : flat) * longest[e] *
                                limit_.share(settings_.edge_share / longest[e]);
-        if (length > allowed && !marked_[c])
+        if (edge > allowed && !marked_[c])
           marked_[c] = !left_alone(c, true);
       }
     }
@@ -144,6 +145,14 @@ namespace deltaform
     if (any)
       mark_neighbours(lengths);
     return mark_to_join(lengths, longest_edges) || any;
+  }
+
+
+  double ShellRefinement::length(const unsigned int element) const
+  {
+    const ShellMesh &mesh = parts_.space().mesh();
+    const auto &nodes = mesh.cells()[element].nodes;
+    return mesh.arc_length()[nodes[1]] - mesh.arc_length()[nodes[0]];
   }
 
 
@@ -173,7 +182,7 @@ namespace deltaform
     for (const Left &one : left_)
       left.push_back(one.part);
     joined_ = ShellJoining(parts_, limit_)
-                .choose({elements_, bends_, lengths, marked_, short_for_tools(longest_edges), left});
+                .choose({elements_, bends_, were_bent_, lengths, marked_, short_for_tools(longest_edges), left});
     return std::find(joined_.begin(), joined_.end(), true) != joined_.end();
   }
 
@@ -181,16 +190,14 @@ namespace deltaform
   std::vector<bool> ShellRefinement::short_for_tools(const std::array<std::vector<double>, 2> &longest_edges) const
   {
     constexpr double share = .5; // of what a tool allows: none is halved again at once
-    const ShellMesh &mesh = parts_.space().mesh();
     const unsigned int n = elements_.size();
     std::vector<bool> result(n, false);
     for (const auto &longest : longest_edges)
       for (std::size_t e = 0; e < longest.size(); ++e)
       {
         const std::size_t c = e * n / longest.size();
-        const auto &nodes = mesh.cells()[c].nodes;
-        const double length = (mesh.arc_length()[nodes[1]] - mesh.arc_length()[nodes[0]]) * n / longest.size();
-        if (2. * length > share * longest[e])
+        const double edge = length(c) * n / longest.size();
+        if (2. * edge > share * longest[e])
           result[c] = true;
       }
     return result;
@@ -252,6 +259,7 @@ namespace deltaform
     elements_ = elements;
     parts_.set_mesh(first_.divided(elements_));
     bends_.assign(elements_.size(), 0.);
+    were_bent_.assign(elements_.size(), false);
     edge_lengths_.clear(); // not known before the next update()
   }
 
@@ -259,6 +267,7 @@ namespace deltaform
   void ShellRefinement::refine(std::vector<Vector> &fields)
   {
     std::vector<ShellMesh::Part> elements;
+    std::vector<bool> were_bent;
     tried_.clear();
     for (unsigned int c = 0; c < elements_.size(); ++c)
     {
@@ -270,6 +279,7 @@ namespace deltaform
         elements.insert(elements.end(), {{cell, begin, middle}, {cell, middle, end}});
       else
         elements.push_back(elements_[c]);
+      were_bent.resize(elements.size(), were_bent_[c]);
       if (joined_[c] || marked_[c])
         tried_.push_back({joined_[c] ? elements.back() : elements_[c], std::abs(bends_[c])});
       if (joined_[c])
@@ -289,6 +299,7 @@ namespace deltaform
       transfer.describe(before, formed_before[i]);
     }
     set_mesh(elements);
+    were_bent_ = were_bent;
     point_origins_.fill(deltaform::point_origins(old_points, face_points(parts_.space(), parts_.surface())));
     fields.front() = parts_.come_over(transfer, formed);
     for (std::size_t i = 1; i < fields.size(); ++i)
@@ -307,8 +318,12 @@ namespace deltaform
     const ShellSpace &space = parts_.space();
     if (!active())
       return;
+    const ShellJoining joining(parts_, limit_);
     for (unsigned int c = 0; c < elements_.size(); ++c)
+    {
       bends_[c] = space.bend(q, c);
+      were_bent_[c] = were_bent_[c] || joining.bends(bends_[c], length(c));
+    }
     edge_lengths_.clear();
     for (const auto &[a, b, middle] : parts_.surface().contact_edges(Side::top))
       edge_lengths_.push_back(space.position(q, a).distance(space.position(q, b)));
@@ -365,6 +380,7 @@ namespace deltaform
     for (const auto &[cell, begin, end] : elements_)
       numbers.insert(numbers.end(), {static_cast<double>(cell), begin, end});
     state.put(key, numbers);
+    state.put(key_of_bent, std::vector<double>(were_bent_.begin(), were_bent_.end()));
   }
 
 
@@ -374,6 +390,9 @@ namespace deltaform
     const bool same = std::equal(elements.begin(), elements.end(), elements_.begin(), elements_.end());
     if (!same)
       set_mesh(elements);
+    were_bent_.assign(elements_.size(), false);
+    if (state.has(key_of_bent) && state.at(key_of_bent).size() == elements_.size())
+      were_bent_.assign(state.at(key_of_bent).begin(), state.at(key_of_bent).end());
     left_.clear();
     if (!state.has(key_of_left))
       return;

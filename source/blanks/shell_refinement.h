@@ -60,6 +60,9 @@ namespace deltaform
     void take(const KeyedArrays &state);
 
   private:
+    /// Undeformed.
+    double length(unsigned int element) const;
+
     /// Mark what is much longer than a marked neighbour will be: an element that begins to bend would be a hinge at the
     /// end of one that cannot. @param lengths of the elements, halved where they are marked
     void mark_neighbours(std::vector<double> &lengths);
@@ -87,6 +90,7 @@ namespace deltaform
     std::vector<ShellMesh::Part> elements_; ///< of it, what the elements are
     std::vector<bool> marked_, joined_; ///< to be halved; to be joined with the next one
     std::vector<double> bends_; ///< of the elements, accepted, positive towards the top (rad)
+    std::vector<bool> were_bent_; ///< since they are as they are
     std::vector<double> edge_lengths_;
 
     /// No equilibrium was found when this part of the first mesh was halved, or its halves were joined.

@@ -78,7 +78,7 @@ namespace
     return fields.front();
   }
 
-  /// All elements, so many times; flat.
+  /// All elements, so many times; wound up once, and flat.
   Vector halved(Blank &blank, const unsigned int times)
   {
     Vector q(blank.n_dofs());
@@ -87,8 +87,14 @@ namespace
       std::vector<unsigned int> all(blank.surface().contact_edges(Side::top).size());
       std::iota(all.begin(), all.end(), 0U);
       q = remeshed(blank, q, short_edges(blank, all));
-      accept(blank, q);
     }
+    const double n_edges = blank.surface().contact_edges(Side::top).size();
+    double length = 0.;
+    for (const Point2 &X : blank.positions(q))
+      length = std::max(length, X[0]);
+    const double curvature = 6. * dealii::numbers::PI / 180. * n_edges / length;
+    accept(blank, wound(blank, curvature, 1.));
+    accept(blank, q);
     return q;
   }
 
@@ -401,6 +407,32 @@ BOOST_AUTO_TEST_CASE(halves_are_joined_where_the_sheet_is_straight)
     }
 }
 
+BOOST_AUTO_TEST_CASE(halves_that_have_not_been_bent_stay)
+{
+  const auto blank = make_blank("shell", strip("4"));
+  Vector q(blank->n_dofs());
+  for (const unsigned int n : {4U, 8U, 16U, 32U})
+  {
+    std::vector<unsigned int> all(n);
+    std::iota(all.begin(), all.end(), 0U);
+    q = remeshed(*blank, q, short_edges(*blank, all));
+  }
+  accept(*blank, q);
+  BOOST_TEST(!blank->adaptive()->mark({}));
+  // Bent by less, and more, than .3 of 15 degrees
+  const double degree = dealii::numbers::PI / 180. * 64. / 4.;
+  accept(*blank, wound(*blank, 4.2 * degree, 1.));
+  accept(*blank, q);
+  BOOST_TEST(!blank->adaptive()->mark({}));
+  accept(*blank, wound(*blank, 4.6 * degree, 1.));
+  accept(*blank, q);
+  const auto other = make_blank("shell", strip("4"));
+  other->set_state(blank->state());
+  accept(*other, q);
+  for (Blank *const one : {blank.get(), other.get()})
+    BOOST_TEST(one->adaptive()->mark({}));
+}
+
 BOOST_AUTO_TEST_CASE(halves_stay_if_the_scene_says_so)
 {
   const auto blank = make_blank("shell", strip("4", {"Blank/Refinement/Join halves=false"}));
@@ -469,6 +501,7 @@ BOOST_AUTO_TEST_CASE(what_the_halves_knew_is_known_to_the_joined)
     {
       const auto blank = make_blank("shell", strip("40", {"Blank/Degree=" + degree}));
       const Vector q = wound(*blank, .25, 1.02);
+      accept(*blank, wound(*blank, 2., 1.02)); // 11.5 degrees
       accept(*blank, q);
       const char *const kept[] = {"equivalent_plastic_strain", "stress_meridional_bottom", "stress_meridional_top",
                                   "stress_hoop_mid", "thickness"};
