@@ -89,8 +89,8 @@ namespace deltaform
     const std::vector<bool> rests = at_rest(elements);
     unsigned int pairs = 0;
     for (unsigned int c = 0; c + 1 < n; ++c)
-      if (rests[c] && rests[c + 1] && elements.were_bent[c] && elements.were_bent[c + 1] && halves_of_one(elements, c) && straight(elements, c) && graded(elements, c) &&
-          same_metal(c))
+      if (rests[c] && rests[c + 1] && elements.were_bent[c] && elements.were_bent[c + 1] &&
+          halves_of_one(elements, c) && straight(elements, c) && graded(elements, c) && same_metal(c))
       {
         result[c] = true;
         ++pairs;

@@ -60,6 +60,7 @@ namespace deltaform
       }
       return result;
     }
+
     BendLimit bend_limit(Section &section, const ShellParts &parts)
     {
       const double largest =
@@ -115,8 +116,7 @@ namespace deltaform
       lengths.push_back(length(c));
     marked_.assign(n, false);
     for (unsigned int c = 0; c < n; ++c)
-      marked_[c] = std::abs(bends_[c]) > limit_.at(std::abs(bends_[c]) / lengths[c]) &&
-                   !left_alone(c, false);
+      marked_[c] = std::abs(bends_[c]) > limit_.at(std::abs(bends_[c]) / lengths[c]) && !left_alone(c, false);
     for (const unsigned int side : {0, 1})
     {
       const std::vector<double> &longest = longest_edges[side];

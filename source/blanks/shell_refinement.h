@@ -14,8 +14,8 @@ namespace deltaform
 {
   class Section;
 
-  /// Halving the elements of a shell that bend too sharply while it is formed, and joining the halves where it is straight
-  /// again (doc/theory/shell.md).
+  /// Halving the elements of a shell that bend too sharply while it is formed, and joining the halves where it is
+  /// straight again (doc/theory/shell.md).
   class ShellRefinement : public Adaptive
   {
   public:
