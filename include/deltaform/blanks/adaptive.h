@@ -20,7 +20,8 @@ namespace deltaform
     /// When to refine.
     virtual const RefinementSettings &settings() const = 0;
 
-    /// Of the contact edges of both sides, accepted, if they are known.
+    /// Of the contact edges of both sides, accepted, if they are known; longer where edges may become longer, so that
+    /// tools say how long they may be (EdgeWishes).
     virtual std::vector<double> edge_lengths() const
     {
       return {};
