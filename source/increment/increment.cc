@@ -1,5 +1,6 @@
 #include <deltaform/increment/increment.h>
 #include <deltaform/increment/step_control.h>
+#include <deltaform/parameters/percent.h>
 #include <deltaform/parameters/text.h>
 #include <deltaform/process/interruption.h>
 #include <deltaform/process/ranks.h>
@@ -160,7 +161,12 @@ namespace deltaform
       return "the corrections of the penalty factors did not end after " + std::to_string(result.rounds) + " rounds" +
              where;
     default:
-      return "Newton did not converge in " + std::to_string(result.iterations) + " iterations" + where;
+      break;
     }
+    const std::string iterations = "Newton did not converge in " + std::to_string(result.iterations) + " iterations";
+    if (result.imbalance > newton_.settings().balance_tolerance)
+      return iterations + ": the forces of tools, supports and loads still leave " +
+             text::percent(result.imbalance) + " of the largest of them unbalanced (Solver/Balance tolerance)" + where;
+    return iterations + where;
   }
 } // namespace deltaform

@@ -24,6 +24,7 @@ namespace deltaform
     // It goes on beyond the maximal number of iterations where it is close to the relaxed tolerance.
     constexpr double close_to_tolerance = 1e2;
     constexpr unsigned int most_iterations_if_close = 2; ///< times the maximal number
+    constexpr double round_off_of_steps = 1e-10; ///< of the increment: none is better
 
     // Iterations in which the residual has to halve: at least, and in percent of the most.
     constexpr unsigned int stagnation_window = 8, stagnation_share = 40;
@@ -174,6 +175,8 @@ namespace deltaform
     {
       result_.outcome = outcome;
       result_.worst_dof = norm_.worst_dof();
+      if (outcome == Outcome::diverged && residual_ <= settings_.relaxed_tolerance)
+        result_.imbalance = equations_.imbalance();
       return std::move(result_);
     }
 
@@ -207,11 +210,13 @@ namespace deltaform
     bool is_balanced()
     {
       const bool late = iteration_ >= settings_.max_iterations && n_undamped_ > 0;
-      // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do.
+      // The edge of a lightly loaded contact zone may travel node by node for ever: after many iterations less will do,
+      // but the forces that are reported have to balance.
       const double tolerance = late ? settings_.relaxed_tolerance : settings_.force_tolerance;
       const bool fresh = iteration_ == 0 && result_.rounds == 0; // forces of the extrapolated start
       if (fresh || pending_ != 0. || !(residual_ <= tolerance) ||
-          (active_set_ != nullptr && !active_set_->consistent(tolerance * norm_.magnitude())))
+          (active_set_ != nullptr && !active_set_->consistent(tolerance * norm_.magnitude())) ||
+          (last_step_ > round_off_of_steps * travelled_ && equations_.imbalance() > settings_.balance_tolerance))
         return returns_.leave();
       // A damped step is no measure of the error.
       if (n_undamped_ == 0)

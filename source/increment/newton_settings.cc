@@ -23,6 +23,13 @@ namespace deltaform
                        "1",
                        "Accepted instead after the maximal number of iterations, where lightly loaded points keep "
                        "changing between contact and no contact.")),
+      balance_tolerance(
+        section.number("Balance tolerance",
+                       5e-4,
+                       Range::positive(),
+                       "1",
+                       "What may be left of the sum of the forces of tools, supports and loads, over the largest of "
+                       "them: nodal forces of thin sheets are much larger than those of tools.")),
       displacement_tolerance(
         section.number("Displacement tolerance",
                        1e-3,

@@ -19,8 +19,9 @@ namespace deltaform
     constexpr double first_viscosity = 1e-3, largest_viscosity = 1e4, resistance = 4.;
     constexpr unsigned int pause = 3;
 
-    // Steps after which an equilibrium is looked for, and after which it is again.
-    constexpr unsigned int first_trial = 4, next_trials = 8;
+    // Steps after which an equilibrium is looked for, and after which it is again; steps at rest whose forces do not
+    // balance, after which they may be so (the condition "force balance" tells).
+    constexpr unsigned int first_trial = 4, next_trials = 8, most_unbalanced = 4;
 
     NewtonSettings settings_of_rough_steps(NewtonSettings settings)
     {
@@ -69,7 +70,8 @@ namespace deltaform
         continue;
       }
       const double forces = forces_of_medium();
-      if (is_nearly_at_rest() && last_.converged() && forces <= at_rest * newton_.settings().force_tolerance)
+      if (is_nearly_at_rest() && last_.converged() && forces <= at_rest * newton_.settings().force_tolerance &&
+          (problem_.imbalance() <= newton_.settings().balance_tolerance || n_unbalanced_++ == most_unbalanced))
         return ended(last_.outcome);
       if (is_free())
         return ended(NewtonResult::Outcome::singular);

@@ -244,13 +244,40 @@ namespace deltaform
         force[component == Component::r ? 0 : 1] = supports_.uncounted_reaction(i, state, counted);
         count(force);
       }
-    // What is left of much larger forces is round-off; so is what there is before any tool has touched.
-    const double round_off = 1e-9 * actors_.blank->stiffness_scale() * actors_.blank->typical_length();
-    const double floor = std::max(1e-3 * state.largest_resultant, round_off);
+    const double floor = least_force(state);
     double error = 0.;
     for (unsigned int d = actors_.blank->axisymmetric() ? 1 : 0; d < 2; ++d)
       if (const double size = std::max(largest[d], floor); size > 0.)
         error = std::max(error, std::abs(sum[d]) / size);
+    return error;
+  }
+
+
+  double ForceBook::least_force(const ModelState &state) const
+  {
+    const double round_off = 1e-9 * actors_.blank->stiffness_scale() * actors_.blank->typical_length();
+    return std::max(1e-3 * state.largest_resultant, round_off);
+  }
+
+
+  double ForceBook::imbalance(const System &system, const ModelState &state) const
+  {
+    Tensor1 left, reactions;
+    for (DofIndex i = 0; i < numbering_.n_blank; ++i)
+      for (unsigned int d = 0; d < 2; ++d)
+        (supports_.is_prescribed()[i] ? reactions : left)[d] += numbering_.translation[d][i] * system.residual()[i];
+    const double floor = least_force(state);
+    double error = 0.;
+    for (unsigned int d = actors_.blank->axisymmetric() ? 1 : 0; d < 2; ++d)
+    {
+      double largest = std::max(floor, std::abs(reactions[d]));
+      for (const auto &interface : actors_.interfaces)
+        if (contact_.takes_part(*interface))
+          largest = std::max(largest, std::abs(interface->tool_force()[d]));
+      for (const auto &force : state.load_resultants)
+        largest = std::max(largest, std::abs(force[d]));
+      error = std::max(error, std::abs(left[d]) / largest);
+    }
     return error;
   }
 } // namespace deltaform

@@ -254,13 +254,17 @@ BOOST_AUTO_TEST_CASE(forces_are_judged_by_those_of_the_run)
 {
   WorstImbalance imbalance;
   BOOST_TEST(imbalance.worst() == nullptr);
-  // All of .1 N, where the run goes on to 37 kN: a tool alone at a blank that hangs free.
-  imbalance.tell(1., .1, .25);
+  // All of .03 N, where the run goes on to 37 kN: a tool alone at a blank that hangs free.
+  imbalance.tell(1., .03, .25);
   BOOST_TEST_REQUIRE(imbalance.worst() != nullptr); // so far it is all there is
   BOOST_TEST(imbalance.worst()->time == .25);
   imbalance.tell(1e-9, 37e3, 46.);
   BOOST_TEST(imbalance.worst() == nullptr);
-  // Half of 10 N is not: the curve of the force begins wrong.
+  // A hundredth of 7 N counts, 2e-6 of what comes later.
+  imbalance.tell(1.3e-2, 7., 47.);
+  BOOST_TEST_REQUIRE(imbalance.worst() != nullptr);
+  BOOST_TEST(imbalance.worst()->time == 47.);
+  // Half of 10 N is more: the curve of the force begins wrong.
   imbalance.tell(.5, 10., 50.);
   BOOST_TEST_REQUIRE(imbalance.worst() != nullptr);
   BOOST_TEST(imbalance.worst()->time == 50.);

@@ -99,6 +99,11 @@ namespace
       return correct(n_corrections);
     }
 
+    double imbalance() const override
+    {
+      return forces_left(visited.back());
+    }
+
     NewtonResult solve(const double start,
                        const std::vector<std::string> &entries = {},
                        const double goal = 0.)
@@ -132,6 +137,7 @@ namespace
     double load, spring = 0., largest_step = 1e300, step = 0.;
     double way = 0.; ///< that the increment has moved the start
     std::function<bool(double)> allowed = [](double) { return true; };
+    std::function<double(double)> forces_left = [](double) { return 0.; };
     unsigned int n_corrections = 0, n_early_corrections = 0, n_asked_early = 0;
     mutable unsigned int n_inconsistent = 0;
     System system;
@@ -454,6 +460,35 @@ BOOST_AUTO_TEST_CASE(a_small_residual_alone_is_no_solution)
   BOOST_TEST(later.converged());
   BOOST_TEST(later.iterations > at_once.iterations);
   BOOST_TEST(problem.n_inconsistent == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(forces_that_do_not_balance_are_no_solution)
+{
+  Scalar problem = stiffening(10.);
+  const auto at_once = problem.solve(0., {"Force tolerance=1e-3"});
+  const double off = std::abs(problem.q[0] - 2.);
+  BOOST_REQUIRE(off > 1e-8);
+  problem.forces_left = [](const double u) { return 1e4 * std::abs(u - 2.); };
+  const auto balanced = problem.solve(0., {"Force tolerance=1e-3"});
+  BOOST_TEST(balanced.converged());
+  BOOST_TEST(balanced.iterations > at_once.iterations);
+  BOOST_TEST(std::abs(problem.q[0] - 2.) <= 5e-8);
+  // Steps of round-off are the end, whatever is left.
+  problem.forces_left = [](double) { return 6e-4; };
+  BOOST_TEST(problem.solve(0.).converged());
+  // A state that never comes to rest fails, and it is said what is left, however small the residual is.
+  Scalar sticks([](const double u) { return u + std::copysign(1e-7, u - 2.); }, [](double) { return 1.; }, 2.);
+  sticks.forces_left = problem.forces_left;
+  const auto never = sticks.solve(0., {"Line search=false"});
+  BOOST_TEST((never.outcome == Outcome::diverged));
+  BOOST_TEST(never.imbalance == 6e-4);
+  BOOST_TEST(never.residuals.back() < 1e-6);
+  BOOST_TEST(never.iterations <= 40u);
+  BOOST_TEST(sticks.solve(0., {"Line search=false", "Balance tolerance=1e-3"}).converged());
+  // Far from equilibrium it is not the reason.
+  sticks.slope = [](double) { return 1e3; };
+  BOOST_TEST((sticks.solve(0.).outcome == Outcome::diverged));
+  BOOST_TEST(sticks.solve(0.).imbalance == 0.);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

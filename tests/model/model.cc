@@ -282,6 +282,26 @@ BOOST_AUTO_TEST_CASE(a_state_of_another_mesh_is_refused)
   BOOST_CHECK_THROW(fixture.model.set_state(finer.model.state(), fixture.stage()), SceneError);
 }
 
+BOOST_AUTO_TEST_CASE(forces_left_are_those_that_the_accepted_state_reports)
+{
+  // Far from equilibrium: tool, load, support and what is inside are anything, and what is left of them is the same
+  // whether it is asked before or after the state is accepted.
+  for (const std::string symmetry : {"axisymmetric", "plane strain"})
+    BOOST_TEST_CONTEXT(symmetry)
+    {
+      Fixture fixture({"Blank/Symmetry=" + symmetry, "Loads/Names=ring", "Loads/ring/Kind=edge", "Loads/ring/Boundary=end",
+                       "Loads/ring/Component=z", "Loads/ring/Value=.01*t"});
+      Model &model = fixture.model;
+      BOOST_TEST(model.begin_stage(fixture.stage()).empty());
+      std::mt19937 generator(36);
+      const Vector q = random_unknowns(model, generator, 1e-4);
+      fixture.accept(1., q);
+      const double left = model.balance_error();
+      BOOST_TEST(left > 1e-3);
+      BOOST_TEST(fixture.next.imbalance() == left, boost::test_tools::tolerance(1e-9));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(what_ends_with_a_stage_is_released)
 {
   // The punch leaves. What it has pressed with goes on as a force, so that nothing jumps.

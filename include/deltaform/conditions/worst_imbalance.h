@@ -35,10 +35,10 @@ namespace deltaform
         entries_.push_back({error, error * std::max(largest_force, 1e-3 * largest_force_), time});
     }
 
-    /// That with the largest error, of those that leave more than 1e-5 of the largest force so far; null: none.
+    /// That with the largest error, of those that leave more than 1e-6 of the largest force so far; null: none.
     const Entry *worst() const
     {
-      constexpr double least_share = 1e-5;
+      constexpr double least_share = 1e-6;
       const Entry *result = nullptr;
       for (const auto &entry : entries_)
         if (!(entry.force < least_share * largest_force_) && (result == nullptr || entry.error > result->error))

@@ -85,6 +85,12 @@ namespace deltaform
       return false;
     }
 
+    /// After an assembly: what is left of the sum of all forces on the blank, over the largest of them.
+    virtual double imbalance() const
+    {
+      return 0.;
+    }
+
     /// The inequalities among the equations; null: there are none.
     virtual ActiveSet *active_set() = 0;
 

@@ -20,7 +20,7 @@ namespace deltaform
 
     unsigned int max_iterations;
     unsigned int max_rounds;
-    double force_tolerance, relaxed_tolerance, displacement_tolerance;
+    double force_tolerance, relaxed_tolerance, balance_tolerance, displacement_tolerance;
     bool line_search;
   };
 
@@ -41,6 +41,7 @@ namespace deltaform
     unsigned int correction_iterations = 0; ///< those after the first convergence: what the corrections cost
     Status status;
     unsigned int worst_dof = invalid_index; ///< largest share of the residual
+    double imbalance = 0.; ///< of a solve that ended with a small residual: see Equations::imbalance()
     std::vector<double> residuals; ///< relative, of every iteration since the last correction
 
     bool converged() const
@@ -51,8 +52,8 @@ namespace deltaform
 
   /**
    * Newton's method with a line search on the work of the residual along the step, and rounds of corrections after
-   * convergence. Converged: |R| <= tolerance * sum of absolute contributions, and the last step small against the
-   * increment; rotations are scaled by the problem's length, so that both norms have one unit.
+   * convergence. Converged: |R| <= tolerance * sum of absolute contributions, the forces on the blank in balance, and
+   * the last step small against the increment; rotations are scaled by the problem's length, so that both norms have one unit.
    */
   class Newton
   {

@@ -76,7 +76,7 @@ namespace deltaform
 
     double viscosity_; ///< over the mean stiffness
     double forces_ = std::numeric_limits<double>::infinity(); ///< of the medium, over all, in the last step
-    unsigned int n_iterations_ = 0, n_steps_ = 0;
+    unsigned int n_iterations_ = 0, n_steps_ = 0, n_unbalanced_ = 0;
     unsigned int next_trial_; ///< of an equilibrium without the medium: after so many steps
     unsigned int pause_ = 0; ///< steps until the viscosity may fall again
   };

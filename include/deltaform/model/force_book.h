@@ -53,7 +53,13 @@ namespace deltaform
      */
     double balance_error(const ModelState &state) const;
 
+    /// The same of the state that was assembled last, into @p system, with its tools; @p state is committed, and its
+    /// loads count.
+    double imbalance(const System &system, const ModelState &state) const;
+
   private:
+    /// What is left of much larger forces is round-off; so is what there is before any tool has touched.
+    double least_force(const ModelState &state) const;
     void begin_loads(const std::string &next_stage, const ModelState &state) const;
     void add_loads(const Vector &q, const ModelState &state, AssemblyTarget &target) const;
     void accept_loads(const Vector &q, ModelState &state) const;

@@ -174,6 +174,12 @@ namespace deltaform
       return book_.balance_error(state_);
     }
 
+    /// See ForceBook::imbalance(), of the state that was assembled last into @p system.
+    double imbalance(const System &system) const
+    {
+      return book_.imbalance(system, state_);
+    }
+
     /// Of the committed state.
     double time() const
     {

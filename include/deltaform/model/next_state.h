@@ -35,6 +35,10 @@ namespace deltaform
     {
       return std::min(model_.contact_set().limit_travels(d, typical_length()), model_.blank().admissible_step(q, d));
     }
+    double imbalance() const override
+    {
+      return model_.imbalance(workspace_.system());
+    }
     ActiveSet *active_set() override
     {
       return model_.contact_set().empty() ? nullptr : &workspace_.contact();
