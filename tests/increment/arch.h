@@ -51,6 +51,11 @@ namespace deltaform
         return share_of_steps;
       }
 
+      double imbalance() const override
+      {
+        return forces_left;
+      }
+
       ActiveSet *active_set() override
       {
         return nullptr;
@@ -119,6 +124,7 @@ namespace deltaform
       std::vector<double> visited;
       double time = 0., strain = 0., softened_to = 0.;
       double share_of_steps = 1.; ///< that is admissible
+      double forces_left = 0.;
       double first_touch = .01; ///< where a stiff first touch begins
       bool touches = false, is_stiff = false;
       bool is_free = false; ///< nothing but the load

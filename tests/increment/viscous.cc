@@ -131,6 +131,19 @@ BOOST_AUTO_TEST_CASE(the_nearest_equilibrium_down_the_potential)
   }
 }
 
+BOOST_AUTO_TEST_CASE(at_rest_forces_have_a_few_steps_to_balance)
+{
+  ArchFixture fixture;
+  Vector q;
+  const auto balanced = solve(fixture, q, beyond_the_limit);
+  fixture.problem.forces_left = 6e-4;
+  const auto left = solve(fixture, q, beyond_the_limit);
+  BOOST_TEST((balanced.converged() && left.converged()));
+  BOOST_TEST(left.iterations > balanced.iterations);
+  BOOST_TEST(left.iterations < balanced.iterations + 25u);
+  BOOST_TEST(q[0] > 2.);
+}
+
 BOOST_AUTO_TEST_CASE(close_to_rest_it_goes_on)
 {
   const auto from = [](const double start, const unsigned int most_iterations) {
