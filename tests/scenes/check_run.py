@@ -274,8 +274,8 @@ def check(folder, share=SHARE):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folders", nargs="+", metavar="FOLDER", help="of the results of a run")
-    parser.add_argument("--share", type=float, default=SHARE, help="of the largest force of a row that may be out of balance; where "
-                        "Solver/Relaxed force tolerance accepts an increment of a thin shell, 1e-3 (default: %(default)g)")
+    parser.add_argument("--share", type=float, default=SHARE, help="of the largest force of a row that may be out of balance; of "
+                        "thin sheets Solver/Balance tolerance, 5e-4 (default: %(default)g)")
     parser.add_argument("--quiet", action="store_true", help="findings only")
     arguments = parser.parse_args()
     failed = 0
