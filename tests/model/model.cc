@@ -289,7 +289,8 @@ BOOST_AUTO_TEST_CASE(forces_left_are_those_that_the_accepted_state_reports)
   for (const std::string symmetry : {"axisymmetric", "plane strain"})
     BOOST_TEST_CONTEXT(symmetry)
     {
-      Fixture fixture({"Blank/Symmetry=" + symmetry, "Loads/Names=ring", "Loads/ring/Kind=edge", "Loads/ring/Boundary=end",
+      Fixture fixture({"Blank/Symmetry=" + symmetry, "Loads/Names=ring",
+                       "Loads/ring/Kind=edge", "Loads/ring/Boundary=end",
                        "Loads/ring/Component=z", "Loads/ring/Value=.01*t"});
       Model &model = fixture.model;
       BOOST_TEST(model.begin_stage(fixture.stage()).empty());

@@ -53,7 +53,8 @@ namespace deltaform
   /**
    * Newton's method with a line search on the work of the residual along the step, and rounds of corrections after
    * convergence. Converged: |R| <= tolerance * sum of absolute contributions, the forces on the blank in balance, and
-   * the last step small against the increment; rotations are scaled by the problem's length, so that both norms have one unit.
+   * the last step small against the increment; rotations are scaled by the problem's length, so that both norms have
+   * one unit.
    */
   class Newton
   {
