@@ -45,7 +45,7 @@ namespace deltaform
 
   Ladder usual_ladder()
   {
-    return make_ladder({"plain", "soft first touch", "viscous", "viscous, a long way"});
+    return make_ladder({"plain", "soft contact", "viscous", "viscous, a long way"});
   }
 
 

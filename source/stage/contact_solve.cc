@@ -29,10 +29,10 @@ namespace deltaform
   }
 
 
-  bool ContactSolve::soften(const double share)
+  bool ContactSolve::soften()
   {
     for (auto *interface : contact_.interfaces())
-      interface->soften(share);
+      interface->soften(actors_.contact->normal_law->soft_share());
     return !contact_.empty();
   }
 

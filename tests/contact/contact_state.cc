@@ -389,6 +389,31 @@ BOOST_AUTO_TEST_CASE(continuation_of_a_first_touch)
   BOOST_TEST((rounds > 1u && rounds < 10u));
 }
 
+BOOST_AUTO_TEST_CASE(continuation_of_points_that_touch)
+{
+  const FakeSurface surface = row(1);
+  InterfaceFixture fixture(surface, constant, flat);
+  const Vector q = place(fixture, 0., -.02);
+  fixture.contact.begin_stage(q, 0.);
+  fixture.begin_increment(q, 1., stiffness);
+  fixture.converge(q);
+  fixture.contact.commit(q);
+  fixture.begin_increment(q, 2., stiffness);
+  fixture.contact.soften(.03);
+  for (const double share : {.03, .3, 1.})
+  {
+    fixture.converge(q);
+    BOOST_TEST(std::abs(fixture.contact.trial()[0].force - share * 50. * .02) < 1e-13);
+    BOOST_TEST((fixture.contact.correct_factors(q) > 0) == (share < 1.));
+  }
+  // Another attempt is as stiff as ever.
+  fixture.begin_increment(q, 2., stiffness);
+  fixture.contact.soften(.03);
+  fixture.begin_increment(q, 2., stiffness);
+  fixture.converge(q);
+  BOOST_TEST(std::abs(fixture.contact.trial()[0].force - 50. * .02) < 1e-13);
+}
+
 /// Down, along, back and up again on a plane: the trapezoidal work of the forces is what the energies say, to the last
 /// digit, because everything is linear between the states. Factors change at the starts of increments and in
 /// corrections; only their values at the ends of the increment count, and the accepted force.

@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(force_driven_tools)
     for_all_shapes({.05, slip, "Force=3", enforcement, true});
 }
 
-BOOST_AUTO_TEST_CASE(first_touches_in_continuation)
+BOOST_AUTO_TEST_CASE(contact_that_is_soft)
 {
   for (const auto &enforcement : Registry<NormalLaw>::names())
     BOOST_TEST_CONTEXT("enforcement '" << enforcement << "'")
@@ -277,13 +277,18 @@ BOOST_AUTO_TEST_CASE(first_touches_in_continuation)
       for (unsigned int i = fixture.n_blank; i < fixture.n; ++i)
         q[i] = .5;
       fixture.contact.begin_stage(q, 0.);
-      fixture.begin_increment(q, 1., stiffness);
-      fixture.contact.soften(1e-2);
-      fixture.converge(q);
       const Assembly assembly = [&](const Vector &state, AssemblyTarget &target) {
         fixture.contact.assemble(state, target);
       };
-      BOOST_TEST(tangent_error(assembly, q, std::vector<double>(fixture.n, 1.), 1e-5) < 1e-7);
+      // First touches, and points that touch already.
+      for (const double time : {1., 2.})
+      {
+        fixture.begin_increment(q, time, stiffness);
+        fixture.contact.soften(1e-2);
+        fixture.converge(q);
+        BOOST_TEST(tangent_error(assembly, q, std::vector<double>(fixture.n, 1.), 1e-5) < 1e-7);
+        fixture.contact.commit(q);
+      }
     }
 }
 

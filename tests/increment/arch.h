@@ -76,12 +76,12 @@ namespace deltaform
         is_stiff = touches;
       }
 
-      bool soften(const double share) override
+      bool soften() override
       {
         if (!touches)
           return false;
         is_stiff = false;
-        softened_to = share;
+        is_soft = true;
         return true;
       }
 
@@ -122,11 +122,11 @@ namespace deltaform
       Vector q, goal;
       std::vector<bool> held{false, true};
       std::vector<double> visited;
-      double time = 0., strain = 0., softened_to = 0.;
+      double time = 0., strain = 0.;
       double share_of_steps = 1.; ///< that is admissible
       double forces_left = 0.;
       double first_touch = .01; ///< where a stiff first touch begins
-      bool touches = false, is_stiff = false;
+      bool touches = false, is_stiff = false, is_soft = false;
       bool is_free = false; ///< nothing but the load
       unsigned int n_begun = 0, n_corrections = 0;
       std::string broken;

@@ -141,7 +141,7 @@ namespace deltaform
 
       /**
        * Solve the increment that ends at @p time under @p new_pressure and commit it; if that fails, once more with
-       * soft first touches, and then in two halves.
+       * soft contact, and then in two halves.
        */
       NewtonResult increment(const double time, const double new_pressure, const unsigned int depth = 0)
       {
@@ -151,7 +151,7 @@ namespace deltaform
         Newton newton(*this, *system, settings, scale, size, timers);
         NewtonResult result;
         Vector q;
-        for (const double share : {1., 1e-4})
+        for (const double share : {1., .03})
         {
           if (share < 1. && (!fixture || result.converged()))
             break;

@@ -16,7 +16,7 @@ namespace deltaform
    * The factors of the springs between blank and tool: the normal ones by the penalty rule, the tangential ones by the
    * allowed elastic slip. They are predicted when an increment begins and when a point touches for the first time,
    * and corrected where penetration <= delta is not kept: close to equilibrium by rules that promise it, by all rules
-   * after a Newton solve. Where a solve does not converge those of first touches are softened for a while.
+   * after a Newton solve. Where a solve does not converge the normal ones are softened for a while.
    */
   class FactorControl
   {
@@ -60,8 +60,8 @@ namespace deltaform
     /// After a converged solve. @return how many points have other factors than before
     unsigned int correct(Points &trial);
 
-    /// Continuation: first touches begin with this share of their factor (active set: of their own stiffness) and
-    /// are stiffened to the full after each converged solve.
+    /// Continuation: points begin with this share of their factors (active set: first touches with one of their own
+    /// stiffness) and are stiffened to the full after each converged solve.
     void soften(const double share)
     {
       softening_ = share;
@@ -72,10 +72,10 @@ namespace deltaform
       return softening_ < 1;
     }
 
-    /// Share of the factor of a point that counts now. @param before its accepted state
+    /// Share of the normal factor of a point that counts now. @param before its accepted state
     double share(const ContactPointState &before) const
     {
-      return softening_ < 1 && !before.touching ? softening_ : 1.;
+      return before.touching && !settings_.normal_law->uses_penalty() ? 1. : softening_;
     }
 
     /// Is the lower bound larger than what delta asks for at point @p i?
@@ -127,7 +127,7 @@ namespace deltaform
     std::vector<Block> blocks_; ///< of each point, or each edge
     double median_ = 0; ///< of the accepted factors
     double step_ = 0, last_step_ = 0; ///< lengths of this increment and the last one; 0: there is none
-    double softening_ = 1; ///< share of the factor of first touches
+    double softening_ = 1; ///< share of the normal factors that counts
     double slip_limit_ = 0; ///< allowed elastic slip at the end of the increment
   };
 } // namespace deltaform

@@ -27,7 +27,7 @@ namespace deltaform
   {
     double gap = 0; ///< between the tool and the face, which has not yet given way
     double compliance = 0; ///< [length/force] of the face: the through-thickness compliance
-    double share = 1; ///< of the stiffness that counts: less than 1 while a first touch is stiffened step by step
+    double share = 1; ///< of the stiffness that counts: less than 1 while contact is stiffened step by step
     std::optional<bool> foreseen; ///< the set of touching points is given, and the point belongs to it or not
     bool held = false; ///< the point touched in the accepted state, and no step has been made since: it still does
   };
@@ -86,6 +86,13 @@ namespace deltaform
     /// Is its force evaluated at the present gap, so that it needs penalty factors?
     virtual bool is_concerned(const ContactPointState &state) const = 0;
 
+    /// Share of its stiffness with which contact may begin where a stiff one is not solved: of springs that of every
+    /// point, of exact constraints (whose stiffness is that of the blank) that of first touches.
+    double soft_share() const
+    {
+      return uses_penalty() ? .03 : 1e-4; // doc/decisions/README.md, "Soft contact"
+    }
+
     /// Estimate of lambda after a step that opens the gap by @p opening (length), with this share of the stiffness.
     virtual double estimate(const ContactPointState &state, double opening, double share) const = 0;
 
@@ -98,8 +105,7 @@ namespace deltaform
       return state.touching;
     }
 
-    /// Is an equilibrium with this @p state a solution? @p allowed_tension: force; @p final: no first touch is soft any
-    /// more
+    /// Is an equilibrium with this @p state a solution? @p allowed_tension: force; @p final: contact is not soft any more
     virtual bool is_solution(const ContactPointState &state, double allowed_tension, bool final) const;
     ///@}
 

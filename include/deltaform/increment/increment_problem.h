@@ -18,8 +18,8 @@ namespace deltaform
     /// length of this increment to that of the one before; 0: there is none that it continues
     virtual void begin(double time, double ratio) = 0;
 
-    /// Let first touches have this share of their stiffness at first. @return false if nothing can touch
-    virtual bool soften(double share) = 0;
+    /// Let contact have a share of its stiffness at first. @return false if nothing can touch
+    virtual bool soften() = 0;
 
     virtual const Vector &committed() const = 0;
 

@@ -57,9 +57,9 @@ namespace deltaform
     /// @name IncrementProblem
     ///@{
     void begin(double time, double ratio) override;
-    bool soften(const double share) override
+    bool soften() override
     {
-      return workspace_.contact().soften(share);
+      return workspace_.contact().soften();
     }
     const Vector &committed() const override
     {

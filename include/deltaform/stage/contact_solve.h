@@ -21,8 +21,8 @@ namespace deltaform
     /// An increment that ends at @p time begins; what was tried before is discarded.
     void begin_increment(const Vector &committed, double time);
 
-    /// Start the continuation of first touches. @return false if no interface exists
-    bool soften(double share);
+    /// Let contact have a share of its stiffness at first. @return false if no interface exists
+    bool soften();
 
     /// Will the next assembly need the tangent of the blank for the penalty factors?
     bool factors_due() const
