@@ -63,7 +63,7 @@ namespace deltaform
     const unsigned int linear_iterations = newton_.system().n_linear_iterations();
     for (const auto &strategy : ladder_)
     {
-      if (strategy->least_effort() > effort)
+      if (strategy->least_effort() > effort || strategy->most_effort() < effort)
         continue;
       auto q = strategy->begin(problem_, start);
       if (!q)

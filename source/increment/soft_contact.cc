@@ -22,6 +22,12 @@ namespace deltaform
       {
         return Effort::usual;
       }
+
+      /// Where shorter increments did not help the blank snaps, and is on its way as soon as it may be.
+      Effort most_effort() const override
+      {
+        return Effort::usual;
+      }
     };
 
     const StrategyMakers::Entry entry("soft contact",

@@ -47,6 +47,7 @@ BOOST_AUTO_TEST_CASE(strategies_wait_for_their_effort)
   const auto effort = [](const char *name) { return make_ladder({name}).front()->least_effort(); };
   BOOST_TEST((effort("plain") == Effort::first));
   BOOST_TEST((effort("soft contact") == Effort::usual));
+  BOOST_TEST((make_ladder({"soft contact"}).front()->most_effort() == Effort::usual));
   BOOST_TEST((effort("viscous") == Effort::last_resorts));
   BOOST_TEST((effort("viscous, a long way") == Effort::all));
   // The first attempt is Newton's method alone.
@@ -77,6 +78,14 @@ BOOST_AUTO_TEST_CASE(stiff_contact_is_softened)
   BOOST_TEST(fixture.problem.is_soft);
   // The iterations of the attempt that failed count.
   BOOST_TEST(result.cost.iterations > 3u);
+}
+
+BOOST_AUTO_TEST_CASE(contact_is_not_softened_among_the_last_resorts)
+{
+  ArchFixture fixture;
+  fixture.problem.touches = true;
+  fixture.to(.1, Effort::last_resorts);
+  BOOST_TEST(!fixture.problem.is_soft);
 }
 
 BOOST_AUTO_TEST_CASE(a_snap_needs_the_last_resorts)

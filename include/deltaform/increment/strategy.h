@@ -44,12 +44,18 @@ namespace deltaform
       return newton.solve(q, problem.prescribed(), problem.is_prescribed(), problem.committed(), problem.force_floor());
     }
 
-    /// The least effort with which it is tried. Last resorts are for where the blank may snap to another equilibrium,
-    /// however short the increment is.
+    /// The least and the most effort with which it is tried. Last resorts are for where the blank may snap to another
+    /// equilibrium, however short the increment is.
+    ///@{
     virtual Effort least_effort() const
     {
       return Effort::first;
     }
+    virtual Effort most_effort() const
+    {
+      return Effort::all;
+    }
+    ///@}
   };
 
   /// Strategies by their names. The last line of a strategy's file is an Entry.
