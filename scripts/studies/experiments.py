@@ -21,7 +21,7 @@ class Outcome:
             self.history = Table(os.path.join(folder, "history.csv"))
             for name in os.listdir(folder):
                 for kind, tables in (("profile", self.profiles), ("contact", self.contacts)):
-                    match = re.fullmatch(kind + r"_(.+)\.csv", name)
+                    match = re.fullmatch(kind + r"_([-+.\de]+)\.csv", name)  # of a travel; others name a stage as well
                     if match:
                         tables[float(match.group(1))] = Table(os.path.join(folder, name))
             with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
