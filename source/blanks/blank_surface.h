@@ -90,6 +90,13 @@ namespace deltaform
     /// Areas of the contact points of a side at @p q, if they lie inside the edges.
     std::vector<double> areas_of_points(const Vector &q, Side side) const;
 
+    /// Where in its edge a contact point lies, from 0 to 1.
+    double place_in_edge(const Side side, const unsigned int point) const
+    {
+      const unsigned int n = inner_.size();
+      return rule(side, point / n).point(point % n)[0];
+    }
+
     const MaterialPoints &material_;
 
   private:
@@ -110,13 +117,6 @@ namespace deltaform
 
     /// What belongs to a contact point inside an edge, and not to its place.
     void set_share(Side side, unsigned int point, ContactPoint &result) const;
-
-    /// Where in its edge a contact point lies, from 0 to 1.
-    double place_in_edge(const Side side, const unsigned int point) const
-    {
-      const unsigned int n = inner_.size();
-      return rule(side, point / n).point(point % n)[0];
-    }
 
     /// Accepted, of a contact point inside an edge.
     virtual double point_area(Side side, unsigned int point) const = 0;

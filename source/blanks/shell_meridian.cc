@@ -132,18 +132,28 @@ namespace deltaform
   }
 
 
-  double ShellMeridian::area(const Vector &q, const unsigned int piece, const double xi) const
+  Tensor1 ShellMeridian::rate(const Vector &q, const unsigned int piece, const double xi) const
   {
-    const Piece &own = pieces_[piece];
-    Tensor1 along;
-    double r = 0.;
+    Tensor1 result;
     for (const unsigned int end : {0, 1})
     {
-      const Tensor1 x = space_.position(q, own.nodes[end]), &t = direction(q, piece, end);
-      along += slope_by_place(xi, end) * x + slope_by_tangent(xi, end) * length_[piece] * t;
-      r += by_place(xi, end) * x[0] + by_tangent(xi, end) * length_[piece] * t[0];
+      const Tensor1 x = space_.position(q, pieces_[piece].nodes[end]);
+      result += slope_by_place(xi, end) * x + slope_by_tangent(xi, end) * length_[piece] * direction(q, piece, end);
     }
-    return along.norm() * (space_.axisymmetric() ? 2. * dealii::numbers::PI * r : 1.);
+    return result;
+  }
+
+
+  double ShellMeridian::area(const Vector &q, const unsigned int piece, const double xi) const
+  {
+    const double along = rate(q, piece, xi).norm();
+    if (!space_.axisymmetric())
+      return along;
+    double r = 0.;
+    for (const unsigned int end : {0, 1})
+      r += by_place(xi, end) * space_.position(q, pieces_[piece].nodes[end])[0] +
+           by_tangent(xi, end) * length_[piece] * direction(q, piece, end)[0];
+    return along * (2. * dealii::numbers::PI * r);
   }
 
 

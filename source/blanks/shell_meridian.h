@@ -35,6 +35,9 @@ namespace deltaform
     /// Only its place and the nodes that carry it.
     void locate(const Vector &q, unsigned int piece, double xi, ContactPoint &result) const;
 
+    /// Derivative of a place of a piece at @p q by xi (length).
+    Tensor1 rate(const Vector &q, unsigned int piece, double xi) const;
+
     /// Area per unit of xi at a place of a piece at @p q: of the full circumference, or per unit width.
     double area(const Vector &q, unsigned int piece, double xi) const;
 

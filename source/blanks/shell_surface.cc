@@ -64,6 +64,7 @@ namespace deltaform
         edges_.push_back({{cell.nodes[0], cell.nodes[2], invalid_index}});
         edges_.push_back({{cell.nodes[2], cell.nodes[1], invalid_index}});
       }
+    chain_.set_up(space_.n_nodes(), edges_);
     const Vector undeformed(space_.n_dofs());
     if (!at_nodes())
     {
@@ -146,10 +147,18 @@ namespace deltaform
   }
 
 
+  double ShellSurface::thickness_at_node(const unsigned int node, const ContactThickness thickness) const
+  {
+    return thickness == ContactThickness::current   ? state_.face_thickness(node)
+           : thickness == ContactThickness::initial ? points_.thickness()
+                                                    : 0.;
+  }
+
+
   double ShellSurface::thickness_at(const ContactPoint &point, const ContactThickness thickness) const
   {
     if (thickness != ContactThickness::current)
-      return thickness == ContactThickness::initial ? points_.thickness() : 0.;
+      return thickness_at_node(0, thickness);
     double h = 0.;
     for (unsigned int a = 0; a < point.n_nodes; ++a)
       h += point.nodes[a].share * state_.face_thickness(point.nodes[a].node);
@@ -219,9 +228,7 @@ namespace deltaform
                                  const ContactThickness thickness,
                                  ContactPoint &result) const
   {
-    const double h = thickness == ContactThickness::current   ? state_.face_thickness(node)
-                     : thickness == ContactThickness::initial ? points_.thickness()
-                                                              : 0.;
+    const double h = thickness_at_node(node, thickness);
     result.set_node(node);
     std::copy_n(space_.dofs()[node].begin(), 3, result.dofs.begin());
     result.x = space_.position(q, node);
@@ -247,6 +254,30 @@ namespace deltaform
     result.x += arm * d;
     result.jacobian[2] = -arm * t;
     result.second[2] = -arm * d;
+  }
+
+
+  std::optional<ContactSurface::FaceDirection> ShellSurface::face_direction(const Vector &q,
+                                                                            const Side side,
+                                                                            const unsigned int point,
+                                                                            const ContactThickness thickness) const
+  {
+    if (!at_nodes())
+    {
+      const unsigned int e = point / points_per_edge(), first = edges_[e][0], last = edges_[e][1];
+      if (chain_.ends_at(first) || chain_.ends_at(last))
+        return {};
+      const Tensor1 rate = meridian_.rate(q, e, place_in_edge(side, point));
+      const double growth = thickness_at_node(last, thickness) - thickness_at_node(first, thickness);
+      return FaceDirection{rate / rate.norm(), .5 * growth / rate.norm()};
+    }
+    if (chain_.ends_at(point))
+      return {};
+    std::array<ContactPoint, 3> points;
+    nodal_point(q, side, chain_.neighbours(point)[0], thickness, points[0]);
+    nodal_point(q, side, point, thickness, points[1]);
+    nodal_point(q, side, chain_.neighbours(point)[1], thickness, points[2]);
+    return NodeChain::direction(points[0], points[1], points[2]);
   }
 
 

@@ -2,12 +2,14 @@
 
 #include "blank_surface.h"
 #include "foreseen_values.h"
+#include "node_chain.h"
 #include "shell_meridian.h"
 #include "shell_points.h"
 #include "shell_space.h"
 #include "shell_state.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace deltaform
@@ -52,6 +54,9 @@ namespace deltaform
     double largest_motion(Side side,
                           unsigned int edge,
                           const std::array<double, ContactPoint::max_dofs> &change) const override;
+
+    std::optional<FaceDirection>
+    face_direction(const Vector &q, Side side, unsigned int point, ContactThickness thickness) const override;
 
     /// The mesh is another one.
     void set_up();
@@ -116,8 +121,11 @@ namespace deltaform
     /// Thickness of the sheet as contact meets it, at the place that @p result is.
     void set_thickness(ContactThickness thickness, ContactPoint &result) const;
 
-    /// Between nodes, as asked for.
+    /// Of a node and between nodes, as asked for.
+    ///@{
+    double thickness_at_node(unsigned int node, ContactThickness thickness) const;
     double thickness_at(const ContactPoint &point, ContactThickness thickness) const;
+    ///@}
 
     const ShellSpace &space_;
     const ShellPoints &points_;
@@ -126,6 +134,7 @@ namespace deltaform
     NodalContact contact_point_;
     bool left_open_; ///< may contact points lie inside, and does the scene not say where they are?
     std::vector<std::array<unsigned int, 3>> edges_;
+    NodeChain chain_;
     std::vector<double> angle_; ///< of the reference tangent at the nodes, averaged at kinks
     std::vector<bool> weightless_; ///< nodes whose tributary area vanishes: no contact
     ForeseenValues areas_; ///< of the nodes

@@ -94,7 +94,7 @@ namespace deltaform
       if (friction_ && state.touching && !state.sticking)
         state.slip += std::abs(slip);
       if (account_.counts())
-        account_.add({projector_, friction_.get(), i, before, state, offset, slip}, trial.energy);
+        account_.add({projector_, friction_.get(), i, before, state, offset, slip}, q, trial.energy);
     });
     trial.step = trial.time - committed.time;
     account_.finish(projector_, trial);

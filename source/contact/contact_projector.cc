@@ -102,6 +102,16 @@ namespace deltaform
   }
 
 
+  double ContactProjector::slope(const Vector &q, const unsigned int i, const Projection &closest) const
+  {
+    const auto face = surface_.face_direction(q, side_, i, thickness_);
+    if (!face)
+      return 0.;
+    const double rise = closest.normal * face->along - face->offset_rate;
+    return closest.tangent * face->along < 0. ? -rise : rise;
+  }
+
+
   std::pair<unsigned int, double> ContactProjector::closest(const Vector &q, const Tensor1 &way) const
   {
     std::pair<unsigned int, double> result(invalid_index, std::numeric_limits<double>::infinity());

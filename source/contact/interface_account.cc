@@ -38,7 +38,7 @@ namespace deltaform
   }
 
 
-  void InterfaceAccount::add(const Increment &increment, ContactEnergy &energy)
+  void InterfaceAccount::add(const Increment &increment, const Vector &q, ContactEnergy &energy)
   {
     add_friction(increment, energy);
     // The blank, when it was accepted, has put the point and its face elsewhere.
@@ -47,7 +47,9 @@ namespace deltaform
     projector.locate(projector.far().start(), increment.point, start);
     start.x -= projector.far().start_shift();
     const Projection closest = projector.look(increment.point, start.x);
-    add_springs(increment, start, closest, energy);
+    const Projection end = projector.look(increment.point, increment.now.position);
+    add_springs(increment, start, closest, end, energy);
+    add_climbing(increment, q, start, end, energy);
     add_update(increment, start, closest, energy);
   }
 
@@ -66,6 +68,7 @@ namespace deltaform
   void InterfaceAccount::add_springs(const Increment &increment,
                                      const ContactPoint &start,
                                      const Projection &closest,
+                                     const Projection &end,
                                      ContactEnergy &energy) const
   {
     const ContactPointState &before = increment.before, &now = increment.now;
@@ -76,12 +79,25 @@ namespace deltaform
     // The forces at both ends work on the straight way between them, across the counterpart there. What they should
     // have worked on is the change of the gap: along a round tool they would lift the point off it, and where it is
     // free they are not.
-    const Projection end = increment.projector.look(increment.point, now.position);
     const Tensor1 way = now.position - start.x;
     const double gap = before.touching ? closest.distance - start.offset : 0.,
                  change = (now.touching ? end.distance - increment.offset : 0.) - gap;
     energy.epsilon += .5 * (normal_force(before) * certain(closest.normal * way - change, before) +
                             normal_force(now) * certain(end.normal * way - change, now));
+  }
+
+
+  void InterfaceAccount::add_climbing(const Increment &increment,
+                                      const Vector &q,
+                                      const ContactPoint &start,
+                                      const Projection &end,
+                                      ContactEnergy &energy)
+  {
+    const ContactPointState &before = increment.before;
+    ContactPointState &now = increment.now;
+    now.slope = now.touching ? increment.projector.slope(q, increment.point, end) : 0.;
+    energy.climbing -= .5 * (normal_force(before) * before.slope + normal_force(now) * now.slope) *
+                       ((now.position - start.x) * end.tangent);
   }
 
 

@@ -79,8 +79,10 @@ namespace deltaform
     any_ = true;
     time_ = increment.time;
     thinnest_ = increment.smallest_thickness();
-    if (output_.energies)
-      energy_error_ = increment.energies().error();
+    if (!output_.energies)
+      return;
+    energy_error_ = increment.energies().error();
+    artificial_friction_ = increment.energies().artificial_friction();
   }
 
 
@@ -138,7 +140,10 @@ namespace deltaform
     summary["max_penetration_between_nodes"] = between_;
     summary["max_penetration_between_nodes_over_delta"] = deepest_;
     if (output_.energies)
+    {
       summary["energy_error"] = energy_error_;
+      summary["artificial_friction"] = artificial_friction_;
+    }
     if (mesh_error_.share() >= 0.)
       summary["mesh_error"] = mesh_error_.share();
     summary["seconds"] = seconds;

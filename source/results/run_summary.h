@@ -68,6 +68,7 @@ namespace deltaform
     Table formed_;
     MeshErrorSum mesh_error_;
     bool any_ = false; ///< was any increment accepted?
-    double time_ = 0., thinnest_ = 0., energy_error_ = 0.; ///< of the last accepted increment
+    double time_ = 0., thinnest_ = 0., energy_error_ = 0.,
+           artificial_friction_ = 0.; ///< of the last accepted increment
   };
 } // namespace deltaform

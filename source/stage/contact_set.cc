@@ -257,6 +257,7 @@ namespace deltaform
       energy += interface->energy();
     account.friction += energy.friction;
     account.friction_error += energy.friction_error();
+    account.climbing += energy.climbing;
     account.contact += energy.stored;
     account.epsilon_work += energy.epsilon;
     account.thickness_work += energy.thickness;

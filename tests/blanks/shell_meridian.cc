@@ -116,6 +116,47 @@ BOOST_AUTO_TEST_CASE(an_arc_is_an_arc)
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_face_follows_an_arc)
+{
+  // Its direction at a point is that of the arc, also where elements of other lengths meet. At the ends of the sheet
+  // there is none.
+  const double total = 1.;
+  for (const std::string points : {"gauss", "nodes"})
+    for (const std::string degree : {"1", "2"})
+    {
+      std::array<double, 2> error{};
+      for (const unsigned int k : {0, 1})
+      {
+        const auto inside = strip(k == 0 ? 8 : 16, 4, {"Blank/Degree=" + degree, "Blank/Grading=0: 1, 1: 3"});
+        const auto blank =
+          strip(k == 0 ? 8 : 16, 4, {"Blank/Degree=" + degree, "Blank/Grading=0: 1, 1: 3", "Blank/Contact points=" + points});
+        const Vector q = bent(*inside, total);
+        blank->commit(q);
+        unsigned int without = 0;
+        const unsigned int n = blank->surface().n_contact_points(Side::top);
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          const auto face = blank->surface().face_direction(q, Side::top, i, ContactThickness::current);
+          if (!face)
+          {
+            ++without;
+            continue;
+          }
+          const ContactPoint p = point(*blank, q, i);
+          const Tensor1 radius = p.x - Point2(0., -1. / total);
+          error[k] = std::max(error[k], std::abs(face->along * radius) / radius.norm());
+          BOOST_TEST(std::abs(face->along.norm() - 1.) < 1e-14);
+          BOOST_TEST(face->along[0] > 0.);
+          BOOST_TEST(std::abs(face->offset_rate) < 1e-3);
+        }
+        BOOST_TEST(without == (points == "nodes" ? 2u : 8u));
+      }
+      BOOST_TEST(error[0] < 1e-2);
+      // A parabola by the lengths of its chords has the tangent of the circle.
+      BOOST_TEST(error[1] < (points == "nodes" ? 1e-14 : error[0] / 3.5));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(no_place_moves_further_than_the_bound)
 {
   const auto blank = strip(3, 10);

@@ -240,6 +240,20 @@ BOOST_AUTO_TEST_CASE(work_of_friction_counts_where_it_matters)
   BOOST_TEST(fixture.warnings().empty());
 }
 
+BOOST_AUTO_TEST_CASE(what_contact_at_points_takes_of_the_work)
+{
+  Fixture fixture;
+  EnergyAccount &account = fixture.increment.account();
+  account.tool_work = account.elastic = 1.;
+  account.climbing = .0199;
+  BOOST_TEST(fixture.warnings().empty());
+  account.climbing = .031;
+  BOOST_TEST(one_has(fixture.warnings(), "stand apart on a radius, which takes 3.1 % of the work"));
+  account.climbing = -.031;
+  BOOST_TEST(one_has(fixture.warnings(), "which adds 3.1 % of the work"));
+  BOOST_TEST(one_has(fixture.said(), "(Blank/Elements, Grading).")); // ten points lie inside the elements
+}
+
 BOOST_AUTO_TEST_CASE(forces_count_in_every_increment)
 {
   Fixture fixture;

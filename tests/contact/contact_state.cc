@@ -537,6 +537,51 @@ BOOST_AUTO_TEST_CASE(work_of_normal_forces_on_a_round_tool)
   BOOST_TEST(std::abs(fixture.contact.energy().epsilon - before + stored) < 1e-14);
 }
 
+BOOST_AUTO_TEST_CASE(work_along_a_face_that_climbs_over_a_round_tool)
+{
+  // A node of a straight face, with a constant force, is on the way to the top of a circle and then past it. The force
+  // F has the part F sin(angle) along the face, which resists before the top and pushes after it; way: R d(angle).
+  FakeSurface surface(1);
+  surface.face = ContactSurface::FaceDirection{Tensor1({1., 0.}), 0.};
+  const auto climbing = [&](const double from, const double to) {
+    InterfaceFixture fixture(surface, constant, {"Shape=circle", "Radius=1", "Side=bottom", "Position z=0"});
+    constexpr double p = .01;
+    Vector q(fixture.n);
+    const auto go = [&](const double angle) {
+      q[0] = (1. - p) * std::sin(angle);
+      q[1] = (1. - p) * std::cos(angle);
+    };
+    go(from);
+    fixture.contact.begin_stage(q, 0.);
+    constexpr unsigned int n = 200;
+    double force = 0., first = 0.;
+    for (unsigned int k = 0; k <= n; ++k)
+    {
+      const Vector before = q;
+      go(from + (to - from) * k / n);
+      fixture.begin_increment(before, k + 1., stiffness);
+      fixture.converge(q);
+      fixture.contact.commit(q);
+      force = fixture.contact.committed()[0].force;
+      if (k == 0)
+        first = fixture.contact.energy().climbing;
+    }
+    BOOST_TEST(force > 0.);
+    return (fixture.contact.energy().climbing - first) / (force * (1. - p));
+  };
+  constexpr double a = .4;
+  const double half = 1. - std::cos(a);
+  BOOST_TEST(std::abs(climbing(-a, 0.) - half) < 1e-5 * half);
+  BOOST_TEST(std::abs(climbing(a, 0.) - half) < 1e-5 * half);
+  BOOST_TEST(std::abs(climbing(0., a) + half) < 1e-5 * half);
+  BOOST_TEST(std::abs(climbing(-a, a)) < 1e-12);
+  // A face whose offset grows along it is itself at an angle to its curve: there it touches.
+  surface.face->offset_rate = -std::sin(.1);
+  BOOST_TEST(climbing(-.1, 0.) < .02 * half);
+  surface.face.reset();
+  BOOST_TEST(climbing(-a, 0.) == 0.);
+}
+
 BOOST_AUTO_TEST_CASE(friction_work_does_not_depend_on_the_increments)
 {
   // A node comes down on a tool, slides for a length and is lifted off, all in motion: the work is the force times that

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace deltaform
 {
@@ -89,6 +90,13 @@ namespace deltaform
         return edges;
       }
 
+      std::optional<FaceDirection>
+      face_direction(const Vector &, Side, unsigned int, ContactThickness) const override
+      {
+        return face;
+      }
+
+      std::optional<FaceDirection> face; ///< the same at all nodes
       std::vector<Point2> X;
       double arm, offset, area = 1., compliance = 0., yield = std::numeric_limits<double>::infinity();
       unsigned int axis_node = invalid_index; ///< a node without area

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace deltaform
@@ -93,6 +94,20 @@ namespace deltaform
                               ContactPoint &result) const
     {
       contact_place(q, side, edge, xi, thickness, result);
+    }
+
+    /// The face at a contact point.
+    struct FaceDirection
+    {
+      Tensor1 along; ///< unit vector along the curve that the offset is added to
+      double offset_rate; ///< d offset/d length of the curve
+    };
+
+    /// None: at an end of the face, which may rest on a tool at any angle, or of a face that does not tell.
+    virtual std::optional<FaceDirection>
+    face_direction(const Vector & /*q*/, Side /*side*/, unsigned int /*point*/, ContactThickness /*thickness*/) const
+    {
+      return {};
     }
 
     /// Where contact points lie inside the edges: an upper bound of how far any place of an edge moves (length) if the

@@ -21,6 +21,9 @@ namespace deltaform
     double friction_variance = 0;
     double epsilon = 0; ///< what the springs gained beyond the trapezoidal work of their forces on the blank, so far
     double thickness = 0; ///< work on points that the accepted blank has put elsewhere, and on its faces, so far
+    /// Work along the face against normal forces so far (no part of the balance): what contact at points resists a sheet
+    /// that slides from one to the next. 0 of a smooth face
+    double climbing = 0;
 
     /// Expected error of `friction` against short increments, a standard deviation: sqrt(sum of J^2/12)
     /// over increments and tools, J = sum of (t_1 - t_0) ds over the points of a tool (doc/theory/friction.md). About
@@ -37,6 +40,7 @@ namespace deltaform
       friction_variance += other.friction_variance;
       epsilon += other.epsilon;
       thickness += other.thickness;
+      climbing += other.climbing;
       return *this;
     }
   };

@@ -27,6 +27,7 @@ namespace deltaform
     double tangential_force = 0; ///< along growing arc length of the tool, on the tool
     double tangential_factor = 0; ///< eps_t (force/length)
     double slip_start = 0; ///< arc length where the slip of a first touch starts
+    double slope = 0; ///< of the face against the tool (ContactProjector::slope()), of a touching point once accepted
     double slip = 0; ///< path of sliding so far (irreversible)
     double area = 0, thickness = 0; ///< tributary area and thickness of the blank there
     double noise = 0; ///< round-off of the gap, which is a difference of large numbers

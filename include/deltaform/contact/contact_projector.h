@@ -95,6 +95,10 @@ namespace deltaform
       return counterpart_.project(x, last_[i].segment);
     }
 
+    /// By how much the gap grows along the face at point @p i, whose projection is @p closest, over a way along growing
+    /// arc length of the tool. 0 where a smooth face touches, and where the surface tells no direction.
+    double slope(const Vector &q, unsigned int i, const Projection &closest) const;
+
     /// Is point @p i at @p x certainly more than @p offset away?
     bool certainly_clear(const unsigned int i, const Point2 &x, const double offset) const
     {

@@ -45,13 +45,15 @@ namespace deltaform
       const ContactProjector &projector;
       const InterfaceFriction *friction; ///< null: none
       unsigned int point;
-      const ContactPointState &before, &now;
+      const ContactPointState &before;
+      ContactPointState &now;
       double offset; ///< of its face in this increment
       double slip; ///< of it, a length along the tool; 0 without friction
     };
 
-    /// Work of friction, of changing factors, and on points that were put elsewhere between the increments.
-    void add(const Increment &increment, ContactEnergy &energy);
+    /// Work of friction, of changing factors, along the face, and on points that were put elsewhere between the
+    /// increments, at the accepted @p q.
+    void add(const Increment &increment, const Vector &q, ContactEnergy &energy);
 
     void finish(const ContactProjector &projector, InterfaceState &accepted);
     ///@}
@@ -66,10 +68,14 @@ namespace deltaform
   private:
     void add_friction(const Increment &increment, ContactEnergy &energy);
 
-    /// What the springs gain beyond the work of their forces. @param start the point and its closest point on the
-    /// counterpart where the increment has begun
+    /// What the springs gain beyond the work of their forces. @param start the point where the increment has begun
+    /// @param closest its closest point on the counterpart there @param end the same at the end
     void add_springs(const Increment &increment, const ContactPoint &start, const Projection &closest,
-                     ContactEnergy &energy) const;
+                     const Projection &end, ContactEnergy &energy) const;
+
+    /// The slope at the end of the increment is set. @param end closest point there
+    static void add_climbing(const Increment &increment, const Vector &q, const ContactPoint &start,
+                             const Projection &end, ContactEnergy &energy);
 
     static void add_update(const Increment &increment, const ContactPoint &start, const Projection &closest,
                            ContactEnergy &energy);

@@ -21,6 +21,7 @@ namespace deltaform
     {
       archive_plain(archive, points);
       archive &time &step &energy.stored &energy.friction &energy.friction_variance &energy.epsilon &energy.thickness;
+      archive &energy.climbing;
     }
   };
 } // namespace deltaform
