@@ -26,7 +26,7 @@ namespace deltaform
 
       std::vector<std::string> warnings(bool) const override
       {
-        // Random scenes below it are a percent or two off, those above a twentieth to a half (doc/stress.md).
+        // Of random strips above it most are a twentieth to a half off (doc/stress.md).
         constexpr double largest = .02;
         if (std::abs(share_) <= largest)
           return {};
