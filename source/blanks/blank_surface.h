@@ -15,7 +15,8 @@
 namespace deltaform
 {
   /// What the faces of all blanks have in common: the metal behind them, and contact points that are the nodes or lie
-  /// inside the edges between them. They are Gauss points; where the face ends Lobatto points, so that the end touches.
+  /// inside the edges between them. They are Gauss points; where the face ends Lobatto points, so that the end touches; or
+  /// one that moves.
   class BlankSurface : public ContactSurface
   {
   public:
@@ -43,8 +44,13 @@ namespace deltaform
                       ContactThickness thickness,
                       ContactPoint &result) const override;
     unsigned int points_per_edge() const override;
+    bool points_move() const override
+    {
+      return points_move_;
+    }
     std::vector<dealii::Point<1>> points_of_edge(Side side, unsigned int edge) const override;
     double point_weight(Side side, unsigned int point) const override;
+    void set_share(Side side, unsigned int point, ContactPoint &result) const override;
 
   protected:
     explicit BlankSurface(const MaterialPoints &material)
@@ -115,9 +121,6 @@ namespace deltaform
                              ContactThickness thickness,
                              ContactPoint &result) const = 0;
 
-    /// What belongs to a contact point inside an edge, and not to its place.
-    void set_share(Side side, unsigned int point, ContactPoint &result) const;
-
     /// Accepted, of a contact point inside an edge.
     virtual double point_area(Side side, unsigned int point) const = 0;
 
@@ -131,6 +134,7 @@ namespace deltaform
     }
 
     unsigned int n_inside_ = 0, degree_ = 0; ///< see read_points()
+    bool points_move_ = false;
     dealii::Quadrature<1> inner_, outer_; ///< of an edge between others, of one where the face ends; empty: nodes touch
     std::array<bool, 2> follows_{{false, false}}; ///< see follow_flow_stress()
     std::array<ForeseenValues, 2> flow_stress_; ///< of the contact points of sides that are followed

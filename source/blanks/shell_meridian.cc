@@ -37,6 +37,20 @@ namespace deltaform
       return end == 0 ? eta * (1. - 3. * xi) : xi * (1. - 3. * eta);
     }
     ///@}
+
+    /// Their second derivatives.
+    ///@{
+    double bend_by_place(const double xi, const unsigned int end)
+    {
+      const double bend = 6. * (1. - 2. * xi);
+      return end == 0 ? -bend : bend;
+    }
+
+    double bend_by_tangent(const double xi, const unsigned int end)
+    {
+      return 6. * xi - (end == 0 ? 4. : 2.);
+    }
+    ///@}
   } // namespace
 
 
@@ -139,6 +153,25 @@ namespace deltaform
     {
       const Tensor1 x = space_.position(q, pieces_[piece].nodes[end]);
       result += slope_by_place(xi, end) * x + slope_by_tangent(xi, end) * length_[piece] * direction(q, piece, end);
+    }
+    return result;
+  }
+
+
+  ContactSurface::FaceCurve ShellMeridian::curve(const Vector &q, const unsigned int piece, const double xi) const
+  {
+    ContactSurface::FaceCurve result;
+    const unsigned int nearest = xi > .5 ? 1 : 0; // whose unknowns describe() names first
+    for (unsigned int k = 0; k < 2; ++k)
+    {
+      const unsigned int end = k == 0 ? nearest : 1 - nearest;
+      const Tensor1 x = space_.position(q, pieces_[piece].nodes[end]), &t = direction(q, piece, end);
+      const double by_x = slope_by_place(xi, end), by_t = length_[piece] * slope_by_tangent(xi, end);
+      result.along += by_x * x + by_t * t;
+      result.bend += bend_by_place(xi, end) * x + length_[piece] * bend_by_tangent(xi, end) * t;
+      result.jacobian[3 * k] = Tensor1({by_x, 0.});
+      result.jacobian[3 * k + 1] = Tensor1({0., by_x});
+      result.jacobian[3 * k + 2] = by_t * Tensor1({-t[1], t[0]});
     }
     return result;
   }

@@ -2,7 +2,7 @@
 
 #include "shell_space.h"
 
-#include <deltaform/assembly/contact_point.h>
+#include <deltaform/assembly/contact_surface.h>
 
 #include <array>
 #include <limits>
@@ -31,6 +31,9 @@ namespace deltaform
 
     /// Describe the place @p xi (0 to 1) of a piece at @p q: row of unknowns, nodes that carry it, coordinates.
     void describe(const Vector &q, unsigned int piece, double xi, ContactPoint &result) const;
+
+    /// Its derivatives there.
+    ContactSurface::FaceCurve curve(const Vector &q, unsigned int piece, double xi) const;
 
     /// Only its place and the nodes that carry it.
     void locate(const Vector &q, unsigned int piece, double xi, ContactPoint &result) const;

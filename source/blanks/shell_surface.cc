@@ -94,9 +94,11 @@ namespace deltaform
       {10,
        16,
        "automatic",
-       {"automatic", "nodes", "gauss"},
+       {"automatic", "nodes", "gauss", "moving"},
        "Which points touch: the nodes, or points inside the elements on the smooth curve through the nodes; with 3 and "
-       "more of them the ends of the sheet touch as well. automatic: inside, where the penalty factor of each is found "
+       "more of them the ends of the sheet touch as well; or one point in each element that moves to where it is "
+       "deepest ('moving'): a sheet slides over a radius without being held by points that stand apart. automatic: "
+       "inside, where the penalty factor of each is found "
        "(Enforcement = penalty, Penalty rule = adaptive), the sheet bends and 'Contact point' is the normal offset; in "
        "plane strain, and with 'Thickness compliance = off', for a delta of at least 1e-4 thickness only; else the "
        "nodes.",
@@ -105,7 +107,7 @@ namespace deltaform
       3);
     const bool possible = !space_.membrane() && contact_point_ == NodalContact::normal_offset;
     left_open_ = choice == "automatic" && possible;
-    if (choice != "gauss" || possible)
+    if ((choice != "gauss" && choice != "moving") || possible)
       return;
     section.fail("Contact points",
                  space_.membrane() ? "a membrane has no rotations that make its meridian smooth: use 'nodes'"

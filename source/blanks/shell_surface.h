@@ -115,6 +115,10 @@ namespace deltaform
     unsigned int n_contact_nodes(Side side) const override;
     void nodal_point(const Vector &q, Side side, unsigned int node, ContactThickness thickness, ContactPoint &result)
       const override;
+    FaceCurve face_curve(const Vector &q, Side, const unsigned int edge, const double xi) const override
+    {
+      return meridian_.curve(q, edge, xi);
+    }
     double point_area(Side side, unsigned int point) const override;
     double area_at(const Vector &q, Side side, unsigned int edge, double xi) const override;
 

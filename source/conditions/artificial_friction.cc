@@ -15,7 +15,7 @@ namespace deltaform
     {
     public:
       explicit ArtificialFriction(const Actors &actors)
-        : at_nodes_(actors.blank->surface().points_per_edge() == 0)
+        : other_points_(other_points(actors))
       {
       }
 
@@ -34,7 +34,7 @@ namespace deltaform
                 std::string(share_ > 0. ? "takes " : "adds ") + text::percent(std::abs(share_)) +
                 " of the work: forces are wrong by a twentieth to a half, and a sheet that is held with little friction "
                 "may slip in truth. Take shorter elements there (Blank/Elements, Grading)" +
-                (at_nodes_ ? ", or Blank/Contact points = gauss." : ".")};
+                (other_points_.empty() ? "." : ", or Blank/Contact points = " + other_points_ + ".")};
       }
 
       template <class Archive>
@@ -44,7 +44,16 @@ namespace deltaform
       }
 
     private:
-      bool at_nodes_;
+      /// Contact points that slide more freely; empty: none.
+      static std::string other_points(const Actors &actors)
+      {
+        const ContactSurface &surface = actors.blank->surface();
+        if (actors.blank->fields().is_sheet())
+          return surface.points_move() ? "" : "moving";
+        return surface.points_per_edge() == 0 ? "gauss" : "";
+      }
+
+      std::string other_points_;
       double share_ = 0.; ///< of the last increment: all so far
     };
 

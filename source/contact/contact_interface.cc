@@ -78,6 +78,7 @@ namespace deltaform
     const InterfaceState &committed = states_.committed;
     InterfaceState &trial = states_.trial;
     const std::vector<EdgeClearance> far = iteration_.complete(q, shift(q), committed.points, trial.points);
+    const Tensor1 way = shift(q);
     projector_.for_near_points([&](const unsigned int i) {
       ContactPointState &state = trial.points[i];
       const ContactPointState &before = committed.points[i];
@@ -94,11 +95,12 @@ namespace deltaform
       if (friction_ && state.touching && !state.sticking)
         state.slip += std::abs(slip);
       if (account_.counts())
-        account_.add({projector_, friction_.get(), i, before, state, offset, slip}, q, trial.energy);
+        account_.add({projector_, friction_.get(), i, before, state, way, offset, slip}, q, trial.energy);
     });
     trial.step = trial.time - committed.time;
     account_.finish(projector_, trial);
     states_.accept(q, shift(q), far);
+    projector_.accept_places();
   }
 
 

@@ -38,15 +38,71 @@ namespace deltaform
 
   void ContactProjector::describe(const Vector &q, const unsigned int i, ContactPoint &point) const
   {
+    if (moving_.used())
+    {
+      surface_.contact_place(q, side_, i, moving_.place(i), thickness_, point);
+      set_moving(i, moving_.place(i), point);
+      return;
+    }
     surface_.contact_point(q, side_, i, thickness_, point);
     flat_.describe(surface_, side_, i, point);
     release_face(point);
   }
 
 
+  void ContactProjector::set_moving(const unsigned int i, const double xi, ContactPoint &point) const
+  {
+    surface_.set_share(side_, i, point);
+    release_face(point);
+    point.offset += moving_.lift(i, xi);
+  }
+
+
+  void
+  ContactProjector::settle(const Vector &q, const Tensor1 &shift, const bool at_start, const double delta)
+  {
+    if (at_start)
+      moving_.begin_increment(*this, q, shift, delta);
+    for (const unsigned int e : near_edges())
+      moving_.settle(*this, e, q, shift);
+  }
+
+
+  ContactPoint ContactProjector::start(const unsigned int i) const
+  {
+    ContactPoint result;
+    if (moving_.used())
+    {
+      surface_.locate_place(far_.start(), side_, i, moving_.accepted(i), thickness_, result);
+      set_moving(i, moving_.accepted(i), result);
+    }
+    else
+      locate(far_.start(), i, result);
+    result.x -= far_.start_shift();
+    return result;
+  }
+
+
+  std::array<Tensor1, 2>
+  ContactProjector::ways(const Vector &q, const Tensor1 &shift, const unsigned int i, const Tensor1 &of_point) const
+  {
+    if (!moving_.used())
+      return {{of_point, of_point}};
+    ContactPoint now, then;
+    const auto way = [&](const double xi) {
+      surface_.locate_place(q, side_, i, xi, thickness_, now);
+      surface_.locate_place(far_.start(), side_, i, xi, thickness_, then);
+      return (now.x - shift) - (then.x - far_.start_shift());
+    };
+    return {{way(moving_.accepted(i)), way(moving_.place(i))}};
+  }
+
+
   ContactPoint
   ContactProjector::accepted_point(const Vector &q, const unsigned int i, const FlatEdges::Points &accepted) const
   {
+    if (moving_.used())
+      return point(q, i);
     ContactPoint result;
     surface_.contact_point(q, side_, i, thickness_, result);
     // Of an edge that bore nothing the accepted points may have been put down since, each with its own area.
@@ -60,6 +116,12 @@ namespace deltaform
 
   void ContactProjector::locate(const Vector &q, const unsigned int i, ContactPoint &point) const
   {
+    if (moving_.used())
+    {
+      surface_.locate_place(q, side_, i, moving_.place(i), thickness_, point);
+      set_moving(i, moving_.place(i), point);
+      return;
+    }
     surface_.locate_point(q, side_, i, thickness_, point);
     flat_.describe(surface_, side_, i, point);
     release_face(point);
@@ -107,8 +169,14 @@ namespace deltaform
     const auto face = surface_.face_direction(q, side_, i, thickness_);
     if (!face)
       return 0.;
-    const double rise = closest.normal * face->along - face->offset_rate;
-    return closest.tangent * face->along < 0. ? -rise : rise;
+    Tensor1 along = face->along;
+    if (moving_.used())
+    {
+      along = face_curve(q, i, moving_.place(i)).along;
+      along /= along.norm();
+    }
+    const double rise = closest.normal * along - face->offset_rate;
+    return closest.tangent * along < 0. ? -rise : rise;
   }
 
 
@@ -150,6 +218,7 @@ namespace deltaform
       renumbered[i].segment = last_[origins[i].first].segment;
     last_ = renumbered;
     flat_.set(flat);
+    moving_.reset(surface_.points_move() ? edges() : std::vector<std::array<unsigned int, 3>>());
     look_at_all();
   }
 
@@ -158,6 +227,7 @@ namespace deltaform
   {
     last_.assign(n_points(), Last());
     flat_.set({});
+    moving_.reset(surface_.points_move() ? edges() : std::vector<std::array<unsigned int, 3>>());
     look_at_all();
   }
 } // namespace deltaform

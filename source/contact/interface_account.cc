@@ -43,13 +43,13 @@ namespace deltaform
     add_friction(increment, energy);
     // The blank, when it was accepted, has put the point and its face elsewhere.
     const ContactProjector &projector = increment.projector;
-    ContactPoint start;
-    projector.locate(projector.far().start(), increment.point, start);
-    start.x -= projector.far().start_shift();
+    const ContactPoint start = projector.start(increment.point);
     const Projection closest = projector.look(increment.point, start.x);
     const Projection end = projector.look(increment.point, increment.now.position);
-    add_springs(increment, start, closest, end, energy);
-    add_climbing(increment, q, start, end, energy);
+    // Of the place where the point was, and of that where it is: a point that moves is in another one.
+    const auto [first, last] = projector.ways(q, increment.shift, increment.point, increment.now.position - start.x);
+    add_springs(increment, start, closest, end, {first * closest.normal, last * end.normal}, energy);
+    add_climbing(increment, q, end, {first * end.tangent, last * end.tangent}, energy);
     add_update(increment, start, closest, energy);
   }
 
@@ -69,6 +69,7 @@ namespace deltaform
                                      const ContactPoint &start,
                                      const Projection &closest,
                                      const Projection &end,
+                                     const std::pair<double, double> &ways,
                                      ContactEnergy &energy) const
   {
     const ContactPointState &before = increment.before, &now = increment.now;
@@ -79,25 +80,23 @@ namespace deltaform
     // The forces at both ends work on the straight way between them, across the counterpart there. What they should
     // have worked on is the change of the gap: along a round tool they would lift the point off it, and where it is
     // free they are not.
-    const Tensor1 way = now.position - start.x;
     const double gap = before.touching ? closest.distance - start.offset : 0.,
                  change = (now.touching ? end.distance - increment.offset : 0.) - gap;
-    energy.epsilon += .5 * (normal_force(before) * certain(closest.normal * way - change, before) +
-                            normal_force(now) * certain(end.normal * way - change, now));
+    energy.epsilon += .5 * (normal_force(before) * certain(ways.first - change, before) +
+                            normal_force(now) * certain(ways.second - change, now));
   }
 
 
   void InterfaceAccount::add_climbing(const Increment &increment,
                                       const Vector &q,
-                                      const ContactPoint &start,
                                       const Projection &end,
+                                      const std::pair<double, double> &ways,
                                       ContactEnergy &energy)
   {
     const ContactPointState &before = increment.before;
     ContactPointState &now = increment.now;
     now.slope = now.touching ? increment.projector.slope(q, increment.point, end) : 0.;
-    energy.climbing -= .5 * (normal_force(before) * before.slope + normal_force(now) * now.slope) *
-                       ((now.position - start.x) * end.tangent);
+    energy.climbing -= .5 * (normal_force(before) * before.slope * ways.first + normal_force(now) * now.slope * ways.second);
   }
 
 

@@ -50,6 +50,19 @@ namespace deltaform
   }
 
 
+  void PointRows::add_square(const double factor,
+                             const std::array<double, ContactPoint::max_dofs> &own,
+                             const Tensor1 &by_place)
+  {
+    std::array<double, most> a{};
+    for (unsigned int k = 0; k < n_motion_; ++k)
+      a[k] = jacobian_[k] * by_place + (k < point_.n_dofs ? own[k] : 0.);
+    for (unsigned int k = 0; k < n_motion_; ++k)
+      for (unsigned int l = 0; l < n_motion_; ++l)
+        matrix_[k * n_ + l] += factor * a[k] * a[l];
+  }
+
+
   void PointRows::add_equation(const double residual, const double diagonal)
   {
     const unsigned int m = n_motion_;

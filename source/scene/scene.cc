@@ -149,6 +149,9 @@ namespace deltaform
     });
     if (actors.contact->finds_factors() && (gives_way || delta == DeltaSize::coarse))
       actors.blank->touch_inside(delta);
+    if (actors.blank->surface().points_move() && !actors.contact->finds_factors())
+      contact.fail("Enforcement", "a moving contact point (Blank/Contact points) wants a factor of its own that is found: "
+                                  "use 'penalty' with Penalty rule = adaptive");
     for (const auto &name : names)
     {
       Section own = section.sub(name);

@@ -68,6 +68,12 @@ namespace deltaform
       return {};
     }
 
+    /// Does the one point of each edge move to where it is deepest (MovingPoints)?
+    virtual bool points_move() const
+    {
+      return false;
+    }
+
     /// Their shares of its length.
     virtual double point_weight(Side /*side*/, unsigned int /*point*/) const
     {
@@ -94,6 +100,27 @@ namespace deltaform
                               ContactPoint &result) const
     {
       contact_place(q, side, edge, xi, thickness, result);
+    }
+
+    /// Set what belongs to contact point @p point and not to its place in the edge: area and compliance. @p result: the
+    /// place.
+    virtual void set_share(Side /*side*/, unsigned int /*point*/, ContactPoint & /*result*/) const
+    {
+      Assert(false, dealii::ExcPureFunctionCalled());
+    }
+
+    /// The curve x(xi) of an edge at a place.
+    struct FaceCurve
+    {
+      Tensor1 along, bend; ///< dx/dxi, d2x/dxi2
+      std::array<Tensor1, ContactPoint::max_dofs> jacobian{}; ///< d(dx/dxi)/dq of the unknowns of the place
+    };
+
+    /// Where contact points move.
+    virtual FaceCurve face_curve(const Vector & /*q*/, Side /*side*/, unsigned int /*edge*/, double /*xi*/) const
+    {
+      Assert(false, dealii::ExcPureFunctionCalled());
+      return {};
     }
 
     /// The face at a contact point.

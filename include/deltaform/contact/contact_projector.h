@@ -5,6 +5,7 @@
 #include <deltaform/contact/counterpart.h>
 #include <deltaform/contact/far_edges.h>
 #include <deltaform/contact/flat_edges.h>
+#include <deltaform/contact/moving_points.h>
 #include <deltaform/io/archive.h>
 #include <deltaform/parameters/scene_error.h>
 
@@ -118,6 +119,39 @@ namespace deltaform
       return last_[i].distance;
     }
 
+    /// @name See MovingPoints
+    ///@{
+    const MovingPoints &moving() const
+    {
+      return moving_;
+    }
+    /// An assembly of the increment begins; the first one where @p at_start.
+    void settle(const Vector &q, const Tensor1 &shift, bool at_start, double delta);
+    void accept_places()
+    {
+      moving_.accept();
+    }
+
+    /// The curve of an edge at a place.
+    ContactSurface::FaceCurve face_curve(const Vector &q, const unsigned int edge, const double xi) const
+    {
+      return surface_.face_curve(q, side_, edge, xi);
+    }
+
+    /// How far point @p i has gone in the sheet since the increment began: a length along the tool. 0 where it stays.
+    double own_way(const unsigned int i) const
+    {
+      return moving_.used() ? moving_.own_way(i) : 0.;
+    }
+
+    /// Point @p i when the increment began, in the place of the sheet where it was accepted.
+    ContactPoint start(unsigned int i) const;
+
+    /// What the places of the sheet where point @p i was when the increment began and where it is at @p q have done
+    /// since, relative to the counterpart. @p shift: way of that. Both are @p of_point, that of the point, if it stays.
+    std::array<Tensor1, 2> ways(const Vector &q, const Tensor1 &shift, unsigned int i, const Tensor1 &of_point) const;
+    ///@}
+
     /// See FlatEdges.
     ///@{
     void begin_increment(const FlatEdges::Points &committed, const double delta)
@@ -199,11 +233,15 @@ namespace deltaform
       if (last_.size() != n)
         throw SceneError("The saved state has another number of contact points: it is damaged. Start again.");
       archive &far_;
+      archive &moving_;
     }
 
   private:
     /// The half thickness on this side as it is without contact, and whether it gives way.
     void release_face(ContactPoint &point) const;
+
+    /// Where points move: the place of the sheet at @p xi as point @p i. @p point is the place.
+    void set_moving(unsigned int i, double xi, ContactPoint &point) const;
 
     struct Last
     {
@@ -221,5 +259,6 @@ namespace deltaform
     std::vector<Last> last_;
     FlatEdges flat_;
     FarEdges far_;
+    MovingPoints moving_;
   };
 } // namespace deltaform

@@ -4,6 +4,7 @@
 #include <deltaform/contact/interface_friction.h>
 #include <deltaform/contact/interface_state.h>
 
+#include <utility>
 #include <vector>
 
 namespace deltaform
@@ -47,6 +48,7 @@ namespace deltaform
       unsigned int point;
       const ContactPointState &before;
       ContactPointState &now;
+      const Tensor1 &shift; ///< way of the counterpart at the end
       double offset; ///< of its face in this increment
       double slip; ///< of it, a length along the tool; 0 without friction
     };
@@ -70,12 +72,14 @@ namespace deltaform
 
     /// What the springs gain beyond the work of their forces. @param start the point where the increment has begun
     /// @param closest its closest point on the counterpart there @param end the same at the end
+    /// @param ways of the places that bear the forces at the start and at the end, along the normals there
     void add_springs(const Increment &increment, const ContactPoint &start, const Projection &closest,
-                     const Projection &end, ContactEnergy &energy) const;
+                     const Projection &end, const std::pair<double, double> &ways, ContactEnergy &energy) const;
 
     /// The slope at the end of the increment is set. @param end closest point there
-    static void add_climbing(const Increment &increment, const Vector &q, const ContactPoint &start,
-                             const Projection &end, ContactEnergy &energy);
+    /// @param ways of the places that bear the forces at the start and at the end, along the tool there
+    static void add_climbing(const Increment &increment, const Vector &q, const Projection &end,
+                             const std::pair<double, double> &ways, ContactEnergy &energy);
 
     static void add_update(const Increment &increment, const ContactPoint &start, const Projection &closest,
                            ContactEnergy &energy);

@@ -78,6 +78,11 @@ namespace deltaform
       return in_place_;
     }
 
+    bool at_start() const
+    {
+      return at_start_;
+    }
+
     void leave_start()
     {
       at_start_ = false;
@@ -118,6 +123,10 @@ namespace deltaform
     void press(unsigned int i, const Vector &q, const Tensor1 &shift, const Points &committed, Points &trial);
     void add(unsigned int i, const Vector &q, const Points &committed, Points &trial, AssemblyTarget &target);
     ///@}
+
+    /// Points that move are at their places: one that touches at the end of its edge leaves its force to the point
+    /// inside of the edge beyond, if it is free. They would meet at the node, and only one of them goes on.
+    void hand_over(Points &trial);
 
     /// Points of an edge are added, which shares its friction.
     ///@{
@@ -195,7 +204,8 @@ namespace deltaform
     void meet(unsigned int i, bool known, const Vector &q, const Points &committed, Points &trial);
 
     /// Add the forces of a point.
-    void add(unsigned int i, const FrictionResponse &friction, ContactPointState &state, AssemblyTarget &target);
+    void add(unsigned int i, const FrictionResponse &friction, const Vector &q, ContactPointState &state,
+             AssemblyTarget &target);
 
     const NormalLaw &law_;
     ContactProjector &projector_;

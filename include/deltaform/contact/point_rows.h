@@ -31,6 +31,9 @@ namespace deltaform
     /// Tangent -J^T dF/dx J - F . d2x/dq2 of that force.
     void add_gradient(const Tensor1 &force, const Tensor2 &gradient);
 
+    /// Tangent @p factor a a^T, a = @p own + J^T @p by_place; @p own: of the blank's unknowns.
+    void add_square(double factor, const std::array<double, ContactPoint::max_dofs> &own, const Tensor1 &by_place);
+
     /// Row of the appended unknown: its residual and derivative by itself.
     void add_equation(double residual, double diagonal);
 
