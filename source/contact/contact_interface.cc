@@ -100,7 +100,7 @@ namespace deltaform
     trial.step = trial.time - committed.time;
     account_.finish(projector_, trial);
     states_.accept(q, shift(q), far);
-    projector_.accept_places();
+    projector_.moving().accept();
   }
 
 

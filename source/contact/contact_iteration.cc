@@ -80,11 +80,8 @@ namespace deltaform
   {
     points_.begin_assembly();
     projector_.counterpart().add_load(q, time, target);
-    if (!points_.in_place() && projector_.moving().used())
-    {
-      projector_.settle(q, shift, points_.at_start(), trial.front().delta);
-      points_.hand_over(trial);
-    }
+    if (!points_.in_place())
+      projector_.moving().follow(projector_, q, shift, points_.at_start(), trial);
     if (edges_.empty())
       for (unsigned int i = 0; i < trial.size(); ++i)
       {

@@ -58,16 +58,6 @@ namespace deltaform
   }
 
 
-  void
-  ContactProjector::settle(const Vector &q, const Tensor1 &shift, const bool at_start, const double delta)
-  {
-    if (at_start)
-      moving_.begin_increment(*this, q, shift, delta);
-    for (const unsigned int e : near_edges())
-      moving_.settle(*this, e, q, shift);
-  }
-
-
   ContactPoint ContactProjector::start(const unsigned int i) const
   {
     ContactPoint result;
@@ -80,21 +70,6 @@ namespace deltaform
       locate(far_.start(), i, result);
     result.x -= far_.start_shift();
     return result;
-  }
-
-
-  std::array<Tensor1, 2>
-  ContactProjector::ways(const Vector &q, const Tensor1 &shift, const unsigned int i, const Tensor1 &of_point) const
-  {
-    if (!moving_.used())
-      return {{of_point, of_point}};
-    ContactPoint now, then;
-    const auto way = [&](const double xi) {
-      surface_.locate_place(q, side_, i, xi, thickness_, now);
-      surface_.locate_place(far_.start(), side_, i, xi, thickness_, then);
-      return (now.x - shift) - (then.x - far_.start_shift());
-    };
-    return {{way(moving_.accepted(i)), way(moving_.place(i))}};
   }
 
 
@@ -172,7 +147,7 @@ namespace deltaform
     Tensor1 along = face->along;
     if (moving_.used())
     {
-      along = face_curve(q, i, moving_.place(i)).along;
+      along = surface_.face_curve(q, side_, i, moving_.place(i)).along;
       along /= along.norm();
     }
     const double rise = closest.normal * along - face->offset_rate;

@@ -23,6 +23,25 @@ namespace deltaform
       return std::abs(length) > state.noise ? length : 0.;
     }
 
+    /// What the places of the sheet where the point was when the increment began and where it is at @p q have done
+    /// since, relative to the counterpart. The same for a point that stays. @param start where it was then
+    std::pair<Tensor1, Tensor1>
+    ways(const InterfaceAccount::Increment &increment, const Vector &q, const ContactPoint &start)
+    {
+      const MovingPoints &moving = increment.projector.moving();
+      const Tensor1 of_point = increment.now.position - start.x;
+      if (!moving.used())
+        return {of_point, of_point};
+      ContactPoint now, then;
+      const FarEdges &far = increment.projector.far();
+      const auto way = [&](const double xi) -> Tensor1 {
+        increment.projector.locate(q, increment.point, xi, now);
+        increment.projector.locate(far.start(), increment.point, xi, then);
+        return (now.x - increment.shift) - (then.x - far.start_shift());
+      };
+      return {way(moving.accepted(increment.point)), way(moving.place(increment.point))};
+    }
+
     double stored_by_friction(const ContactPointState &state)
     {
       const double t = tangential_force(state);
@@ -47,7 +66,7 @@ namespace deltaform
     const Projection closest = projector.look(increment.point, start.x);
     const Projection end = projector.look(increment.point, increment.now.position);
     // Of the place where the point was, and of that where it is: a point that moves is in another one.
-    const auto [first, last] = projector.ways(q, increment.shift, increment.point, increment.now.position - start.x);
+    const auto [first, last] = ways(increment, q, start);
     add_springs(increment, start, closest, end, {first * closest.normal, last * end.normal}, energy);
     add_climbing(increment, q, end, {first * end.tangent, last * end.tangent}, energy);
     add_update(increment, start, closest, energy);

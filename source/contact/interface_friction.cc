@@ -74,7 +74,7 @@ namespace deltaform
     // A force that is an unknown has its own column, which those of the other points are not.
     what.coupled = shares() && what.normal_force > 0. && normal.derivative < 0.;
     const Curve &profile = projector_.counterpart().profile();
-    what.slip_increment = offset_slip(profile, start(before, now), closest.arc_length, offset) - projector_.own_way(i);
+    what.slip_increment = offset_slip(profile, start(before, now), closest.arc_length, offset) - projector_.moving().own_way(i);
     FrictionResponse result = law_->update(what);
     result.force += result.force_rate * (normal.force - estimate);
     if (what.coupled)

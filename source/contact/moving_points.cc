@@ -1,5 +1,6 @@
 #include <deltaform/contact/contact_projector.h>
 #include <deltaform/contact/moving_points.h>
+#include <deltaform/contact/point_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,7 @@ namespace deltaform
       At at(const double xi)
       {
         const Projection closest = projector_.look(e_, locate(xi) - shift_);
-        const auto curve = projector_.face_curve(q_, e_, xi);
+        const auto curve = projector_.surface().face_curve(q_, projector_.side(), e_, xi);
         const double along = closest.tangent * curve.along, turn = closest.curvature * along * along;
         return {closest, closest.normal * curve.along - offset_rate_, closest.normal * curve.bend + turn, turn};
       }
@@ -141,6 +142,35 @@ namespace deltaform
   }
 
 
+  void MovingPoints::follow(const ContactProjector &projector,
+                            const Vector &q,
+                            const Tensor1 &shift,
+                            const bool at_start,
+                            std::vector<ContactPointState> &trial)
+  {
+    if (!used())
+      return;
+    if (at_start)
+      begin_increment(projector, q, shift, trial.front().delta);
+    for (unsigned int e = 0; e < edges_.size(); ++e)
+      settle(projector, e, q, shift);
+    for (unsigned int e = 0; e < edges_.size(); ++e)
+      if (trial[e].is_held())
+        if (const unsigned int next = successor(e, trial); next != invalid_index)
+          trial[next].take_over(trial[e]);
+  }
+
+
+  unsigned int MovingPoints::successor(const unsigned int e, const std::vector<ContactPointState> &trial) const
+  {
+    unsigned int last = e, next = beyond(e);
+    const auto goes_on = [&] { return next != invalid_index && !trial[next].is_held() && !is_inside(next); };
+    while (goes_on() && beyond(next) != last)
+      next = beyond(std::exchange(last, next));
+    return next != invalid_index && !trial[next].is_held() && is_inside(next) ? next : invalid_index;
+  }
+
+
   void MovingPoints::begin_increment(const ContactProjector &projector,
                                      const Vector &q,
                                      const Tensor1 &shift,
@@ -197,17 +227,19 @@ namespace deltaform
   }
 
 
-  MovingPoints::SlopeRate MovingPoints::slope_rate(const ContactProjector &projector,
-                                                   const unsigned int e,
-                                                   const Vector &q,
-                                                   const Projection &closest) const
+  void MovingPoints::add_gradient(const ContactProjector &projector,
+                                  const unsigned int e,
+                                  const Vector &q,
+                                  const Projection &closest,
+                                  const double lambda,
+                                  PointRows &rows) const
   {
-    const auto curve = projector.face_curve(q, e, place(e));
-    SlopeRate result;
-    for (unsigned int k = 0; k < curve.jacobian.size(); ++k)
-      result.own[k] = closest.normal * curve.jacobian[k];
-    result.by_place = closest.curvature * (closest.tangent * curve.along) * closest.tangent;
-    return result;
+    const auto curve = projector.surface().face_curve(q, projector.side(), e, place(e));
+    std::array<double, ContactPoint::max_dofs> own{}; // d(dg/dxi)/dq at a fixed place
+    for (unsigned int k = 0; k < own.size(); ++k)
+      own[k] = closest.normal * curve.jacobian[k];
+    const double turn = closest.curvature * (closest.tangent * curve.along);
+    rows.add_square(lambda * edges_[e].softness, own, turn * closest.tangent);
   }
 
 

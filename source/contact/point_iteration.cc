@@ -89,37 +89,6 @@ namespace deltaform
   }
 
 
-  void PointIteration::hand_over(Points &trial)
-  {
-    const auto is_held = [&](const unsigned int i) { return trial[i].touching || trial[i].multiplier > 0.; };
-    const MovingPoints &moving = projector_.moving();
-    for (unsigned int e = 0; e < trial.size(); ++e)
-    {
-      if (!is_held(e))
-        continue;
-      unsigned int last = e, f = moving.beyond(e);
-      while (f != invalid_index && !is_held(f) && !moving.is_inside(f) && moving.beyond(f) != last)
-        f = moving.beyond(std::exchange(last, f));
-      if (f == invalid_index || is_held(f) || !moving.is_inside(f))
-        continue;
-      ContactPointState &from = trial[e], &to = trial[f];
-      to.multiplier = from.multiplier;
-      if (!(to.penalty_factor > 0.))
-      {
-        to.penalty_factor = from.penalty_factor;
-        to.stiffness = from.stiffness;
-        to.last_penetration = from.last_penetration;
-      }
-      to.touching = true;
-      from.touching = false;
-      from.multiplier = from.force = 0.;
-      work_[f].is_near = true;
-      work_[e].foreseen.reset();
-      work_[f].foreseen.reset();
-    }
-  }
-
-
   void PointIteration::leave(const unsigned int i, ContactPointState &state)
   {
     status_changed_ |= state.touching;
@@ -209,11 +178,8 @@ namespace deltaform
     if (target.wants_tangent())
     {
       rows.add_gradient(force.value(), force.gradient(normal.touching ? std::max(state.multiplier, 0.) : 0.));
-      if (const MovingPoints &moving = projector_.moving(); normal.touching && moving.used() && moving.is_inside(i))
-      {
-        const auto rate = moving.slope_rate(projector_, i, q, projection);
-        rows.add_square(std::max(state.multiplier, 0.) * moving.softness(i), rate.own, rate.by_place);
-      }
+      if (normal.touching && projector_.moving().is_inside(i))
+        projector_.moving().add_gradient(projector_, i, q, projection, std::max(state.multiplier, 0.), rows);
       if (friction_ && friction_->shares())
         pressure_rows_.add(rows, force.by_mean_pressure(),
                            state.multiplier > 0. ? force.normal_force_by_place() / friction_->mean_pressure(i).area

@@ -60,6 +60,27 @@ namespace deltaform
       thickness = point.thickness;
     }
 
+    /// May it bear a force?
+    bool is_held() const
+    {
+      return touching || multiplier > 0.;
+    }
+
+    /// Bear the force of @p other from here on.
+    void take_over(ContactPointState &other)
+    {
+      multiplier = other.multiplier;
+      if (!(penalty_factor > 0.))
+      {
+        penalty_factor = other.penalty_factor;
+        stiffness = other.stiffness;
+        last_penetration = other.last_penetration;
+      }
+      touching = true;
+      other.touching = false;
+      other.multiplier = other.force = 0.;
+    }
+
     /// The tool has left: the point stays where it is, without contact.
     void release()
     {

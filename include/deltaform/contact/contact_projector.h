@@ -121,35 +121,17 @@ namespace deltaform
 
     /// @name See MovingPoints
     ///@{
+    MovingPoints &moving()
+    {
+      return moving_;
+    }
     const MovingPoints &moving() const
     {
       return moving_;
     }
-    /// An assembly of the increment begins; the first one where @p at_start.
-    void settle(const Vector &q, const Tensor1 &shift, bool at_start, double delta);
-    void accept_places()
-    {
-      moving_.accept();
-    }
-
-    /// The curve of an edge at a place.
-    ContactSurface::FaceCurve face_curve(const Vector &q, const unsigned int edge, const double xi) const
-    {
-      return surface_.face_curve(q, side_, edge, xi);
-    }
-
-    /// How far point @p i has gone in the sheet since the increment began: a length along the tool. 0 where it stays.
-    double own_way(const unsigned int i) const
-    {
-      return moving_.used() ? moving_.own_way(i) : 0.;
-    }
 
     /// Point @p i when the increment began, in the place of the sheet where it was accepted.
     ContactPoint start(unsigned int i) const;
-
-    /// What the places of the sheet where point @p i was when the increment began and where it is at @p q have done
-    /// since, relative to the counterpart. @p shift: way of that. Both are @p of_point, that of the point, if it stays.
-    std::array<Tensor1, 2> ways(const Vector &q, const Tensor1 &shift, unsigned int i, const Tensor1 &of_point) const;
     ///@}
 
     /// See FlatEdges.

@@ -84,7 +84,7 @@ namespace deltaform
                              const ContactPointState &now,
                              const double offset) const
     {
-      return slip_to(i, before, now, {now.position, now.arc_length}, offset) - projector_.own_way(i);
+      return slip_to(i, before, now, {now.position, now.arc_length}, offset) - projector_.moving().own_way(i);
     }
 
     /// A place relative to the tool, and the arc length of its closest point.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deltaform/assembly/contact_surface.h>
+#include <deltaform/contact/contact_point_state.h>
 #include <deltaform/geometry/curve.h>
 #include <deltaform/io/archive.h>
 #include <deltaform/parameters/scene_error.h>
@@ -11,6 +12,7 @@
 namespace deltaform
 {
   class ContactProjector;
+  class PointRows;
 
   /**
    * Contact points that move, one in each edge: to the place xi (0 to 1) where
@@ -48,45 +50,39 @@ namespace deltaform
     double lift(unsigned int e, double xi) const;
 
     /// How far its place in the sheet is from the one that was accepted, both where the increment began: a length along
-    /// the tool, as slip is.
+    /// the tool, as slip is. 0 of points that do not move.
     double own_way(const unsigned int e) const
     {
-      return edges_[e].own_way;
+      return used() ? edges_[e].own_way : 0.;
     }
 
-    /// The first assembly of an increment is at @p q, with the counterpart at @p shift: c, and which edges lie over a
-    /// straight part of the tool, where the point rests in the middle. @p delta: allowed penetration
-    void begin_increment(const ContactProjector &projector, const Vector &q, const Tensor1 &shift, double delta);
-
-    /// Move the point of edge @p e to its place at @p q.
-    void settle(const ContactProjector &projector, unsigned int e, const Vector &q, const Tensor1 &shift);
+    /// An assembly at @p q begins, with the counterpart at @p shift: move the points, if they do. One that touches at
+    /// the end of its edge leaves its force to the point inside of the edge beyond, if that is free: both would meet at
+    /// the node, and only one of them goes on. @p at_start: the increment begins, and with it c and which edges lie
+    /// over a straight part of the tool, where the point rests in the middle
+    void follow(const ContactProjector &projector,
+                const Vector &q,
+                const Tensor1 &shift,
+                bool at_start,
+                std::vector<ContactPointState> &trial);
 
     /// The edge beyond that end of edge @p e at which its point is; invalid_index: it is not at an end, or there is
     /// none.
     unsigned int beyond(unsigned int e) const;
 
-    /// Is the point of edge @p e in its edge, and not at its end or at rest?
+    /// Does the point of edge @p e move, and is it in its edge, not at its end or at rest?
     bool is_inside(const unsigned int e) const
     {
-      return edges_[e].softness > 0.;
+      return used() && edges_[e].softness > 0.;
     }
 
-    /// What the motion adds to the tangent of a force lambda: lambda softness a a^T with a = dg'/dq, g' = dg/dxi.
-    ///@{
-    double softness(const unsigned int e) const
-    {
-      return edges_[e].softness;
-    }
-    struct SlopeRate
-    {
-      std::array<double, ContactPoint::max_dofs> own{}; ///< a at a fixed place, of the blank's unknowns
-      Tensor1 by_place; ///< and what the motion of the place adds
-    };
-    SlopeRate slope_rate(const ContactProjector &projector,
-                         unsigned int e,
-                         const Vector &q,
-                         const Projection &closest) const;
-    ///@}
+    /// Add what the motion of a point that is inside adds to the tangent of its force @p lambda at its closest point.
+    void add_gradient(const ContactProjector &projector,
+                      unsigned int e,
+                      const Vector &q,
+                      const Projection &closest,
+                      double lambda,
+                      PointRows &rows) const;
 
     /// The places are accepted.
     void accept();
@@ -101,6 +97,12 @@ namespace deltaform
     }
 
   private:
+    void begin_increment(const ContactProjector &projector, const Vector &q, const Tensor1 &shift, double delta);
+    void settle(const ContactProjector &projector, unsigned int e, const Vector &q, const Tensor1 &shift);
+
+    /// The edge whose point takes over from that of edge @p e; invalid_index: none.
+    unsigned int successor(unsigned int e, const std::vector<ContactPointState> &trial) const;
+
     struct Edge
     {
       double place = .5, accepted = .5;

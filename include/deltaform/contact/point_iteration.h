@@ -124,10 +124,6 @@ namespace deltaform
     void add(unsigned int i, const Vector &q, const Points &committed, Points &trial, AssemblyTarget &target);
     ///@}
 
-    /// Points that move are at their places: one that touches at the end of its edge leaves its force to the point
-    /// inside of the edge beyond, if it is free. They would meet at the node, and only one of them goes on.
-    void hand_over(Points &trial);
-
     /// Points of an edge are added, which shares its friction.
     ///@{
     void begin_edge()
