@@ -16,6 +16,9 @@ namespace deltaform
     // contact point that moves").
     constexpr double share_of_delta = .8, share_of_turn = .1;
 
+    // G'' is taken for at least so many times c in the tangent: within an increment g'' may fall below what c allowed for.
+    constexpr double least_share_of_c = .1;
+
     // Edges farther from the tool than so many of their lengths are not asked.
     constexpr double reach = 1.5;
 
@@ -208,7 +211,7 @@ namespace deltaform
       };
       edge.place = place_of_minimum(rise, edge.place);
       if (edge.place > 0. && edge.place < 1.)
-        edge.softness = 1. / std::max(rise(edge.place).second, std::numeric_limits<double>::min());
+        edge.softness = 1. / std::max(rise(edge.place).second, least_share_of_c * edge.c);
     }
     const FarEdges &far = projector.far();
     const auto arc_length = [&](const double xi) {
