@@ -13,12 +13,18 @@ namespace deltaform
     std::string choice = section.choice("Contact points", offered.preset, offered.choices, offered.which);
     n_inside_ = section.integer("Gauss points", offered.default_number, 1, offered.most, offered.number);
     degree_ = degree;
-    points_move_ = choice == "moving";
-    if (points_move_)
-      n_inside_ = 1;
+    if (choice == "moving")
+      let_move();
     if (choice == "gauss" || points_move_)
       set_inside();
     return choice;
+  }
+
+
+  void BlankSurface::let_move()
+  {
+    points_move_ = true;
+    n_inside_ = 1;
   }
 
 

@@ -70,8 +70,11 @@ namespace deltaform
     /// choice
     std::string read_points(Section &section, const GaussPoints &offered, unsigned int degree);
 
-    /// The contact points lie inside the edges, as many as was read.
+    /// The contact points lie inside the edges, as many as was read, or as are left where they move.
     void set_inside();
+
+    /// There is one point in each edge, which moves, once they lie inside.
+    void let_move();
 
     /// The edges of @p side are there, or others than before.
     void find_ends(Side side);

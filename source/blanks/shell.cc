@@ -153,13 +153,14 @@ namespace deltaform
   }
 
 
-  void Shell::touch_inside(const DeltaSize delta)
+  void Shell::touch_inside(const DeltaSize delta, const bool slides)
   {
     // Nothing but friction holds a strip on a tool: it would snap from one point to the next (doc/decisions/README.md,
-    // "Points inside, and a fine delta").
-    if (delta == DeltaSize::fine && !axisymmetric())
-      return;
-    surface_.touch_inside();
+    // "Points inside, and a fine delta"), and from node to node as well, unless the points move (there, "A contact
+    // point that moves").
+    const bool snaps = delta == DeltaSize::fine && !axisymmetric();
+    if (!snaps || slides)
+      surface_.touch_inside(snaps);
   }
 
 

@@ -52,7 +52,7 @@ namespace deltaform
     bool depends_on_time() const override;
     Status assemble(const Vector &q, AssemblyTarget &target) override;
     double admissible_step(const Vector &q, const Vector &dq) const override;
-    void touch_inside(DeltaSize delta) override;
+    void touch_inside(DeltaSize delta, bool slides) override;
     void follow_flow_stress(Side side) override;
     void begin_increment(double duration, double ratio) override;
     double flow_error() const override;

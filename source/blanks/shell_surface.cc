@@ -42,10 +42,12 @@ namespace deltaform
   }
 
 
-  void ShellSurface::touch_inside()
+  void ShellSurface::touch_inside(const bool move)
   {
     if (!left_open_)
       return;
+    if (move)
+      let_move();
     set_inside();
     set_edges();
   }
@@ -100,8 +102,9 @@ namespace deltaform
        "deepest ('moving'): a sheet slides over a radius without being held by points that stand apart. automatic: "
        "inside, where the penalty factor of each is found "
        "(Enforcement = penalty, Penalty rule = adaptive), the sheet bends and 'Contact point' is the normal offset; in "
-       "plane strain, and with 'Thickness compliance = off', for a delta of at least 1e-4 thickness only; else the "
-       "nodes.",
+       "plane strain, and with 'Thickness compliance = off', for a delta of at least 1e-4 thickness only. moving: where "
+       "they would be inside but for plane strain and a smaller delta, no tool has a force or another tool on its side, "
+       "and supports hold the sheet at one place of its boundary at most. Else the nodes.",
        "Contact points inside an element, between two neighbouring nodes. With 2 the force of each is determinate; "
        "with 10 the face between them is little deeper than they are."},
       3);

@@ -61,8 +61,8 @@ namespace deltaform
     /// The mesh is another one.
     void set_up();
 
-    /// See Blank::touch_inside().
-    void touch_inside();
+    /// See Blank::touch_inside(). @param move one point in each edge, at the deepest place
+    void touch_inside(bool move);
 
     /// Angle of the director, of a membrane that of the meridian.
     double director_angle(const Vector &q, unsigned int node) const;

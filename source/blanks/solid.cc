@@ -50,7 +50,7 @@ namespace deltaform
   }
 
 
-  void Solid::touch_inside(const DeltaSize delta)
+  void Solid::touch_inside(const DeltaSize delta, const bool /*slides*/)
   {
     if (!motion_.finite() || delta == DeltaSize::fine)
       return;

@@ -57,7 +57,7 @@ namespace deltaform
     double initial_flow_stress() const override;
     bool depends_on_time() const override;
     bool constant_stiffness() const override;
-    void touch_inside(DeltaSize delta) override;
+    void touch_inside(DeltaSize delta, bool slides) override;
     void follow_flow_stress(Side side) override;
     bool shared_at_nodes() const override
     {

@@ -8,7 +8,10 @@
 #include <deltaform/scene/scene.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <optional>
+#include <set>
 
 namespace deltaform
 {
@@ -36,6 +39,40 @@ namespace deltaform
         tools.fail("Names", "there is no subsection '" + name +
                               "' with Side and Shape of this tool. Names are separated by commas");
     }
+
+
+    /// Lengths that expressions may name.
+    std::map<std::string, double> lengths(const Blank &blank, const bool of_contact)
+    {
+      std::map<std::string, double> result{{"thickness", blank.initial_thickness()}};
+      if (of_contact)
+        result["edge"] = shortest_contact_edge(blank);
+      return result;
+    }
+
+
+    /// What delta is compared with. The thickness of a solid may be any number of cells, and of Hertz's half-space it
+    /// is none.
+    std::string natural_length(const Blank &blank)
+    {
+      return blank.fields().is_sheet() ? "thickness" : "edge";
+    }
+
+
+    /// Nothing presses the sheet on a tool by a force, or between two tools, and it is held at one place of its outline
+    /// at most.
+    bool sheet_slides(const Actors &actors)
+    {
+      std::array<unsigned int, 2> n_tools{{0, 0}}; // of each side
+      for (const auto &tool : actors.tools)
+        if (tool->force_driven() || ++n_tools[static_cast<unsigned int>(tool->side())] > 1)
+          return false;
+      std::set<std::string> held;
+      for (const Support &support : actors.supports)
+        if (support.component != Component::rotation)
+          held.insert(support.boundary);
+      return held.size() < 2;
+    }
   } // namespace
 
 
@@ -58,9 +95,9 @@ namespace deltaform
     supply_material(root);
     actors.blank = Registry<Blank>::choose(blank, "Kind", "shell", "How the blank is modelled.");
     build_tools(root);
-    actors.heat = HeatFlow::read(root, *actors.blank, actors.interfaces);
-
     read_supports_and_loads(root);
+    build_interfaces(root);
+    actors.heat = HeatFlow::read(root, *actors.blank, actors.interfaces);
 
     Section steps_section = root.sub("Steps");
     actors.stages = read_stages(steps_section);
@@ -123,47 +160,63 @@ namespace deltaform
 
   void Scene::build_tools(const Section &root)
   {
-    Section section = root.sub("Tools");
+    const Section section = root.sub("Tools");
     const auto names = named(section, "Names of the tools, one subsection each.");
     Section contact = root.sub("Contact");
     // Without tools the section Contact is refused, but first what may be meant by 'Tools': its entries are declared.
     if (names.empty() && given_contact_entry(contact) == nullptr)
       return;
-    const std::map<std::string, double> constants{{"thickness", actors.blank->initial_thickness()}};
-    auto contact_constants = constants;
-    contact_constants["edge"] = shortest_contact_edge(*actors.blank);
-    // The thickness of a solid may be any number of cells, and of Hertz's half-space it is none.
-    const std::string natural_length = actors.blank->fields().is_sheet() ? "thickness" : "edge";
+    const auto constants = lengths(*actors.blank, false), contact_constants = lengths(*actors.blank, true);
+    const std::string natural = natural_length(*actors.blank);
     if (names.empty())
     {
-      const ContactSettings declared(contact, contact_constants, natural_length);
+      const ContactSettings declared(contact, contact_constants, natural);
       return;
     }
-    actors.contact = std::make_unique<ContactSettings>(contact, contact_constants, natural_length);
-    // Points of rigid faces would come and go with a fine delta (doc/decisions/README.md, "Points inside, and a fine
-    // delta").
-    const DeltaSize delta = actors.contact->delta_size(contact_constants[natural_length]);
-    const bool gives_way = std::all_of(names.begin(), names.end(), [&](const std::string &name) {
-      Section own = section.sub(name);
-      return ContactProjector::reads_compliance(own);
-    });
-    if (actors.contact->finds_factors() && (gives_way || delta == DeltaSize::coarse))
-      actors.blank->touch_inside(delta);
-    if (actors.blank->surface().points_move() && !actors.contact->finds_factors())
-      contact.fail("Enforcement", "a moving contact point (Blank/Contact points) wants a factor of its own that is found: "
-                                  "use 'penalty' with Penalty rule = adaptive");
+    actors.contact = std::make_unique<ContactSettings>(contact, contact_constants, natural);
     for (const auto &name : names)
     {
-      Section own = section.sub(name);
+      const Section own = section.sub(name);
       if (!section.documentation())
         check_described(name, own, section);
       actors.tools.push_back(
         std::make_unique<Tool>(name, own, constants, contact_constants, actors.blank->axisymmetric()));
-      const Tool &tool = *actors.tools.back();
-      actors.interfaces.push_back(std::make_unique<ContactInterface>(
-        actors.blank->surface(), tool, make_counterpart(tool), *actors.contact, own));
-      if (const FrictionLaw *law = actors.interfaces.back()->friction(); law != nullptr && law->needs_flow_stress())
-        actors.blank->follow_flow_stress(tool.side());
     }
+  }
+
+
+  void Scene::build_interfaces(const Section &root)
+  {
+    if (actors.tools.empty())
+      return;
+    const Section section = root.sub("Tools");
+    choose_contact_points(section);
+    if (const Section contact = root.sub("Contact");
+        actors.blank->surface().points_move() && !actors.contact->finds_factors())
+      contact.fail("Enforcement", "a moving contact point (Blank/Contact points) wants a factor of its own that is found: "
+                                  "use 'penalty' with Penalty rule = adaptive");
+    for (const auto &tool : actors.tools)
+    {
+      Section own = section.sub(tool->name());
+      actors.interfaces.push_back(std::make_unique<ContactInterface>(
+        actors.blank->surface(), *tool, make_counterpart(*tool), *actors.contact, own));
+      if (const FrictionLaw *law = actors.interfaces.back()->friction(); law != nullptr && law->needs_flow_stress())
+        actors.blank->follow_flow_stress(tool->side());
+    }
+  }
+
+
+  void Scene::choose_contact_points(const Section &section)
+  {
+    // Points of rigid faces would come and go with a fine delta (doc/decisions/README.md, "Points inside, and a fine
+    // delta").
+    const DeltaSize delta =
+      actors.contact->delta_size(lengths(*actors.blank, true)[natural_length(*actors.blank)]);
+    const bool gives_way = std::all_of(actors.tools.begin(), actors.tools.end(), [&](const auto &tool) {
+      Section own = section.sub(tool->name());
+      return ContactProjector::reads_compliance(own);
+    });
+    if (actors.contact->finds_factors() && (gives_way || delta == DeltaSize::coarse))
+      actors.blank->touch_inside(delta, sheet_slides(actors));
   }
 } // namespace deltaform

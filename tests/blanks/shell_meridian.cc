@@ -240,14 +240,20 @@ BOOST_AUTO_TEST_CASE(two_points_hold_the_face_and_no_more)
   BOOST_TEST(inf_sup(40, 3) < 1e-10);
 }
 
-BOOST_AUTO_TEST_CASE(points_that_are_left_open_lie_inside_where_something_holds_the_sheet)
+BOOST_AUTO_TEST_CASE(points_that_are_left_open_lie_inside_where_something_holds_the_sheet_and_move_where_it_slides)
 {
-  const auto are_inside = [](const DeltaSize delta, const Entries &more) {
+  const auto touched = [](const DeltaSize delta, const bool slides, const Entries &more) {
     Entries entries{"Blank/Points=0 0; 1 0", "Blank/Thickness=.01", "Blank/Elements=4", "Material/Young's modulus=2e3"};
     entries.insert(entries.end(), more.begin(), more.end());
-    const auto blank = make_blank("shell", entries);
-    blank->touch_inside(delta);
-    return blank->surface().points_per_edge() > 0u;
+    auto blank = make_blank("shell", entries);
+    blank->touch_inside(delta, slides);
+    return blank;
+  };
+  const auto are_inside = [&](const DeltaSize delta, const Entries &more) {
+    return touched(delta, false, more)->surface().points_per_edge() > 0u;
+  };
+  const auto move = [&](const DeltaSize delta, const Entries &more) {
+    return touched(delta, true, more)->surface().points_move();
   };
   const std::string strip = "Blank/Symmetry=plane strain";
   for (const DeltaSize delta : {DeltaSize::coarse, DeltaSize::fine})
@@ -255,9 +261,15 @@ BOOST_AUTO_TEST_CASE(points_that_are_left_open_lie_inside_where_something_holds_
     BOOST_TEST(are_inside(delta, {}));
     BOOST_TEST(are_inside(delta, {strip}) == (delta == DeltaSize::coarse));
     BOOST_TEST(are_inside(delta, {strip, "Blank/Contact points=gauss"}));
+    BOOST_TEST(!move(delta, {}));
+    BOOST_TEST(move(delta, {strip}) == (delta == DeltaSize::fine));
+    BOOST_TEST(!move(delta, {strip, "Blank/Contact points=gauss"}));
     for (const std::string stays :
          {"Blank/Contact points=nodes", "Blank/Membrane=true", "Blank/Contact point=outer fibre"})
+    {
       BOOST_TEST(!are_inside(delta, {stays}), stays);
+      BOOST_TEST(!move(delta, {strip, stays}), stays);
+    }
   }
 }
 

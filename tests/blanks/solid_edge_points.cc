@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(points_that_are_left_open_lie_inside_where_that_is_asked_fo
     const auto blank = make_blank("solid", entries);
     const unsigned int before = count(*blank);
     BOOST_TEST(blank->may_be_distributed());
-    blank->touch_inside(delta);
+    blank->touch_inside(delta, false);
     BOOST_TEST(blank->may_be_distributed() == (blank->surface().points_per_edge() == 0u));
     return std::pair(before, count(*blank));
   };

@@ -25,7 +25,7 @@ def results_of(arguments, run, log_name):
         return [json.loads(line) for file in arguments.again for line in file.read_text().splitlines()]
     results = []
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool, open(arguments.folder / log_name, "w", encoding="utf-8") as log:
-        seeds = range(arguments.first, arguments.first + arguments.count)
+        seeds = getattr(arguments, "seeds", None) or range(arguments.first, arguments.first + arguments.count)
         for result in pool.map(lambda seed: run(arguments.program, arguments.folder, seed, arguments.seconds), seeds):
             if result:
                 results.append(result)

@@ -151,7 +151,8 @@ namespace deltaform
     /// The penalty factor of every contact point is found, so that each keeps delta, however many there are: where the
     /// scene leaves it open, contact points lie inside the elements if that suits such a delta. To be said before
     /// anything touches the surface.
-    virtual void touch_inside(DeltaSize /*delta*/)
+    /// @param slides nothing presses the sheet on a tool by a force, or between two tools, and one end of it is free
+    virtual void touch_inside(DeltaSize /*delta*/, bool /*slides*/)
     {
     }
 

@@ -38,6 +38,10 @@ namespace deltaform
   private:
     void read_supports_and_loads(const Section &root);
     void build_tools(const Section &root);
+    void build_interfaces(const Section &root);
+
+    /// Which points of the blank touch, where the scene leaves it open. @param section Tools
+    void choose_contact_points(const Section &section);
 
     /// What a metal's name stands for (entry Material/Name). @throws SceneError
     void supply_material(const Section &root);
